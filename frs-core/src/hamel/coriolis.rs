@@ -1,0 +1,93 @@
+//! C, the Coriolis matrix in base velocity and joint rates.
+
+use nalgebra::{DMatrix, Vector3};
+
+use crate::Real;
+use crate::spatial::{CoriolisFactor, Twist, cross_matrix};
+use crate::sweep::{Moving, Square, base_matrix, subtree_sums};
+
+impl<T: Real> Moving<'_, '_, '_, T> {
+    /// The Coriolis matrix `C = Σ_k [X_k J_k]ᵀ(C(M_k; V_k) [X_k J_k] + M_k d[X_k J_k]/dt)` ((6+n)×(6+n), base frame) of a
+    /// base moving with `V₁ = base_twist`; `V_k = X_k V₁ + J_k q̇`. `dM/dt − 2C` is skew.
+    ///
+    /// With E_k = C(I_k; V_k) − I_k ad_{u_k}, u_k = J_k q̇, and subtree sums Eᶜ: the base columns are Eᶜ_root and, in row i,
+    /// s_iᵀ Eᶜ_i; column j is g_j = Eᶜ_j s_j + Iᶜ_j ṡ_j in the base rows and s_i·g_j in row i at or above j,
+    /// s_i·(Eᶜ_i s_j + Iᶜ_i ṡ_j) below j.
+    ///
+    /// # Panics
+    /// If `out` is not (6+n)×(6+n).
+    pub fn hamel_coriolis(&mut self, base_twist: Twist<T>, out: &mut DMatrix<T>) {
+        let com = self.com();
+        let omega = base_twist.angular;
+        let (model, data) = (self.model, &mut *self.data);
+        let bodies = model.bodies();
+        let joints = data.row.len();
+        let base = data.velocity[0];
+        for (k, factor) in data.factor.iter_mut().enumerate() {
+            *factor = data.inertia[k].coriolis_factor(data.velocity[k] - base);
+        }
+        subtree_sums(bodies, &mut data.factor, &mut data.factor_outside);
+
+        for j in 0..joints {
+            let screw = Twist::from_array(data.screw.get(j));
+            let screw_rate = (data.velocity[j + 1] - base).ad(screw);
+            let composite = &data.composite[j + 1];
+            let inside = data.factor[j + 1].apply(screw.angular) + composite.coriolis(omega, screw);
+            data.six.set(j, (inside + *composite * screw_rate).to_array());
+            data.six_more.set(j, screw_rate.to_array());
+            // Rows of s_jᵀ Eᶜ_j: the closed-form C is skew.
+            let row = Twist::new(data.factor[j + 1].apply_transpose(screw), Vector3::zeros());
+            let skew = composite.coriolis(omega, screw);
+            data.twist[j + 1] = row - Twist::new(skew.moment, skew.force);
+        }
+
+        let mut block = Square::new(model, out, 6);
+        for i in 0..joints {
+            let end = bodies[i + 1].end - 1;
+            let row = &mut data.row;
+            data.six.dot(data.screw.get(i), i..end, row);
+            row[end..].fill(T::zero());
+            block.row(i, i..joints, |j| row[j]);
+        }
+        for j in 0..joints {
+            let end = bodies[j + 1].end - 1;
+            let column = &mut data.row;
+            data.inside.dot(data.six_more.get(j), j + 1..end, column);
+            let screw = data.screw.get(j);
+            for (i, entry) in column.iter_mut().enumerate().take(end).skip(j + 1) {
+                let below = data.twist[i + 1].to_array();
+                for (a, b) in below.into_iter().zip(screw) {
+                    *entry += a * b;
+                }
+            }
+            column[end..].fill(T::zero());
+            block.column(j, j + 1..joints, |i| column[i]);
+        }
+        self.base_block(omega, com, out);
+    }
+
+    /// The base rows and columns.
+    fn base_block(&self, omega: Vector3<T>, com: Vector3<T>, out: &mut DMatrix<T>) {
+        let (model, data) = (self.model, &*self.data);
+        let locked = &data.composite[0];
+        let root: &CoriolisFactor<T> = &data.factor[0];
+        let mut matrix = root.to_matrix();
+        let turning = root.rotational + cross_matrix(locked.sigma(omega));
+        matrix.fixed_view_mut::<3, 3>(0, 0).copy_from(&turning);
+        matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&(cross_matrix(omega) * locked.mass));
+        out.view_range_mut(..6, ..).fill(T::zero());
+        out.view_range_mut(6.., ..6).fill(T::zero());
+        out.fixed_view_mut::<6, 6>(0, 0).copy_from(&base_matrix(&matrix, com));
+        for (j, body) in model.bodies()[1..].iter().enumerate() {
+            let c = 6 + body.drive.coordinate;
+            let column = crate::spatial::Wrench::from_array(data.six.get(j)).at(-com).to_vector();
+            let mut target = out.fixed_view_mut::<6, 1>(0, c);
+            target += column * body.drive.ratio;
+            // A row acts on a twist of the base frame: T is applied from the right, so it moves as a wrench does.
+            let row = data.twist[j + 1];
+            let row = crate::spatial::Wrench::new(row.angular, row.linear).at(-com).to_vector();
+            let mut target = out.fixed_view_mut::<1, 6>(c, 0);
+            target += row.transpose() * body.drive.ratio;
+        }
+    }
+}

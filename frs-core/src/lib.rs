@@ -1,0 +1,18 @@
+//! The recursive dynamics of floating-base robots in reduced Euler-Lagrange (REL) form.
+//!
+//! The core is the only place where dynamics is written. It is generic over a scalar ([`Real`]), reads a robot from a
+//! [`Model`], allocates nothing after its [`Workspace`] is made, and cannot fail once a [`Model`] exists.
+
+pub mod derivatives;
+mod hamel;
+pub mod model;
+mod real;
+pub mod rel;
+pub mod spatial;
+mod sweep;
+pub mod urdf;
+
+pub use model::Model;
+pub use real::Real;
+pub use rel::Curvature;
+pub use sweep::{Moving, Shape, Workspace};

@@ -1,0 +1,45 @@
+//! From a description to a model: the phases, in order.
+//!
+//! Each phase reports what it finds and goes on as far as its findings allow, so that one run tells all problems.
+
+mod axis;
+mod determined;
+mod lower;
+mod mimic;
+mod names;
+mod numbers;
+mod tree;
+
+use super::{Model, ModelError, Problem, RobotDescription, Severity};
+
+/// Checks `robot` and makes its model; warnings travel with the model.
+pub(super) fn build(robot: &RobotDescription) -> Result<Model, ModelError> {
+    let mut problems: Vec<Problem> = Vec::new();
+    numbers::check(robot, &mut problems);
+    let names = names::resolve(robot, &mut problems);
+    let followings = mimic::compose(robot, &names, &mut problems);
+    let tree = tree::grow(robot, &names, &mut problems);
+    if let Some(tree) = &tree {
+        determined::check(robot, tree, &followings, &mut problems);
+    }
+    match tree {
+        Some(tree) if problems.iter().all(|problem| problem.severity == Severity::Warning) => {
+            Ok(lower::lower(robot, &tree, &followings, problems))
+        }
+        _ => Err(ModelError::new(problems)),
+    }
+}
+
+/// Numbers as a person writes them.
+fn plain(numbers: &[f64]) -> String {
+    let plain = |number: &f64| format!("{number:?}").trim_end_matches(".0").to_owned();
+    numbers.iter().map(plain).collect::<Vec<_>>().join(" ")
+}
+
+/// Names in quotes; the middle of long lists is left out.
+fn abridged(names: &[String]) -> String {
+    match names {
+        [first, second, .., last] if names.len() > 8 => format!("{first} {second} … {last} ({} in all)", names.len()),
+        _ => names.join(" "),
+    }
+}

@@ -1,0 +1,72 @@
+//! The scalar contract: all that an algorithm may ask of a number.
+
+use std::ops::Neg;
+
+use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
+use num_traits::{One, Zero};
+
+/// A number the dynamics can be evaluated over.
+///
+/// `f64` and `f32` are numbers; so is anything that records, encloses, differentiates or widens them. The contract has
+/// no ordering on purpose: `if x < y` inside an algorithm does not compile, so every evaluation of an algorithm performs
+/// the same operations. The one value-dependent operation is [`Real::select_below`], a select without a branch.
+pub trait Real:
+    Scalar
+    + Copy
+    + Zero
+    + One
+    + ClosedAddAssign
+    + ClosedSubAssign
+    + ClosedMulAssign
+    + ClosedDivAssign
+    + Neg<Output = Self>
+{
+    /// The number nearest to `value`; exact when this type holds every `f64`.
+    fn from_f64(value: f64) -> Self;
+
+    /// √`self`.
+    fn sqrt(self) -> Self;
+
+    /// (sin `self`, cos `self`), `self` in radians.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The angle of the point (`x`, `self`) in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+
+    /// `below` where `self < limit`, else `otherwise`. Both are already computed: a select, not a branch.
+    fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self;
+}
+
+macro_rules! impl_real {
+    ($float:ty, $from_f64:expr) => {
+        impl Real for $float {
+            #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                $from_f64(value)
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                self.sin_cos()
+            }
+
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                self.atan2(x)
+            }
+
+            #[inline(always)]
+            fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self {
+                if f64::from(self) < limit { below } else { otherwise }
+            }
+        }
+    };
+}
+
+impl_real!(f64, std::convert::identity);
+impl_real!(f32, |value: f64| value as f32);

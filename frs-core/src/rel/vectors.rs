@@ -1,0 +1,72 @@
+//! The terms of the equations as vectors, without forming a matrix: one sweep each.
+
+use crate::Real;
+use crate::spatial::{Twist, Wrench};
+use crate::sweep::{Moving, Shape, newton_euler, project};
+
+impl<T: Real> Shape<'_, '_, T> {
+    /// The coupling torque `S(μ)ᵀ μ − A_lᵀ ad~_{Λ_bμ} μ` (length n): the (μ, μ) term of the shape equation.
+    ///
+    /// Per joint `ŝ_j·(ad_μᵀ Iᶜ_j μ) − A_j·(ad_μᵀ Iᵒ_j μ)`: what turning as one rigid body asks of the joints.
+    ///
+    /// # Panics
+    /// If `out` does not have n entries.
+    pub fn coupling_torque(&self, mu: Twist<T>, out: &mut [T]) {
+        let (data, mu) = (&*self.data, mu.at(self.com()));
+        self.model.gather(out, |j| {
+            let inside = mu.ad_transpose(data.composite[j + 1] * mu);
+            let outside = mu.ad_transpose(data.complement[j + 1] * mu);
+            Twist::from_array(data.reaction.get(j)).dot(inside)
+                - Twist::from_array(data.connection.get(j)).dot(outside)
+        });
+    }
+}
+
+impl<T: Real> Moving<'_, '_, '_, T> {
+    /// `D_q̇ ξ = [½ P(q̇) μ; Γ'_q(q̇) q̇]` (length 6+n).
+    ///
+    /// # Panics
+    /// If `out` does not have 6+n entries.
+    pub fn d_qdot_xi(&mut self, mu: Twist<T>, out: &mut [T]) {
+        let (com, half) = (self.com(), T::from_f64(0.5));
+        let upper = ((self.locked_rate() * mu.at(com)) * half).at(-com);
+        self.gamma_q_rates(&mut out[6..]);
+        out[..6].copy_from_slice(&upper.to_array());
+    }
+
+    /// `D_μ ξ` (length 6+n): with momentum h = Λ_b μ, `[ad_{V₁}ᵀ h − ½ P(q̇) μ; coupling torque − 2 B_2(μ) q̇]`.
+    ///
+    /// # Panics
+    /// If `out` does not have 6+n entries.
+    pub fn d_mu_xi(&mut self, mu: Twist<T>, out: &mut [T]) {
+        let (com, half) = (self.com(), T::from_f64(0.5));
+        let upper = (self.momentum_rate(mu.at(com)) - (self.locked_rate() * mu.at(com)) * half).at(-com);
+        let (model, data) = (self.model, &mut *self.data);
+        for (k, inertia) in data.inertia.iter().enumerate() {
+            data.wrench[k] = inertia.coriolis(mu.angular, data.velocity[k]);
+        }
+        let mut turned = std::mem::take(&mut data.vector);
+        project(model, data, &mut turned);
+        self.coupling_torque(mu, &mut out[6..]);
+        for (out, turned) in out[6..].iter_mut().zip(&turned) {
+            *out = *out - *turned - *turned;
+        }
+        self.data.vector = turned;
+        out[..6].copy_from_slice(&upper.to_array());
+    }
+
+    /// `Γ'_q(q̇) q̇` (length n), one Newton-Euler sweep at zero momentum.
+    ///
+    /// # Panics
+    /// If `out` does not have n entries.
+    pub fn gamma_q_rates(&mut self, out: &mut [T]) {
+        let (model, data) = (self.model, &mut *self.data);
+        newton_euler(model, data, Twist::zero(), Twist::zero(), |_| T::zero());
+        project(model, data, out);
+    }
+
+    /// ad_{V₁}ᵀ Λ_c μ, everything in the centroidal frame: the rate of the body momentum without a wrench.
+    pub(crate) fn momentum_rate(&self, mu: Twist<T>) -> Wrench<T> {
+        (mu + self.data.velocity[0]).ad_transpose(self.locked_momentum(mu))
+    }
+}

@@ -1,0 +1,113 @@
+//! Stumpff functions: all that the exponentials of SO(3) and SE(3) and their tangents ask of an angle.
+//!
+//! With `x = θ²` these are entire functions and their slopes `e_{k+2} = −dc_k/dx`; nothing happens at θ = 0:
+//!
+//! ```text
+//! c_k = Σ (−x)^j/(k+2j)!        c₁ = sin θ/θ, c₂ = (1 − cos θ)/θ², c₃ = (θ − sin θ)/θ³;   c_k = 1/k! − x c_{k+2}
+//! e_k = Σ (j+1)(−x)^j/(k+2j)!   e_k = c_k − x e_{k+2} = ½(c_{k−1} − (k−2) c_k)
+//! ```
+//!
+//! Every map here is `M(φ) = 1 + φ×(b + c φ×)` with `b`, `c` functions of `x = φ·φ`, and slopes `b' = 2 db/dx`, `c'`:
+//!
+//! | map | b | c | b' | c' |
+//! |---|---|---|---|---|
+//! | exp | c₁ | c₂ | | |
+//! | dexp | c₂ | c₃ | −2e₄ | −2e₅ |
+//! | dexp⁻¹ | −½ | e₄/c₂ | 0 | e₆/c₂ |
+//!
+//! The last row is `(1 − ½θ cot ½θ)/θ²` with its slope, in a form without cancellation at θ = 0.
+
+use nalgebra::Vector3;
+
+use crate::Real;
+
+/// Below this `x` the series, above it the trigonometric forms. It lies above π² = 9.87, for the trigonometric `e₅`, `e₆`
+/// lose two bits there and more at every smaller angle. The series lose nothing, their terms fall from the first on.
+const SERIES_BELOW: f64 = 10.0;
+
+/// Terms of a series: at `x = 10` all that is left out, `(j+1) x^j k!/(k+2j)!` from `j = 21` on, is less than 10⁻³³ of
+/// the sum.
+const TERMS: u32 = 21;
+
+/// Below this `x` two terms make `sin ½θ/θ`: the third one is 10⁻³⁵ of it. Far above where `x` underflows.
+const TINY: f64 = 1e-16;
+
+/// The functions of one angle.
+pub(super) struct Stumpff<T> {
+    /// `cos ½θ`.
+    pub half_cos: T,
+    /// `sin ½θ/θ`.
+    pub half_sin: T,
+    c2: T,
+    c3: T,
+    e4: T,
+    e5: T,
+    e6: T,
+}
+
+impl<T: Real> Stumpff<T> {
+    /// The functions at `x = θ²`.
+    pub fn new(x: T) -> Self {
+        let [one, two, three, half] = [1.0, 2.0, 3.0, 0.5].map(T::from_f64);
+        let [sixth, twenty_fourth, forty_eighth] = [6.0, 24.0, 48.0].map(|n| one / T::from_f64(n));
+
+        let theta = x.sqrt();
+        let (sin, half_cos) = (theta * half).sin_cos();
+        let half_sin = x.select_below(TINY, half - x * forty_eighth, sin / theta);
+        let (c1, c2) = (two * half_sin * half_cos, two * half_sin * half_sin);
+
+        let choose = |series: T, trigonometric: T| x.select_below(SERIES_BELOW, series, trigonometric);
+        let [c5, c6, e6, e7] = [series(5, 1, x), series(6, 1, x), series(6, 2, x), series(7, 2, x)];
+        let c3 = choose(sixth - x * c5, (one - c1) / x);
+        let c4 = choose(twenty_fourth - x * c6, (half - c2) / x);
+        let c5 = choose(c5, (sixth - c3) / x);
+        let e4 = choose(c4 - x * e6, c3 * half - c4);
+        let e5 = choose(c5 - x * e7, (c4 - three * c5) * half);
+        let e6 = choose(e6, (c4 - e4) / x);
+        Self { half_cos, half_sin, c2, c3, e4, e5, e6 }
+    }
+
+    /// The row "dexp" of the table.
+    pub fn dexp(&self) -> Coaxial<T> {
+        let minus_two = T::from_f64(-2.0);
+        Coaxial { b: self.c2, c: self.c3, b_slope: minus_two * self.e4, c_slope: minus_two * self.e5 }
+    }
+
+    /// The row "dexp⁻¹" of the table.
+    pub fn dexp_inverse(&self) -> Coaxial<T> {
+        Coaxial { b: T::from_f64(-0.5), c: self.e4 / self.c2, b_slope: T::zero(), c_slope: self.e6 / self.c2 }
+    }
+}
+
+/// `Σ w_j (−x)^j/(k+2j)!` in Horner's form, with weights `w_j = 1` or `j+1` for `order` 1 or 2.
+fn series<T: Real>(k: u32, order: u32, x: T) -> T {
+    let number = |n: u32| T::from_f64(f64::from(n));
+    let mut sum = T::one();
+    for j in (1..TERMS).rev() {
+        let last = k + 2 * j;
+        sum = T::one() - x * number(j + order - 1) / number(j * last * (last - 1)) * sum;
+    }
+    sum / number((1..=k).product())
+}
+
+/// The map `M(φ) = 1 + φ×(b + c φ×)` and the slopes of its coefficients.
+pub(super) struct Coaxial<T> {
+    b: T,
+    c: T,
+    b_slope: T,
+    c_slope: T,
+}
+
+impl<T: Real> Coaxial<T> {
+    /// `M(φ) y`.
+    pub fn apply(&self, phi: Vector3<T>, y: Vector3<T>) -> Vector3<T> {
+        y + phi.cross(&(y * self.b + phi.cross(&y) * self.c))
+    }
+
+    /// The derivative of `M(φ) y` in φ along `direction`.
+    pub fn apply_slope(&self, phi: Vector3<T>, direction: Vector3<T>, y: Vector3<T>) -> Vector3<T> {
+        let (turned, along) = (phi.cross(&y), phi.dot(&direction));
+        let slope = y * (self.b_slope * along) + turned * (self.c_slope * along) + direction.cross(&y) * self.c;
+        direction.cross(&(y * self.b + turned * self.c)) + phi.cross(&slope)
+    }
+}

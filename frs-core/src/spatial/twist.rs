@@ -1,0 +1,133 @@
+//! Twists: velocities of rigid bodies, and columns of Jacobians and connections.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use nalgebra::{Matrix6, Vector3, Vector6};
+
+use super::{Wrench, cross_matrix};
+use crate::Real;
+
+/// A twist `V = [ω; v]`: angular velocity, and linear velocity of the point at the frame's origin.
+///
+/// Units: rad/s and m/s; the column of a revolute joint is per rad/s, of a prismatic joint per m/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Twist<T: Real> {
+    /// Angular part ω.
+    pub angular: Vector3<T>,
+    /// Linear part v.
+    pub linear: Vector3<T>,
+}
+
+impl<T: Real> Twist<T> {
+    /// The twist `[angular; linear]`.
+    #[inline(always)]
+    pub fn new(angular: Vector3<T>, linear: Vector3<T>) -> Self {
+        Self { angular, linear }
+    }
+
+    /// The twist 0.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self::new(Vector3::zeros(), Vector3::zeros())
+    }
+
+    /// Reads `[ω; v]`.
+    #[inline(always)]
+    pub fn from_array([a, b, c, d, e, f]: [T; 6]) -> Self {
+        Self::new(Vector3::new(a, b, c), Vector3::new(d, e, f))
+    }
+
+    /// Writes `[ω; v]`.
+    #[inline(always)]
+    pub fn to_array(self) -> [T; 6] {
+        let (w, v) = (self.angular, self.linear);
+        [w.x, w.y, w.z, v.x, v.y, v.z]
+    }
+
+    /// Writes `[ω; v]` as a vector.
+    #[inline(always)]
+    pub fn to_vector(self) -> Vector6<T> {
+        Vector6::from(self.to_array())
+    }
+
+    /// The power `⟨h, V⟩ = mᵀω + fᵀv` of a wrench on this twist.
+    #[inline(always)]
+    pub fn dot(self, wrench: Wrench<T>) -> T {
+        let (w, v, m, f) = (self.angular, self.linear, wrench.moment, wrench.force);
+        w.x * m.x + w.y * m.y + w.z * m.z + v.x * f.x + v.y * f.y + v.z * f.z
+    }
+
+    /// `ad_V W = [ω_V × ω_W; ω_V × v_W + v_V × ω_W]`, the Lie bracket `[V, W]` of body-fixed twists.
+    ///
+    /// ```
+    /// use frs_core::spatial::Twist;
+    /// let turn = Twist::from_array([0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+    /// let slide = Twist::from_array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+    /// assert_eq!(turn.ad(slide).to_array(), [0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    /// ```
+    #[inline(always)]
+    pub fn ad(self, other: Self) -> Self {
+        Self::new(
+            self.angular.cross(&other.angular),
+            self.angular.cross(&other.linear) + self.linear.cross(&other.angular),
+        )
+    }
+
+    /// `ad_Vᵀ h = −[ω × m + v × f; ω × f]`, so that `⟨ad_Vᵀ h, W⟩ = ⟨h, ad_V W⟩`.
+    #[inline(always)]
+    pub fn ad_transpose(self, wrench: Wrench<T>) -> Wrench<T> {
+        // x × y = −(y × x): the sign is taken by the order of the factors.
+        Wrench::new(
+            wrench.moment.cross(&self.angular) + wrench.force.cross(&self.linear),
+            wrench.force.cross(&self.angular),
+        )
+    }
+
+    /// The 6×6 matrix of [`ad`](Self::ad), `[[ω×, 0], [v×, ω×]]`.
+    pub fn ad_matrix(self) -> Matrix6<T> {
+        let mut matrix = Matrix6::zeros();
+        let angular = cross_matrix(self.angular);
+        matrix.fixed_view_mut::<3, 3>(0, 0).copy_from(&angular);
+        matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&cross_matrix(self.linear));
+        matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&angular);
+        matrix
+    }
+
+    /// The same motion seen from a frame with the same axes whose origin stands at `point`: `Ad_{(1,point)}⁻¹ V`.
+    #[inline(always)]
+    pub fn at(self, point: Vector3<T>) -> Self {
+        Self::new(self.angular, self.linear + self.angular.cross(&point))
+    }
+}
+
+impl<T: Real> Add for Twist<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.angular + other.angular, self.linear + other.linear)
+    }
+}
+
+impl<T: Real> Sub for Twist<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.angular - other.angular, self.linear - other.linear)
+    }
+}
+
+impl<T: Real> Neg for Twist<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.angular, -self.linear)
+    }
+}
+
+impl<T: Real> Mul<T> for Twist<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: T) -> Self {
+        Self::new(self.angular * factor, self.linear * factor)
+    }
+}

@@ -1,0 +1,80 @@
+//! Position sweep: poses, inertias, screws and the connection at a shape. docs/mathematics.md §3.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::Data;
+use super::composite::{outside_sums, subtree_sums};
+use crate::Real;
+use crate::model::{Motion, Model};
+use crate::spatial::{Inertia, Twist};
+
+/// Fills everything in `data` that depends on `q` alone.
+pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
+    kinematics(model, q, data);
+    centroidal_frame(model, data);
+    subtree_sums(model.bodies(), &mut data.composite, &mut data.complement);
+    data.inertia_before[0] = Inertia::zero();
+    outside_sums(model.bodies(), &data.composite, &mut data.complement, &mut data.inertia_before);
+    data.locked = data.composite[0].rotational.factor();
+    joint_columns(model, data);
+}
+
+/// R_k, p_k from the base outwards; origins are still taken from the base body's origin.
+fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
+    data.rotation[0] = Matrix3::identity();
+    data.origin[0] = Vector3::zeros();
+    for (k, body) in model.bodies().iter().enumerate().skip(1) {
+        let value = q[body.drive.coordinate] * body.drive.ratio + body.drive.offset;
+        let parent = data.rotation[body.parent];
+        let rotation = parent * body.placement.rotation;
+        let origin = data.origin[body.parent] + parent * body.placement.translation;
+        match body.motion {
+            Motion::Revolute => {
+                let (sin, cos) = value.sin_cos();
+                let (x, y, z) = (rotation.column(0), rotation.column(1), rotation.column(2).into_owned());
+                data.rotation[k] = Matrix3::from_columns(&[x * cos + y * sin, y * cos - x * sin, z]);
+                data.origin[k] = origin;
+            }
+            Motion::Prismatic => {
+                data.rotation[k] = rotation;
+                data.origin[k] = origin + rotation.column(2) * value;
+            }
+        }
+    }
+}
+
+/// The centre of mass, and every origin and inertia about it. `composite` starts as the bodies' own inertias.
+fn centroidal_frame<T: Real>(model: &Model<T>, data: &mut Data<T>) {
+    let (mut mass, mut moment) = (T::zero(), Vector3::zeros());
+    for (k, body) in model.bodies().iter().enumerate() {
+        let com = data.origin[k] + data.rotation[k] * body.com;
+        mass += body.mass;
+        moment += com * body.mass;
+        data.inertia[k].moment = com;
+    }
+    data.inverse_mass = T::one() / mass;
+    data.com = moment * data.inverse_mass;
+    for (k, body) in model.bodies().iter().enumerate() {
+        data.origin[k] -= data.com;
+        let com = data.inertia[k].moment - data.com;
+        data.inertia[k] = Inertia::from_com(body.mass, com, body.inertia.rotated(&data.rotation[k]));
+        data.composite[k] = data.inertia[k];
+    }
+}
+
+/// s_j, h_j, k_j, A_j, ŝ_j of every joint.
+fn joint_columns<T: Real>(model: &Model<T>, data: &mut Data<T>) {
+    for (k, body) in model.bodies().iter().enumerate().skip(1) {
+        let axis = data.rotation[k].column(2).into_owned();
+        let screw = match body.motion {
+            Motion::Revolute => Twist::new(axis, data.origin[k].cross(&axis)),
+            Motion::Prismatic => Twist::new(Vector3::zeros(), axis),
+        };
+        let (inside, outside) = (data.composite[k] * screw, data.complement[k] * screw);
+        data.screw.set(k - 1, screw.to_array());
+        data.inside.set(k - 1, inside.to_array());
+        data.outside.set(k - 1, outside.to_array());
+        data.connection.set(k - 1, data.locked_solve(inside).to_array());
+        data.reaction.set(k - 1, data.locked_solve(outside).to_array());
+    }
+}

@@ -1,0 +1,70 @@
+//! The smallest robot and a large one.
+
+use frs_core::Curvature;
+use frs_core::model::RobotDescription;
+use nalgebra::DVector;
+use proptest::prelude::*;
+
+use crate::asking::{six_by, square, twist, vector, wrench};
+use crate::closeness::{ROUNDING, close};
+use crate::trees::{Case, case, case_with, config};
+
+/// Joints of a large robot.
+const MANY: usize = 200;
+
+/// How many large robots are tried: the sums over links take a second for each.
+const LARGE_CASES: u32 = 4;
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// A rigid body: Euler's equations Λ_b μ̇ = ad_μᵀ Λ_b μ + F₁.
+    #[test]
+    fn a_body_without_joints_obeys_eulers_equations(case in case()) {
+        let robot = RobotDescription { joints: Vec::new(), links: case.robot.links[..1].to_vec(), ..case.robot.clone() };
+        let none = DVector::zeros(0);
+        let case = Case { robot, q: none.clone(), qd: none.clone(), x: none.clone(), y: none.clone(), tau: none, ..case };
+        case.judge(|spec, robot| {
+            prop_assert_eq!(spec.dof(), 0);
+            let mu = twist(&case.mu);
+            let mu_rate = vector(6, |out| robot.forward_dynamics(mu, wrench(&case.wrench), &[], out));
+            let turning = mu.ad_transpose(robot.body_momentum(mu)).to_vector();
+            close(&(spec.lambda_b * &mu_rate), &(turning + case.wrench), ROUNDING, spec.condition())?;
+            let swept = vector(6, |out| robot.forward_dynamics_articulated(mu, wrench(&case.wrench), &[], out));
+            close(&swept, &mu_rate, ROUNDING, spec.condition())?;
+            let force = robot.inverse_dynamics(mu, mu_rate.as_slice(), &mut []).to_vector();
+            close(&force, &case.wrench, ROUNDING, spec.condition())?;
+            close(&square(6, |out| robot.d_mu(mu, out)), &spec.d_mu(&case.mu), ROUNDING, spec.size())?;
+            close(&square(6, |out| robot.d_qdot(out)), &spec.d_qdot(), ROUNDING, spec.size())?;
+            close(&square(6, |out| robot.hamel_coriolis(mu, out)), &spec.hamel_coriolis(&case.mu), ROUNDING, spec.size())?;
+            close(&square(0, |out| robot.gamma_q(out)), &spec.gamma_q(), ROUNDING, 1.0)?;
+            close(&square(0, |out| robot.b2(mu, out)), &spec.b2(&case.mu), ROUNDING, 1.0)?;
+            robot.curvature(&mut Curvature::new(0));
+            Ok(())
+        })?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: LARGE_CASES, ..config() })]
+
+    #[test]
+    fn a_robot_of_two_hundred_joints_is_specified_alike(case in case_with(MANY..=MANY)) {
+        case.judge(|spec, robot| {
+            let (n, mu, scale) = (spec.dof(), twist(&case.mu), spec.size() * spec.condition());
+            let a = six_by(n, |out| robot.connection(out));
+            close(&a, &spec.a, ROUNDING, scale)?;
+            close(&square(n, |out| robot.shape_inertia(out)), &spec.lambda_q(), ROUNDING, scale)?;
+            close(&square(n, |out| robot.gamma_q(out)), &spec.gamma_q(), ROUNDING, scale)?;
+            close(&square(n, |out| robot.b2(mu, out)), &spec.b2(&case.mu), ROUNDING, scale)?;
+            let curvature = robot.curvature_on(case.x.as_slice(), case.y.as_slice()).to_vector();
+            close(&curvature, &spec.curvature(&case.x, &case.y), ROUNDING, scale)?;
+            let expected = spec.forward_dynamics(&case.mu, &case.wrench, &case.tau);
+            let scale = scale * spec.shape_condition();
+            let (force, tau) = (wrench(&case.wrench), case.tau.as_slice());
+            close(&vector(6 + n, |out| robot.forward_dynamics(mu, force, tau, out)), &expected, ROUNDING, scale)?;
+            let swept = vector(6 + n, |out| robot.forward_dynamics_articulated(mu, force, tau, out));
+            close(&swept, &expected, ROUNDING, scale)
+        })?;
+    }
+}

@@ -1,0 +1,104 @@
+//! The command line: one file per subcommand.
+//!
+//! Exit codes: 0 ok, 1 a check failed, 2 bad input.
+
+mod answer;
+mod eval;
+mod overview;
+mod state;
+mod table;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use frs::Model;
+use frs::urdf::Options;
+
+/// Reduced Euler-Lagrange dynamics of floating-base robots.
+///
+/// Without a subcommand: shows the default robot, a satellite with a seven-joint arm, and checks every identity of its
+/// equations on random states.
+#[derive(Parser)]
+#[command(version, after_help = "Exit codes: 0 ok, 1 a check failed, 2 bad input.")]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Eval(eval::Eval),
+}
+
+/// The robot, and how to read it.
+#[derive(Args)]
+struct RobotArgs {
+    /// The robot's URDF file.
+    #[arg(value_name = "ROBOT.urdf")]
+    robot: PathBuf,
+    /// Take this link as the base instead of the root of the file.
+    #[arg(long, value_name = "LINK")]
+    root: Option<String>,
+    /// Warn about, instead of refuse, inertias that violate the triangle inequality.
+    #[arg(long)]
+    lenient: bool,
+}
+
+/// Why a command stopped; each reason has its exit code.
+enum Failure {
+    /// A check did not hold; what it was has been printed. Exit code 1.
+    Check(String),
+    /// The input cannot be used. Exit code 2.
+    Input(String),
+    /// Whoever reads our output has stopped reading: not an error.
+    OutputClosed,
+}
+
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        match error.kind() {
+            std::io::ErrorKind::BrokenPipe => Self::OutputClosed,
+            _ => Self::Input(format!("the output cannot be written: {error}")),
+        }
+    }
+}
+
+impl RobotArgs {
+    /// Reads the robot; warnings go to standard error.
+    fn model(&self) -> Result<Model, Failure> {
+        let text = read(&self.robot)?;
+        let file = self.robot.display().to_string();
+        let options = Options { file: &file, root: self.root.as_deref(), lenient: self.lenient };
+        let model = Model::from_urdf_with(&text, &options).map_err(|error| Failure::Input(error.to_string()))?;
+        for warning in model.warnings() {
+            eprintln!("warning: {warning}");
+        }
+        Ok(model)
+    }
+}
+
+fn read(path: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(path).map_err(|error| {
+        Failure::Input(format!("{}: cannot be read: {error}; check the path and that it is UTF-8 text", path.display()))
+    })
+}
+
+/// Runs the command line and says how it ended.
+pub fn run() -> ExitCode {
+    let result = match Cli::parse().command {
+        None => overview::run(),
+        Some(Command::Eval(eval)) => eval.run(),
+    };
+    match result {
+        Ok(()) | Err(Failure::OutputClosed) => ExitCode::SUCCESS,
+        Err(Failure::Check(message)) => {
+            eprintln!("{message}");
+            ExitCode::from(1)
+        }
+        Err(Failure::Input(message)) => {
+            eprintln!("error: {message}");
+            ExitCode::from(2)
+        }
+    }
+}
