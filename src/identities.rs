@@ -70,10 +70,7 @@ impl State {
             nu: Twist::from_array(six(rng)),
             wrench: Wrench::from_array(six(rng)),
             tau: vector(rng),
-            pose: Pose::from_rpy(
-                Twist::from_array(six(rng)).linear,
-                std::array::from_fn(|_| angle(rng)),
-            ),
+            pose: Pose::from_rpy(Twist::from_array(six(rng)).linear, std::array::from_fn(|_| angle(rng))),
         }
     }
 }
@@ -273,10 +270,7 @@ fn momentum_drift(
     let pose = &state.pose;
     let turn = pose.rotation * base_twist.angular.cross_matrix();
     let slide = pose.rotation * base_twist.linear;
-    let pose = Pose::new(
-        pose.rotation.zip_map(&turn, Dual::new),
-        pose.translation.zip_map(&slide, Dual::new),
-    );
+    let pose = Pose::new(pose.rotation.zip_map(&turn, Dual::new), pose.translation.zip_map(&slide, Dual::new));
     let rate = work.shape(&q).spatial_momentum(&pose, mu).to_vector().map(|x| x.derivative);
     rate - state.pose.act_wrench(state.wrench).to_vector()
 }
@@ -306,6 +300,8 @@ fn stacked(upper: Vector6<f64>, lower: &DVector<f64>) -> DVector<f64> {
     DVector::from_iterator(6 + lower.len(), upper.iter().chain(lower.iter()).copied())
 }
 
-fn into_matrix<R: nalgebra::Dim, S: nalgebra::Storage<f64, R>>(vector: nalgebra::Matrix<f64, R, nalgebra::U1, S>) -> DMatrix<f64> {
+fn into_matrix<R: nalgebra::Dim, S: nalgebra::Storage<f64, R>>(
+    vector: nalgebra::Matrix<f64, R, nalgebra::U1, S>,
+) -> DMatrix<f64> {
     DMatrix::from_iterator(vector.nrows(), 1, vector.iter().copied())
 }

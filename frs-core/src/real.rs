@@ -11,15 +11,7 @@ use num_traits::{One, Zero};
 /// no ordering on purpose: `if x < y` inside an algorithm does not compile, so every evaluation of an algorithm performs
 /// the same operations. The one value-dependent operation is [`Real::select_below`], a select without a branch.
 pub trait Real:
-    Scalar
-    + Copy
-    + Zero
-    + One
-    + ClosedAddAssign
-    + ClosedSubAssign
-    + ClosedMulAssign
-    + ClosedDivAssign
-    + Neg<Output = Self>
+    Scalar + Copy + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
 {
     /// The number nearest to `value`; exact when this type holds every `f64`.
     fn from_f64(value: f64) -> Self;

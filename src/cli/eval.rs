@@ -98,9 +98,11 @@ fn evaluate(work: &mut Workspace, state: &State, keys: &[Key]) -> Result<Vec<Val
     let mut shape = work.shape(&state.q);
     let locked = shape.locked_rotational_inertia().to_matrix();
     if !is_definite(&locked) {
-        return Err("the locked inertia Λ_b is singular in this shape: all mass lies on one line, or a number overflowed; \
+        return Err(
+            "the locked inertia Λ_b is singular in this shape: all mass lies on one line, or a number overflowed; \
                     no locked velocity is determined. Move the joints off this shape or give a link its thickness"
-            .into());
+                .into(),
+        );
     }
     if keys.contains(&Key::XiDot) {
         let mut shape_inertia = DMatrix::zeros(state.q.len(), state.q.len());

@@ -36,7 +36,10 @@ pub fn run() -> Result<(), Failure> {
     writeln!(out, "{} identities on {STATES} random states (two formulas each, exact derivatives):", residuals.len())?;
     writeln!(out, "{rows}\n")?;
     if broken > 0 {
-        return Err(Failure::Check(format!("{broken} identities are broken: residual above {:e}", identities::ROUNDING)));
+        return Err(Failure::Check(format!(
+            "{broken} identities are broken: residual above {:e}",
+            identities::ROUNDING
+        )));
     }
     writeln!(out, "Try next:")?;
     writeln!(out, "  frs eval ROBOT.urdf                         every quantity of your own robot at its zero pose")?;
@@ -69,7 +72,10 @@ fn show(out: &mut impl Write, model: &Model) -> io::Result<()> {
     table::matrix(out, &connection.resize_vertically(6, 0.0))?;
     writeln!(out, "\nCoupling torque while all turns at μ_ω = 12 °/s about y (N m)")?;
     table::matrix(out, &DMatrix::from_row_slice(1, n, &torque))?;
-    writeln!(out, "\n𝓑_ω,y, the curvature: turn of the base about y per area of a small joint loop (i, j), sign reversed")?;
+    writeln!(
+        out,
+        "\n𝓑_ω,y, the curvature: turn of the base about y per area of a small joint loop (i, j), sign reversed"
+    )?;
     table::matrix(out, &curvature.angular[1])?;
     writeln!(out)
 }

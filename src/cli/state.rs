@@ -50,8 +50,9 @@ impl State {
         };
         let six = |field: &str, values: Option<Vec<f64>>| match values {
             None => Ok([0.0; 6]),
-            Some(values) => <[f64; 6]>::try_from(values)
-                .map_err(|values| format!("1: {field}: found {} numbers; expected 6, angular part first", values.len())),
+            Some(values) => <[f64; 6]>::try_from(values).map_err(|values| {
+                format!("1: {field}: found {} numbers; expected 6, angular part first", values.len())
+            }),
         };
         let base = match (line.mu, line.base_twist) {
             (Some(_), Some(_)) => {

@@ -1,6 +1,7 @@
 """The URDFs to compare, each with a short label."""
 
 import sys
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -27,3 +28,15 @@ def label(path):
 def urdfs():
     """Every URDF of the package, then the project's own, then those beside this file that have every joint kind."""
     return [*sorted(example_robots().rglob("*.urdf")), *sorted((PROJECT / "robots").glob("*.urdf")), *sorted(HERE.glob("*.urdf"))]
+
+
+def copy_without_products(path, links, folder):
+    """A copy in `folder`, under the same name, in which the inertias of `links` are diagonal."""
+    tree = ElementTree.parse(path)
+    for link in tree.getroot().findall("link"):
+        if link.get("name") in links:
+            for product in ("ixy", "ixz", "iyz"):
+                link.find("inertial/inertia").set(product, "0")
+    copy = Path(folder) / path.name
+    tree.write(copy)
+    return copy

@@ -1,16 +1,17 @@
-"""Compares `frs eval` with Pinocchio: every quantity of every state within TOLERANCE, or the expected refusal."""
+"""Compares `frs eval` with Pinocchio: every quantity of every state within TOLERANCE, and every expected refusal."""
 
 import argparse
 import json
 import os
 import sys
+import tempfile
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 try:
     import catalogue
-    import expected
     from errors import KEYS, TOLERANCE, errors
+    from expected import REFUSALS
     from frs import Broken, Refused, evaluate, reading
     from reference import reference
     from robot import Robot, Unusable
@@ -28,57 +29,49 @@ class Outcome:
     note: str = ""
 
 
-def refused_as_expected(label, refusal, words):
-    """An expected refusal passes if its message says the right thing."""
-    first = str(refusal).splitlines()[0] if str(refusal) else "no message"
-    if words in str(refusal):
-        return Outcome(label, "passed", note=f"refused, as it should be: {first}")
-    return Outcome(label, "failed", note=f"refused, but not for “{words}”: {first}")
-
-
-def compare(path, count):
+def compare(path, count, folder):
+    """One robot; `folder` takes a repaired copy, if it needs one."""
     label = catalogue.label(path)
-    words = expected.REFUSED.get(label) or expected.LENIENT.get(label)
-    if words:
+    refusal = REFUSALS.get(label)
+    note = ""
+    if refusal:
         try:
             evaluate(path, ["{}"])
-            return Outcome(label, "failed", note=f"accepted, but should be refused for “{words}” (see expected.py)")
-        except Refused as refusal:
-            refusal = refused_as_expected(label, refusal, words)
-            if label in expected.REFUSED or refusal.verdict == "failed":
-                return refusal
+            return Outcome(label, "failed", note=f"accepted, but should be refused for “{refusal.words}” (see expected.py)")
+        except Refused as said:
+            if refusal.words not in str(said):
+                return Outcome(label, "failed", note=f"refused, but not for “{refusal.words}”: {said.first}")
+        note = f"refused as it should be: {refusal.words}"
+        if not refusal.comparable:
+            return Outcome(label, "passed", note=note)
+        if refusal.without_products:
+            path = catalogue.copy_without_products(path, refusal.without_products, folder)
     try:
         robot = Robot(path)
     except Unusable as reason:
         return Outcome(label, "skipped", note=str(reason))
-
-    states = list(robot.states(count))
-    theirs = [reference(robot, state) for state in states]
-    lines = [state.line(robot.names) for state in states]
-    lenient, note = label in expected.LENIENT, ""
     try:
-        if all(one.xi_dot is not None for one in theirs):
-            answers = evaluate(path, lines, lenient=lenient)
-        else:
-            # A motion without inertia: no acceleration exists, ours must say so, and the rest is still compared.
-            note = "singular mass matrix: ξ̇ refused by both"
-            for answer in evaluate(path, lines, lenient=lenient):
-                if "singular" not in answer.get("error", ""):
-                    return Outcome(label, "failed", robot.n, note="M is singular, but frs returned an acceleration")
-            answers = evaluate(path, lines, with_acceleration=False, lenient=lenient)
-        worst = {}
-        for state, ours, reference_ in zip(states, answers, theirs):
-            if "error" in ours:
-                raise Broken(ours["error"])
-            found = errors(reading(ours, robot.names, reference_.xi), reference_, state)
-            for key, error in found.items():
-                worst[key] = max(error, worst.get(key, 0.0))
-    except (Refused, Broken) as problem:
-        return Outcome(label, "failed", robot.n, note=str(problem).splitlines()[0])
-    except (KeyError, ValueError) as problem:
-        return Outcome(label, "failed", robot.n, note=f"unreadable answer: {type(problem).__name__}: {problem}")
+        worst = worst_errors(robot, count, lenient=bool(refusal and refusal.lenient))
+    except Refused as said:
+        return Outcome(label, "failed", robot.n, note=said.first)
+    except (Broken, KeyError, ValueError) as problem:
+        return Outcome(label, "failed", robot.n, note=f"unusable answer: {type(problem).__name__}: {problem}")
     good = all(error <= TOLERANCE for error in worst.values())
     return Outcome(label, "passed" if good else "failed", robot.n, worst, note)
+
+
+def worst_errors(robot, count, lenient):
+    """The worst error of each quantity over the states."""
+    states = list(robot.states(count))
+    answers = evaluate(robot.path, [state.line(robot.names) for state in states], lenient=lenient)
+    worst = dict.fromkeys(KEYS, 0.0)
+    for state, ours in zip(states, answers):
+        if "error" in ours:
+            raise Broken(ours["error"])
+        theirs = reference(robot, state)
+        for key, error in errors(reading(ours, robot.names, theirs.xi), theirs, state).items():
+            worst[key] = max(error, worst[key])
+    return worst
 
 
 def row(outcome):
@@ -87,10 +80,21 @@ def row(outcome):
     cells = f"{mark} {outcome.robot:<42} {'' if outcome.n is None else outcome.n:>3}"
     if outcome.errors:
         for key in KEYS:
-            error = outcome.errors.get(key)
-            shown = "-" if error is None else f"{error:.0e}" + ("!" if error > TOLERANCE else " ")
-            cells += f" {shown:>8}"
+            error = outcome.errors[key]
+            cells += f" {error:>7.0e}" + ("!" if error > TOLERANCE else " ")
     return cells + (f"  {outcome.note}" if outcome.note else "")
+
+
+def shown(path, number, total, options, folder):
+    """Compares one robot, with its name on the terminal meanwhile and its row afterwards."""
+    if sys.stderr.isatty():
+        print(f"\r\x1b[K[{number}/{total}] {catalogue.label(path)}", end="", file=sys.stderr, flush=True)
+    outcome = compare(path, options.states, folder)
+    if sys.stderr.isatty():
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+    if not options.json:
+        print(row(outcome), flush=True)
+    return outcome
 
 
 def main():
@@ -102,23 +106,21 @@ def main():
     try:
         if "FRS_BIN" not in os.environ:
             raise FileNotFoundError("FRS_BIN is not set; start this through tests/peers/run")
-        paths = [path.resolve(strict=True) for path in options.urdf] or catalogue.urdfs()
+        paths = [path.resolve() for path in options.urdf] or catalogue.urdfs()
+        for path in paths:
+            if not path.is_file():
+                raise FileNotFoundError(f"there is no file {path}")
+        unknown = set(REFUSALS) - {catalogue.label(path) for path in paths}
+        if unknown and not options.urdf:
+            raise FileNotFoundError(f"expected.py names robots that do not exist: {', '.join(sorted(unknown))}")
     except FileNotFoundError as missing:
         print(f"peers: {missing}", file=sys.stderr)
         sys.exit(2)
 
-    outcomes = []
     if not options.json:
         print(f"     {'robot':<42} {'n':>3}" + "".join(f" {key:>7} " for key in KEYS))
-    for number, path in enumerate(paths, 1):
-        if sys.stderr.isatty():
-            print(f"\r\x1b[K[{number}/{len(paths)}] {catalogue.label(path)}", end="", file=sys.stderr, flush=True)
-        outcomes.append(compare(path, options.states))
-        if sys.stderr.isatty():
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
-        if not options.json:
-            print(row(outcomes[-1]), flush=True)
-
+    with tempfile.TemporaryDirectory() as folder:
+        outcomes = [shown(path, number, len(paths), options, folder) for number, path in enumerate(paths, 1)]
     counts = {v: sum(o.verdict == v for o in outcomes) for v in ("passed", "failed", "skipped")}
     if options.json:
         print(json.dumps({"tolerance": TOLERANCE, "states": options.states, **counts, "robots": [asdict(o) for o in outcomes]},

@@ -9,21 +9,25 @@ import numpy as np
 from reference import Reference
 
 KEYS = ["hamel_m", "hamel_c", "hamel_bias", "locked_inertia", "connection", "shape_inertia", "p", "momentum", "energy",
-        "d_mu", "d_qdot"]
+        "d_mu", "d_qdot", "xi_dot"]
 
 
 class Refused(Exception):
     """frs rejected the robot (exit code 2); the message is its own."""
+
+    @property
+    def first(self):
+        """Its first line, if it said anything."""
+        return next(iter(str(self).splitlines()), "no message")
 
 
 class Broken(Exception):
     """frs answered outside its contract."""
 
 
-def evaluate(robot_path, lines, with_acceleration=True, lenient=False):
+def evaluate(robot_path, lines, lenient=False):
     """One dictionary per line of states."""
-    only = [*KEYS, "xi_dot"] if with_acceleration else KEYS
-    command = [os.environ["FRS_BIN"], "eval", str(robot_path), "--states", "-", "--only", ",".join(only)]
+    command = [os.environ["FRS_BIN"], "eval", str(robot_path), "--states", "-", "--only", ",".join(KEYS)]
     done = subprocess.run(command + ["--lenient"] * lenient, input="\n".join(lines) + "\n", capture_output=True, text=True)
     if done.returncode == 2:
         raise Refused(done.stderr.strip())
@@ -49,10 +53,10 @@ def reading(answer, names, xi):
 
     base = np.arange(6)
     return Reference(
-        M=take("hamel_m", every, every), C=take("hamel_c", every, every), bias=take("hamel_bias", every),
+        M=take("hamel_m", every, every), terms=None, C=take("hamel_c", every, every), bias=take("hamel_bias", every),
         locked=take("locked_inertia", base, base), connection=take("connection", base, joints),
         shape=take("shape_inertia", joints, joints), p=take("p", base, base), momentum=take("momentum", base),
         energy=float(answer["energy"]), xi=xi,
         drift=(take("d_qdot", every, every) - take("d_mu", every, every)) @ xi,
-        xi_dot=take("xi_dot", every) if "xi_dot" in answer else None,
+        xi_dot=take("xi_dot", every),
     )

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
-use crate::spatial::{CoriolisFactor, Twist, cross_matrix};
+use crate::spatial::{CoriolisFactor, Twist, Wrench, cross_matrix};
 use crate::sweep::{Moving, Square, base_matrix, subtree_sums};
 
 impl<T: Real> Moving<'_, '_, '_, T> {
@@ -21,7 +21,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let omega = base_twist.angular;
         let (model, data) = (self.model, &mut *self.data);
         let bodies = model.bodies();
-        let joints = data.row.len();
+        let joints = model.joints();
         let base = data.velocity[0];
         for (k, factor) in data.factor.iter_mut().enumerate() {
             *factor = data.inertia[k].coriolis_factor(data.velocity[k] - base);
@@ -29,39 +29,30 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         subtree_sums(bodies, &mut data.factor, &mut data.factor_outside);
 
         for j in 0..joints {
-            let screw = Twist::from_array(data.screw.get(j));
+            let (screw, composite) = (data.screw[j], &data.composite[j + 1]);
             let screw_rate = (data.velocity[j + 1] - base).ad(screw);
-            let composite = &data.composite[j + 1];
-            let inside = data.factor[j + 1].apply(screw.angular) + composite.coriolis(omega, screw);
-            data.six.set(j, (inside + *composite * screw_rate).to_array());
-            data.six_more.set(j, screw_rate.to_array());
-            // Rows of s_jᵀ Eᶜ_j: the closed-form C is skew.
-            let row = Twist::new(data.factor[j + 1].apply_transpose(screw), Vector3::zeros());
             let skew = composite.coriolis(omega, screw);
-            data.twist[j + 1] = row - Twist::new(skew.moment, skew.force);
+            data.twist[j] = screw_rate;
+            data.wrench[j] = data.factor[j + 1].apply(screw.angular) + skew + *composite * screw_rate;
+            // s_jᵀ Eᶜ_j: the closed-form C is skew.
+            data.wrench_outside[j] = Wrench::new(data.factor[j + 1].apply_transpose(screw), Vector3::zeros()) - skew;
+            data.six_rows.set(j, data.wrench[j].to_array());
+            data.six_rows_more.set(j, data.wrench_outside[j].to_array());
         }
 
         let mut block = Square::new(model, out, 6);
+        let row = &mut data.row;
         for i in 0..joints {
             let end = bodies[i + 1].end - 1;
-            let row = &mut data.row;
-            data.six.dot(data.screw.get(i), i..end, row);
+            data.six_rows.dot(data.screw[i].to_array(), i..end, row);
             row[end..].fill(T::zero());
             block.row(i, i..joints, |j| row[j]);
         }
         for j in 0..joints {
-            let end = bodies[j + 1].end - 1;
-            let column = &mut data.row;
-            data.inside.dot(data.six_more.get(j), j + 1..end, column);
-            let screw = data.screw.get(j);
-            for (i, entry) in column.iter_mut().enumerate().take(end).skip(j + 1) {
-                let below = data.twist[i + 1].to_array();
-                for (a, b) in below.into_iter().zip(screw) {
-                    *entry += a * b;
-                }
-            }
-            column[end..].fill(T::zero());
-            block.column(j, j + 1..joints, |i| column[i]);
+            let (end, screw) = (bodies[j + 1].end - 1, data.screw[j].to_array());
+            data.six_rows_more.dot_both(screw, &data.inside_rows, data.twist[j].to_array(), j + 1..end, row);
+            row[end..].fill(T::zero());
+            block.column(j, j + 1..joints, |i| row[i]);
         }
         self.base_block(omega, com, out);
     }
@@ -80,14 +71,13 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&base_matrix(&matrix, com));
         for (j, body) in model.bodies()[1..].iter().enumerate() {
             let c = 6 + body.drive.coordinate;
-            let column = crate::spatial::Wrench::from_array(data.six.get(j)).at(-com).to_vector();
+            let column = data.wrench[j].at(-com).to_vector() * body.drive.ratio;
             let mut target = out.fixed_view_mut::<6, 1>(0, c);
-            target += column * body.drive.ratio;
-            // A row acts on a twist of the base frame: T is applied from the right, so it moves as a wrench does.
-            let row = data.twist[j + 1];
-            let row = crate::spatial::Wrench::new(row.angular, row.linear).at(-com).to_vector();
+            target += column;
+            // A row acts on a twist of the base frame: T stands on its right, so it moves as a wrench does.
+            let row = data.wrench_outside[j].at(-com).to_vector() * body.drive.ratio;
             let mut target = out.fixed_view_mut::<1, 6>(c, 0);
-            target += row.transpose() * body.drive.ratio;
+            target += row.transpose();
         }
     }
 }

@@ -3,7 +3,6 @@
 use nalgebra::DMatrix;
 
 use crate::Real;
-use crate::spatial::Wrench;
 use crate::sweep::{Shape, Square};
 
 impl<T: Real> Shape<'_, '_, T> {
@@ -15,20 +14,19 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` is not (6+n)×(6+n).
     pub fn hamel_inertia(&mut self, out: &mut DMatrix<T>) {
         let (model, com) = (self.model, self.com());
-        let joints = self.data.row.len();
+        let (joints, row) = (model.joints(), &mut self.data.row);
         let mut joint_block = Square::new(model, out, 6);
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            let row = &mut self.data.row;
-            self.data.inside.dot(self.data.screw.get(i), i..end, row);
+            self.data.inside_rows.dot(self.data.screw[i].to_array(), i..end, row);
             row[end..].fill(T::zero());
-            joint_block.column(i, i..joints, |j| row[j]);
-            joint_block.row(i, i + 1..joints, |j| row[j]);
+            joint_block.lower(i, T::one(), |j| row[j]);
         }
+        joint_block.mirror(T::one());
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&self.locked_inertia().to_matrix());
         out.view_range_mut(..6, 6..).fill(T::zero());
         for (j, body) in model.bodies()[1..].iter().enumerate() {
-            let column = Wrench::from_array(self.data.inside.get(j)).at(-com).to_vector() * body.drive.ratio;
+            let column = self.data.inside[j].at(-com).to_vector() * body.drive.ratio;
             let mut target = out.fixed_view_mut::<6, 1>(0, 6 + body.drive.coordinate);
             target += column;
         }

@@ -3,12 +3,15 @@
 //! Each phase reports what it finds and goes on as far as its findings allow, so that one run tells all problems.
 
 mod axis;
+mod definite;
 mod determined;
 mod lower;
 mod mimic;
 mod names;
 mod numbers;
 mod tree;
+
+use lower::Lowered;
 
 use super::{Model, ModelError, Problem, RobotDescription, Severity};
 
@@ -22,18 +25,24 @@ pub(super) fn build(robot: &RobotDescription) -> Result<Model, ModelError> {
     if let Some(tree) = &tree {
         determined::check(robot, tree, &followings, &mut problems);
     }
-    match tree {
-        Some(tree) if problems.iter().all(|problem| problem.severity == Severity::Warning) => {
-            Ok(lower::lower(robot, &tree, &followings, problems))
-        }
-        _ => Err(ModelError::new(problems)),
-    }
+    let stops = |problems: &[Problem]| problems.iter().any(|problem| problem.severity == Severity::Error);
+    let Some(tree) = tree.filter(|_| !stops(&problems)) else {
+        return Err(ModelError::new(problems));
+    };
+    let Lowered { model, joints } = lower::lower(robot, &tree, &followings);
+    definite::check(robot, &model, &joints, &mut problems);
+    if stops(&problems) { Err(ModelError::new(problems)) } else { Ok(model.with_warnings(problems)) }
 }
 
 /// Numbers as a person writes them.
 fn plain(numbers: &[f64]) -> String {
     let plain = |number: &f64| format!("{number:?}").trim_end_matches(".0").to_owned();
     numbers.iter().map(plain).collect::<Vec<_>>().join(" ")
+}
+
+/// The number with four digits.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.3e}").parse().unwrap_or(number)
 }
 
 /// Names in quotes; the middle of long lists is left out.

@@ -152,7 +152,7 @@ impl Problem {
     }
 
     /// The same problem as a warning.
-    pub(crate) fn as_warning(self) -> Self {
+    pub(crate) fn into_warning(self) -> Self {
         Self { severity: Severity::Warning, ..self }
     }
 }

@@ -13,10 +13,10 @@ mod description;
 mod error;
 
 pub use description::{
-    InertialDescription, JointDescription, JointKind, LinkDescription, Limits, Mimic, RobotDescription,
+    InertialDescription, JointDescription, JointKind, Limits, LinkDescription, Mimic, RobotDescription,
 };
-pub use error::{ModelError, Part, Place, Problem, Severity, Subject};
 pub(crate) use error::Lines;
+pub use error::{ModelError, Part, Place, Problem, Severity, Subject};
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -120,6 +120,11 @@ impl<T: Real> Model<T> {
     /// The bodies, base first, depth first.
     pub fn bodies(&self) -> &[Body<T>] {
         &self.bodies
+    }
+
+    /// Number of joints: bodies but the base. More than coordinates where a joint follows another one.
+    pub fn joints(&self) -> usize {
+        self.bodies.len() - 1
     }
 
     /// The links; `links()[0]` is the root link, whose frame is the base frame.

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix6};
 
 use crate::Real;
-use crate::spatial::{CoriolisFactor, Twist, Wrench, cross_matrix};
+use crate::spatial::{CoriolisFactor, Twist, cross_matrix};
 use crate::sweep::{Moving, Shape, Square, base_matrix, outside_sums, subtree_sums};
 
 impl<T: Real> Shape<'_, '_, T> {
@@ -42,7 +42,7 @@ impl<T: Real> Shape<'_, '_, T> {
         let (com, mu, momentum) = (self.com(), mu.at(self.com()), self.centroidal_momentum(mu));
         out.view_range_mut(..6, 6..).fill(T::zero());
         for (j, body) in self.model.bodies()[1..].iter().enumerate() {
-            let connection = Twist::from_array(self.data.connection.get(j));
+            let connection = self.data.connection[j];
             let upper = -(self.half_rate(j, mu) + connection.ad_transpose(momentum)).at(-com);
             let mut column = out.fixed_view_mut::<6, 1>(0, 6 + body.drive.coordinate);
             column += upper.to_vector() * body.drive.ratio;
@@ -58,28 +58,24 @@ impl<T: Real> Shape<'_, '_, T> {
     fn curvature_coupling(&mut self, mu: Twist<T>, factor: T, mut out: Square<'_, '_, T>) {
         let data = &mut *self.data;
         let (omega, locked) = (mu.angular, data.composite[0]);
-        let joints = data.row.len();
+        let joints = self.model.joints();
         for j in 0..joints {
-            let screw = Twist::from_array(data.screw.get(j));
-            data.six.set(j, data.composite[j + 1].coriolis(omega, screw).to_array());
+            data.wrench[j] = data.composite[j + 1].coriolis(omega, data.screw[j]);
+            data.six_rows.set(j, data.wrench[j].to_array());
         }
+        let row = &mut data.row;
         for i in 0..joints {
             let end = self.model.bodies()[i + 1].end - 1;
-            let connection = Twist::from_array(data.connection.get(i));
-            let reaction = Twist::from_array(data.reaction.get(i));
-            let turned = data.composite[i + 1].coriolis(omega, reaction);
-            let below = turned - data.complement[i + 1].coriolis(omega, connection);
-            data.six.dot(reaction.to_array(), i + 1..end, &mut data.row);
-            data.connection.add_dot(below.to_array(), i + 1..end, &mut data.row);
-            let beside = Wrench::from_array(data.six.get(i)) - locked.coriolis_central(omega, connection);
-            data.six.dot((-connection).to_array(), end..joints, &mut data.row);
-            data.connection.add_dot(beside.to_array(), end..joints, &mut data.row);
-            let row = &mut data.row;
+            let (connection, reaction) = (data.connection[i], data.reaction[i]);
+            let inside = data.composite[i + 1].coriolis(omega, reaction);
+            let below = (inside - data.complement[i + 1].coriolis(omega, connection)).to_array();
+            data.six_rows.dot_both(reaction.to_array(), &data.connection_rows, below, i..end, row);
+            let beside = (data.wrench[i] - locked.coriolis_central(omega, connection)).to_array();
+            data.six_rows.dot_both((-connection).to_array(), &data.connection_rows, beside, end..joints, row);
             row[i] = T::zero();
-            row[i + 1..].iter_mut().for_each(|entry| *entry *= factor);
-            out.row(i, i..joints, |j| row[j]);
-            out.column(i, i + 1..joints, |j| -row[j]);
+            out.lower(i, -T::one(), |j| -(row[j] * factor));
         }
+        out.mirror(-T::one());
     }
 }
 
@@ -115,7 +111,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     fn christoffel(&mut self, mut out: Square<'_, '_, T>) {
         let (model, data) = (self.model, &mut *self.data);
         let bodies = model.bodies();
-        let joints = data.row.len();
+        let joints = model.joints();
         for (k, factor) in data.factor.iter_mut().enumerate() {
             *factor = data.inertia[k].coriolis_factor(data.velocity[k]);
         }
@@ -123,36 +119,35 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         data.factor_before[0] = CoriolisFactor::zero();
         outside_sums(bodies, &data.factor, &mut data.factor_outside, &mut data.factor_before);
 
-        let (g, z) = (&mut data.six, &mut data.three);
-        let (below, turning) = (&mut data.three_more, &mut data.six_more);
         for j in 0..joints {
-            let screw = Twist::from_array(data.screw.get(j));
-            let (connection, reaction) =
-                (Twist::from_array(data.connection.get(j)), Twist::from_array(data.reaction.get(j)));
+            let (screw, velocity) = (data.screw[j], data.velocity[j + 1]);
             let (inside, outside) = (&data.factor[j + 1], &data.factor_outside[j + 1]);
-            let screw_rate = data.velocity[j + 1].ad(screw);
-            turning.set(j, screw_rate.to_array());
-            g.set(j, (inside.apply(screw.angular) + data.composite[j + 1] * screw_rate).to_array());
-            z.set(j, (outside.apply_transpose(connection) - inside.apply_transpose(reaction)).into());
-            below.set(j, inside.apply_transpose(screw).into());
+            data.twist[j] = velocity.ad(screw);
+            data.wrench[j] = inside.apply(screw.angular) + data.composite[j + 1] * data.twist[j];
+            let z = outside.apply_transpose(data.connection[j]) - inside.apply_transpose(data.reaction[j]);
+            data.six_rows.set(j, data.wrench[j].to_array());
+            data.three_rows.set(j, z.into());
+            data.three_rows_more.set(j, inside.apply_transpose(screw).into());
+            data.turn[j] = z;
         }
+        let (g, z, below) = (&data.six_rows, &data.three_rows, &data.three_rows_more);
+        let row = &mut data.row;
         for i in 0..joints {
             let end = bodies[i + 1].end - 1;
-            let row = &mut data.row;
-            g.dot(data.reaction.get(i), i..end, row);
-            g.dot((-Twist::from_array(data.connection.get(i))).to_array(), end..joints, row);
-            data.connection.add_dot(z.get(i), i..joints, row);
+            let z: [T; 3] = data.turn[i].into();
+            g.dot_both(data.reaction[i].to_array(), &data.connection_rows, z, i..end, row);
+            g.dot_both((-data.connection[i]).to_array(), &data.connection_rows, z, end..joints, row);
             out.row(i, i..joints, |j| row[j]);
         }
         for j in 0..joints {
             let end = bodies[j + 1].end - 1;
-            let [screw, connection] = [&data.screw, &data.connection].map(|columns| Twist::from_array(columns.get(j)));
-            let column = &mut data.row;
-            data.connection.dot((-Wrench::from_array(g.get(j))).to_array(), j + 1..joints, column);
-            z.add_dot(connection.angular.into(), j + 1..joints, column);
-            below.add_dot(screw.angular.into(), j + 1..end, column);
-            data.inside.add_dot(turning.get(j), j + 1..end, column);
-            out.column(j, j + 1..joints, |i| column[i]);
+            let connection: [T; 3] = data.connection[j].angular.into();
+            let above = (-data.wrench[j]).to_array();
+            data.connection_rows.dot_both(above, z, connection, j + 1..end, row);
+            below.add_dot::<3>(data.screw[j].angular.into(), j + 1..end, row);
+            data.inside_rows.add_dot(data.twist[j].to_array(), j + 1..end, row);
+            data.connection_rows.dot_both(above, z, connection, end..joints, row);
+            out.column(j, j + 1..joints, |i| row[i]);
         }
     }
 }

@@ -42,30 +42,30 @@ impl<T: Real> Shape<'_, '_, T> {
         self.fill_inertia_rates();
         out.com = self.com();
         let (model, data) = (self.model, &mut *self.data);
-        let joints = data.row.len();
+        let joints = model.joints();
         let mut out = out.angular.each_mut().map(|component| Square::new(model, component, 0));
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            let screw = Twist::from_array(data.screw.get(i));
-            let [a_i, reaction] = [&data.connection, &data.reaction].map(|columns| Twist::from_array(columns.get(i)));
-            data.three.set(i, [T::zero(); 3]);
+            let screw = data.screw[i];
+            let [a_i, reaction] = [data.connection[i], data.reaction[i]];
+            data.turn[i] = Vector3::zeros();
             for j in i + 1..joints {
-                let a_j = Twist::from_array(data.connection.get(j));
+                let a_j = data.connection[j];
                 let (rate_i, rate_j) = (data.inertia_rate[i + 1], data.inertia_rate[j + 1]);
                 let momentum = if j < end {
-                    let carried = screw.ad_transpose(Wrench::from_array(data.inside.get(j)));
+                    let carried = screw.ad_transpose(data.inside[j]);
                     -carried.moment - (rate_i * a_j).moment - (rate_j * reaction).moment
                 } else {
                     (rate_j * a_i).moment - (rate_i * a_j).moment
                 };
                 let turn = data.locked.solve(momentum) - a_i.angular.cross(&a_j.angular);
-                data.three.set(j, turn.into());
+                data.turn[j] = turn;
             }
             for (component, out) in out.iter_mut().enumerate() {
-                out.row(i, i..joints, |j| data.three.get(j)[component]);
-                out.column(i, i + 1..joints, |j| -data.three.get(j)[component]);
+                out.lower(i, -T::one(), |j| -data.turn[j][component]);
             }
         }
+        out.iter_mut().for_each(|out| out.mirror(-T::one()));
     }
 
     /// The curvature `𝓑(x, y)` on two shape directions (length n), a twist in the base frame, in O(n).
@@ -80,9 +80,9 @@ impl<T: Real> Shape<'_, '_, T> {
         let mut velocities = |direction: &[T], out: &mut [Twist<T>]| {
             assert_eq!(direction.len(), model.dof(), "a direction must have one entry per coordinate");
             for (j, body) in model.bodies()[1..].iter().enumerate() {
-                data.row[j] = direction[body.drive.coordinate] * body.drive.ratio;
+                data.rate_more[j] = direction[body.drive.coordinate] * body.drive.ratio;
             }
-            free_velocities(model, &data.row, &data.connection, &data.screw, out);
+            free_velocities(model, &data.rate_more, &data.connection, &data.screw, out);
         };
         velocities(x, &mut data.twist);
         velocities(y, &mut data.twist_more);

@@ -16,9 +16,8 @@ impl<T: Real> Shape<'_, '_, T> {
         assert_eq!(x.len(), self.model.dof(), "x must have one entry per coordinate");
         self.fill_inertia_rates();
         let rates = self.model.bodies().iter().zip(&self.data.inertia_rate).skip(1);
-        let sum = rates.fold(Inertia::zero(), |sum, (body, rate)| {
-            sum + *rate * (x[body.drive.coordinate] * body.drive.ratio)
-        });
+        let sum = rates
+            .fold(Inertia::zero(), |sum, (body, rate)| sum + *rate * (x[body.drive.coordinate] * body.drive.ratio));
         base_matrix(&sum.to_matrix(), self.com())
     }
 
@@ -39,8 +38,8 @@ impl<T: Real> Shape<'_, '_, T> {
 
     /// P_j = −(ad_{s_j}ᵀ Iᶜ_j + Iᶜ_j ad_{s_j}) of every joint.
     pub(crate) fn fill_inertia_rates(&mut self) {
-        for j in 0..self.data.row.len() {
-            let screw = Twist::from_array(self.data.screw.get(j));
+        for j in 0..self.model.joints() {
+            let screw = self.data.screw[j];
             self.data.inertia_rate[j + 1] = self.data.composite[j + 1].rate(screw);
         }
     }

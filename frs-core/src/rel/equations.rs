@@ -37,7 +37,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let acceleration = &mut xi_dot[6..];
         project(model, data, acceleration);
         let mut carried = std::mem::take(&mut data.vector);
-        model.gather(&mut carried, |j| Twist::from_array(data.connection.get(j)).dot(wrench));
+        model.gather(&mut carried, |j| data.connection[j].dot(wrench));
         for ((x, &tau), &carried) in acceleration.iter_mut().zip(tau).zip(&carried) {
             *x = tau - carried - *x;
         }
@@ -82,13 +82,13 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             qdd[drive.coordinate] * drive.ratio
         };
         let mut base = Twist::zero();
-        for j in 0..data.row.len() {
-            base = base - Twist::from_array(data.connection.get(j)) * joint_acceleration(j);
+        for j in 0..model.joints() {
+            base = base - data.connection[j] * joint_acceleration(j);
         }
         newton_euler(model, data, centroidal, base, joint_acceleration);
         project(model, data, tau);
         let mut carried = std::mem::take(&mut data.vector);
-        model.gather(&mut carried, |j| Twist::from_array(data.connection.get(j)).dot(required));
+        model.gather(&mut carried, |j| data.connection[j].dot(required));
         for (tau, &carried) in tau.iter_mut().zip(&carried) {
             *tau += carried;
         }

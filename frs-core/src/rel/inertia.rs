@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
-use crate::spatial::{Inertia, Symmetric3, Twist};
+use crate::spatial::{Inertia, Symmetric3};
 use crate::sweep::{Shape, Square};
 
 impl<T: Real> Shape<'_, '_, T> {
@@ -23,16 +23,16 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` is not n×n.
     pub fn shape_inertia(&mut self, out: &mut DMatrix<T>) {
-        let joints = self.data.row.len();
-        let mut out = Square::new(self.model, out, 0);
+        let (model, data) = (self.model, &mut *self.data);
+        let (joints, row) = (model.joints(), &mut data.row);
+        let mut out = Square::new(model, out, 0);
         for i in 0..joints {
-            let end = self.model.bodies()[i + 1].end - 1;
-            let row = &mut self.data.row;
-            self.data.connection.dot(self.data.outside.get(i), i..end, row);
-            self.data.inside.dot((-Twist::from_array(self.data.connection.get(i))).to_array(), end..joints, row);
-            out.column(i, i..joints, |j| row[j]);
-            out.row(i, i + 1..joints, |j| row[j]);
+            let end = model.bodies()[i + 1].end - 1;
+            data.connection_rows.dot(data.outside[i].to_array(), i..end, row);
+            data.inside_rows.dot((-data.connection[i]).to_array(), end..joints, row);
+            out.lower(i, T::one(), |j| row[j]);
         }
+        out.mirror(T::one());
     }
 
     /// The shape inertia by the textbook form `Λ_q = M_q − A_lᵀ Λ_b A_l`, for comparison.
@@ -42,17 +42,17 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` is not n×n.
     pub fn shape_inertia_textbook(&mut self, out: &mut DMatrix<T>) {
-        let joints = self.data.row.len();
-        let mut out = Square::new(self.model, out, 0);
+        let (model, data) = (self.model, &mut *self.data);
+        let (joints, row) = (model.joints(), &mut data.row);
+        let mut out = Square::new(model, out, 0);
         for i in 0..joints {
-            let end = self.model.bodies()[i + 1].end - 1;
-            let row = &mut self.data.row;
+            let end = model.bodies()[i + 1].end - 1;
+            data.inside_rows.dot(data.screw[i].to_array(), i..end, row);
             row[end..].fill(T::zero());
-            self.data.inside.dot(self.data.screw.get(i), i..end, row);
-            self.data.inside.add_dot((-Twist::from_array(self.data.connection.get(i))).to_array(), i..joints, row);
-            out.column(i, i..joints, |j| row[j]);
-            out.row(i, i + 1..joints, |j| row[j]);
+            data.inside_rows.add_dot((-data.connection[i]).to_array(), i..joints, row);
+            out.lower(i, T::one(), |j| row[j]);
         }
+        out.mirror(T::one());
     }
 
     /// The rotational inertia about the centre of mass, base axes, with joints locked.

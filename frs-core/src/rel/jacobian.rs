@@ -18,7 +18,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` does not have n columns.
     pub fn link_jacobian(&self, link: usize, out: &mut Matrix6xX<T>) {
-        self.jacobian(link, out, |j| Twist::from_array(self.data.screw.get(j)), |_| Twist::zero());
+        self.jacobian(link, out, |j| self.data.screw[j], |_| Twist::zero());
     }
 
     /// The generalized Jacobian `J̃_k = J_k − X_k A_l` of a link (6×n, link frame): its body twist at zero momentum is
@@ -28,7 +28,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` does not have n columns.
     pub fn generalized_jacobian(&self, link: usize, out: &mut Matrix6xX<T>) {
         let (reaction, connection) = (&self.data.reaction, &self.data.connection);
-        self.jacobian(link, out, |j| Twist::from_array(reaction.get(j)), |j| -Twist::from_array(connection.get(j)));
+        self.jacobian(link, out, |j| reaction[j], |j| -connection[j]);
     }
 
     /// Columns `moving(j)` for the joints that move the link and `still(j)` for the rest, in the link's frame.

@@ -16,8 +16,7 @@ impl<T: Real> Shape<'_, '_, T> {
         self.model.gather(out, |j| {
             let inside = mu.ad_transpose(data.composite[j + 1] * mu);
             let outside = mu.ad_transpose(data.complement[j + 1] * mu);
-            Twist::from_array(data.reaction.get(j)).dot(inside)
-                - Twist::from_array(data.connection.get(j)).dot(outside)
+            data.reaction[j].dot(inside) - data.connection[j].dot(outside)
         });
     }
 }

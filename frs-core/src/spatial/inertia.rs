@@ -216,11 +216,7 @@ impl<T: Real> std::ops::Mul<T> for Inertia<T> {
 
     #[inline(always)]
     fn mul(self, factor: T) -> Self {
-        Self {
-            mass: self.mass * factor,
-            moment: self.moment * factor,
-            rotational: self.rotational * factor,
-        }
+        Self { mass: self.mass * factor, moment: self.moment * factor, rotational: self.rotational * factor }
     }
 }
 

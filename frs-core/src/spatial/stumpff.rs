@@ -21,13 +21,14 @@ use nalgebra::Vector3;
 
 use crate::Real;
 
-/// Below this `x` the series, above it the trigonometric forms. It lies above π² = 9.87, for the trigonometric `e₅`, `e₆`
-/// lose two bits there and more at every smaller angle. The series lose nothing, their terms fall from the first on.
-const SERIES_BELOW: f64 = 10.0;
+/// Below this `x` the recurrences start from the series, above it from the trigonometric functions, going the other way.
+/// There either way loses at most two bits of e₅, e₆; a trigonometric start loses more at smaller angles, a series start
+/// at larger ones.
+const SERIES_BELOW: f64 = 4.0;
 
-/// Terms of a series: at `x = 10` all that is left out, `(j+1) x^j k!/(k+2j)!` from `j = 21` on, is less than 10⁻³³ of
-/// the sum.
-const TERMS: u32 = 21;
+/// Terms of a series. What is left out, `(j+1) x^j k!/(k+2j)!` of the leading term from `j = 17` on, is below 10⁻³³ at
+/// `x = 4`: 3·10⁻³⁴ for e₆, less for the others.
+const TERMS: u32 = 17;
 
 /// Below this `x` two terms make `sin ½θ/θ`: the third one is 10⁻³⁵ of it. Far above where `x` underflows.
 const TINY: f64 = 1e-16;
@@ -38,6 +39,7 @@ pub(super) struct Stumpff<T> {
     pub half_cos: T,
     /// `sin ½θ/θ`.
     pub half_sin: T,
+    c1: T,
     c2: T,
     c3: T,
     e4: T,
@@ -48,34 +50,43 @@ pub(super) struct Stumpff<T> {
 impl<T: Real> Stumpff<T> {
     /// The functions at `x = θ²`.
     pub fn new(x: T) -> Self {
-        let [one, two, three, half] = [1.0, 2.0, 3.0, 0.5].map(T::from_f64);
+        let [one, two, half] = [1.0, 2.0, 0.5].map(T::from_f64);
         let [sixth, twenty_fourth, forty_eighth] = [6.0, 24.0, 48.0].map(|n| one / T::from_f64(n));
 
         let theta = x.sqrt();
         let (sin, half_cos) = (theta * half).sin_cos();
         let half_sin = x.select_below(TINY, half - x * forty_eighth, sin / theta);
+        let c0 = half_cos * half_cos - sin * sin;
         let (c1, c2) = (two * half_sin * half_cos, two * half_sin * half_sin);
+        let (e1, e2) = (half * (c0 + c1), half * c1);
 
+        // The recurrences of the header, down from the series or up from e₁ … c₂.
         let choose = |series: T, trigonometric: T| x.select_below(SERIES_BELOW, series, trigonometric);
         let [c5, c6, e6, e7] = [series(5, 1, x), series(6, 1, x), series(6, 2, x), series(7, 2, x)];
         let c3 = choose(sixth - x * c5, (one - c1) / x);
         let c4 = choose(twenty_fourth - x * c6, (half - c2) / x);
-        let c5 = choose(c5, (sixth - c3) / x);
-        let e4 = choose(c4 - x * e6, c3 * half - c4);
-        let e5 = choose(c5 - x * e7, (c4 - three * c5) * half);
+        let e3 = (c1 - e1) / x;
+        let e4 = choose(c4 - x * e6, (c2 - e2) / x);
+        let e5 = choose(c5 - x * e7, (c3 - e3) / x);
         let e6 = choose(e6, (c4 - e4) / x);
-        Self { half_cos, half_sin, c2, c3, e4, e5, e6 }
+        Self { half_cos, half_sin, c1, c2, c3, e4, e5, e6 }
     }
 
     /// The row "dexp" of the table.
     pub fn dexp(&self) -> Coaxial<T> {
         let minus_two = T::from_f64(-2.0);
-        Coaxial { b: self.c2, c: self.c3, b_slope: minus_two * self.e4, c_slope: minus_two * self.e5 }
+        Coaxial { a: self.c1, b: self.c2, c: self.c3, b_slope: minus_two * self.e4, c_slope: minus_two * self.e5 }
     }
 
     /// The row "dexp⁻¹" of the table.
     pub fn dexp_inverse(&self) -> Coaxial<T> {
-        Coaxial { b: T::from_f64(-0.5), c: self.e4 / self.c2, b_slope: T::zero(), c_slope: self.e6 / self.c2 }
+        Coaxial {
+            a: self.half_cos / (self.half_sin + self.half_sin),
+            b: T::from_f64(-0.5),
+            c: self.e4 / self.c2,
+            b_slope: T::zero(),
+            c_slope: self.e6 / self.c2,
+        }
     }
 }
 
@@ -92,6 +103,7 @@ fn series<T: Real>(k: u32, order: u32, x: T) -> T {
 
 /// The map `M(φ) = 1 + φ×(b + c φ×)` and the slopes of its coefficients.
 pub(super) struct Coaxial<T> {
+    a: T,
     b: T,
     c: T,
     b_slope: T,
@@ -101,7 +113,7 @@ pub(super) struct Coaxial<T> {
 impl<T: Real> Coaxial<T> {
     /// `M(φ) y`.
     pub fn apply(&self, phi: Vector3<T>, y: Vector3<T>) -> Vector3<T> {
-        y + phi.cross(&(y * self.b + phi.cross(&y) * self.c))
+        y * self.a + phi.cross(&y) * self.b + phi * (phi.dot(&y) * self.c)
     }
 
     /// The derivative of `M(φ) y` in φ along `direction`.

@@ -169,13 +169,6 @@ impl<T: Real> Mul<T> for Symmetric3<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, s: T) -> Self {
-        Self {
-            xx: self.xx * s,
-            xy: self.xy * s,
-            xz: self.xz * s,
-            yy: self.yy * s,
-            yz: self.yz * s,
-            zz: self.zz * s,
-        }
+        Self { xx: self.xx * s, xy: self.xy * s, xz: self.xz * s, yy: self.yy * s, yz: self.yz * s, zz: self.zz * s }
     }
 }

@@ -6,7 +6,7 @@ use crate::Real;
 use crate::model::Model;
 use crate::spatial::{ArticulatedInertia, Twist, Wrench};
 
-/// `acceleration[j]` of every joint j, for body velocities V_k = `locked` + w_k, wrench `base_wrench` on the base
+/// Leaves in `row[j]` the acceleration of every joint j, for body velocities V_k = `locked` + w_k, wrench `base_wrench` on the base
 /// (centroidal frame) and joint torques `tau`. The joints must be independent (no mimic).
 pub(crate) fn articulated_accelerations<T: Real>(
     model: &Model<T>,
@@ -15,7 +15,8 @@ pub(crate) fn articulated_accelerations<T: Real>(
     base_wrench: Wrench<T>,
     tau: &[T],
 ) {
-    let Data { articulated, wrench, twist, velocity, inertia, screw, rate, six, row, row_more, .. } = data;
+    let Data { articulated, wrench, twist, velocity, inertia, screw, rate, inverse_pivot, .. } = data;
+    let (torque, column) = (&mut data.row, &mut data.wrench_outside);
     for k in 0..articulated.len() {
         let v = velocity[k] + locked;
         articulated[k] = ArticulatedInertia::rigid(&inertia[k]);
@@ -25,25 +26,25 @@ pub(crate) fn articulated_accelerations<T: Real>(
 
     for (k, body) in model.bodies().iter().enumerate().skip(1).rev() {
         let (j, p) = (k - 1, body.parent);
-        let s = Twist::from_array(screw.get(j));
+        let s = screw[j];
         let bias = (velocity[k] + locked).ad(s) * rate[j];
         let u = articulated[k] * s;
-        let inverse_pivot = T::one() / s.dot(u);
-        let torque = tau[body.drive.coordinate] - s.dot(wrench[k]);
-        let handed_down = wrench[k] + articulated[k] * bias + u * ((torque - bias.dot(u)) * inverse_pivot);
+        let inverse = T::one() / s.dot(u);
+        let unmet = tau[body.drive.coordinate] - s.dot(wrench[k]);
+        let handed_down = wrench[k] + articulated[k] * bias + u * ((unmet - bias.dot(u)) * inverse);
         wrench[p] = wrench[p] + handed_down;
-        articulated[p] = articulated[p] + articulated[k].without(u, inverse_pivot);
+        articulated[p] = articulated[p] + articulated[k].without(u, inverse);
         twist[k] = bias;
-        six.set(j, u.to_array());
-        row[j] = torque;
-        row_more[j] = inverse_pivot;
+        column[k] = u;
+        torque[j] = unmet;
+        inverse_pivot[j] = inverse;
     }
 
     twist[0] = articulated[0].solve(-wrench[0]);
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
         let j = k - 1;
         let carried = twist[body.parent] + twist[k];
-        row[j] = (row[j] - carried.dot(Wrench::from_array(six.get(j)))) * row_more[j];
-        twist[k] = carried + Twist::from_array(screw.get(j)) * row[j];
+        torque[j] = (torque[j] - carried.dot(column[k])) * inverse_pivot[j];
+        twist[k] = carried + screw[j] * torque[j];
     }
 }

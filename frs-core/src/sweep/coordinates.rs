@@ -30,7 +30,7 @@ impl<T: Real> Model<T> {
     }
 }
 
-/// A square block over the coordinates, filled row by row or column by column from values over joints.
+/// A square block over the coordinates, filled from values over pairs of joints.
 pub(crate) struct Square<'a, 'm, T: Real> {
     model: &'m Model<T>,
     entries: &'a mut [T],
@@ -49,20 +49,7 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         Self { model, entries: out.as_mut_slice(), stride: size, first }
     }
 
-    /// Entries (i, j) for all joints j in `range`.
-    #[inline(always)]
-    pub fn row(&mut self, i: usize, range: Range<usize>, value: impl Fn(usize) -> T) {
-        if self.model.has_mimic() {
-            range.for_each(|j| self.add(i, j, value(j)));
-        } else {
-            let row = self.first + i;
-            for j in range {
-                self.entries[row + (self.first + j) * self.stride] = value(j) + T::zero();
-            }
-        }
-    }
-
-    /// Entries (i, j) for all joints i in `range`.
+    /// Entries (i, j) for all joints i in `range`: along memory.
     #[inline(always)]
     pub fn column(&mut self, j: usize, range: Range<usize>, value: impl Fn(usize) -> T) {
         if self.model.has_mimic() {
@@ -72,6 +59,45 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
             let entries = &mut self.entries[column + range.start..column + range.end];
             for (entry, i) in entries.iter_mut().zip(range) {
                 *entry = value(i) + T::zero();
+            }
+        }
+    }
+
+    /// Entries (i, j) for all joints j in `range`: across memory.
+    #[inline(always)]
+    pub fn row(&mut self, i: usize, range: Range<usize>, value: impl Fn(usize) -> T) {
+        for j in range {
+            self.column(j, i..i + 1, |_| value(j));
+        }
+    }
+
+    /// Column j of a matrix with `entry(j, i) = sign·entry(i, j)`, sign 1 or −1: entries (i, j) for i from j on.
+    /// [`mirror`](Self::mirror) then gives the entries above the diagonal.
+    #[inline(always)]
+    pub fn lower(&mut self, j: usize, sign: T, value: impl Fn(usize) -> T) {
+        let joints = self.model.bodies().len() - 1;
+        if self.model.has_mimic() {
+            self.row(j, j + 1..joints, |i| sign * value(i));
+        }
+        self.column(j, j..joints, value);
+    }
+
+    /// The entries above the diagonal from those below, in tiles, so that large matrices stay in the cache.
+    ///
+    /// With mimic joints [`lower`](Self::lower) has already added both.
+    #[inline(always)]
+    pub fn mirror(&mut self, sign: T) {
+        const TILE: usize = 8;
+        if self.model.has_mimic() {
+            return;
+        }
+        let size = self.stride - self.first;
+        for tile in (0..size).step_by(TILE) {
+            for i in tile + 1..size {
+                for j in tile..(tile + TILE).min(i) {
+                    let [lower, upper] = [(i, j), (j, i)].map(|(r, c)| self.first + r + (self.first + c) * self.stride);
+                    self.entries[upper] = sign * self.entries[lower] + T::zero();
+                }
             }
         }
     }

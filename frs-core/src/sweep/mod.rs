@@ -20,9 +20,9 @@ pub(crate) use columns::Columns;
 pub(crate) use composite::{outside_sums, subtree_sums};
 pub(crate) use coordinates::Square;
 pub(crate) use frames::base_matrix;
+use nalgebra::{DMatrix, Matrix3, Vector3};
 pub(crate) use newton_euler::{newton_euler, project};
 pub(crate) use velocity::free_velocities;
-use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use crate::Real;
 use crate::model::Model;
@@ -65,32 +65,38 @@ pub(crate) struct Data<T: Real> {
     /// Iᵒ_k, inertia of everything outside each body's subtree.
     pub complement: Vec<Inertia<T>>,
     /// s_j, screw axis of each joint.
-    pub screw: Columns<T, 6>,
+    pub screw: Vec<Twist<T>>,
     /// h_j = Iᶜ_j s_j.
-    pub inside: Columns<T, 6>,
+    pub inside: Vec<Wrench<T>>,
     /// k_j = Iᵒ_j s_j.
-    pub outside: Columns<T, 6>,
+    pub outside: Vec<Wrench<T>>,
     /// A_j = Λ_c⁻¹ h_j, the connection in the centroidal frame.
-    pub connection: Columns<T, 6>,
+    pub connection: Vec<Twist<T>>,
     /// ŝ_j = Λ_c⁻¹ k_j = s_j − A_j.
-    pub reaction: Columns<T, 6>,
+    pub reaction: Vec<Twist<T>>,
+    /// h_j again, by rows.
+    pub inside_rows: Columns<T, 6>,
+    /// A_j again, by rows.
+    pub connection_rows: Columns<T, 6>,
     /// P_j = dIᶜ_j/dq_j; of each joint, filled by whoever needs it.
     pub inertia_rate: Vec<Inertia<T>>,
 
     // Velocity sweep.
-    /// Rate of each joint.
+    /// Rate of each joint; `rate_more`: of another motion.
     pub rate: Vec<T>,
+    pub rate_more: Vec<T>,
     /// w_k, velocity of each body at zero momentum.
     pub velocity: Vec<Twist<T>>,
 
     // Scratch: written and read within one question.
     /// Per joint.
     pub row: Vec<T>,
-    pub row_more: Vec<T>,
-    pub three: Columns<T, 3>,
-    pub three_more: Columns<T, 3>,
-    pub six: Columns<T, 6>,
-    pub six_more: Columns<T, 6>,
+    pub inverse_pivot: Vec<T>,
+    pub turn: Vec<Vector3<T>>,
+    pub three_rows: Columns<T, 3>,
+    pub three_rows_more: Columns<T, 3>,
+    pub six_rows: Columns<T, 6>,
+    pub six_rows_more: Columns<T, 6>,
     /// Per coordinate.
     pub vector: Vec<T>,
     pub matrix: DMatrix<T>,
@@ -113,8 +119,6 @@ impl<'m, T: Real> Workspace<'m, T> {
         let bodies = model.bodies().len();
         let joints = bodies - 1;
         let inertia = vec![Inertia::zero(); bodies];
-        let six = Columns::<T, 6>::new(joints);
-        let three = Columns::<T, 3>::new(joints);
         let twist = vec![Twist::zero(); bodies];
         let wrench = vec![Wrench::zero(); bodies];
         let factor = vec![CoriolisFactor::zero(); bodies];
@@ -128,20 +132,24 @@ impl<'m, T: Real> Workspace<'m, T> {
             inertia: inertia.clone(),
             composite: inertia.clone(),
             complement: inertia.clone(),
-            screw: six.clone(),
-            inside: six.clone(),
-            outside: six.clone(),
-            connection: six.clone(),
-            reaction: six.clone(),
+            screw: vec![Twist::zero(); joints],
+            inside: vec![Wrench::zero(); joints],
+            outside: vec![Wrench::zero(); joints],
+            connection: vec![Twist::zero(); joints],
+            reaction: vec![Twist::zero(); joints],
+            inside_rows: Columns::new(joints),
+            connection_rows: Columns::new(joints),
             inertia_rate: inertia.clone(),
             rate: vec![T::zero(); joints],
+            rate_more: vec![T::zero(); joints],
             velocity: twist.clone(),
-            row: vec![T::zero(); joints],
-            row_more: vec![T::zero(); joints],
-            three: three.clone(),
-            three_more: three,
-            six: six.clone(),
-            six_more: six,
+            row: columns::row(joints),
+            inverse_pivot: vec![T::zero(); joints],
+            turn: vec![Vector3::zeros(); joints],
+            three_rows: Columns::new(joints),
+            three_rows_more: Columns::new(joints),
+            six_rows: Columns::new(joints),
+            six_rows_more: Columns::new(joints),
             vector: vec![T::zero(); model.dof()],
             matrix: DMatrix::zeros(model.dof(), model.dof()),
             twist: twist.clone(),

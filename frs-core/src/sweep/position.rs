@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::Data;
 use super::composite::{outside_sums, subtree_sums};
 use crate::Real;
-use crate::model::{Motion, Model};
+use crate::model::{Model, Motion};
 use crate::spatial::{Inertia, Twist};
 
 /// Fills everything in `data` that depends on `q` alone.
@@ -70,11 +70,14 @@ fn joint_columns<T: Real>(model: &Model<T>, data: &mut Data<T>) {
             Motion::Revolute => Twist::new(axis, data.origin[k].cross(&axis)),
             Motion::Prismatic => Twist::new(Vector3::zeros(), axis),
         };
-        let (inside, outside) = (data.composite[k] * screw, data.complement[k] * screw);
-        data.screw.set(k - 1, screw.to_array());
-        data.inside.set(k - 1, inside.to_array());
-        data.outside.set(k - 1, outside.to_array());
-        data.connection.set(k - 1, data.locked_solve(inside).to_array());
-        data.reaction.set(k - 1, data.locked_solve(outside).to_array());
+        let (j, inside, outside) = (k - 1, data.composite[k] * screw, data.complement[k] * screw);
+        let connection = data.locked_solve(inside);
+        data.screw[j] = screw;
+        data.inside[j] = inside;
+        data.outside[j] = outside;
+        data.connection[j] = connection;
+        data.reaction[j] = data.locked_solve(outside);
+        data.inside_rows.set(j, inside.to_array());
+        data.connection_rows.set(j, connection.to_array());
     }
 }

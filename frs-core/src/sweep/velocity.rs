@@ -18,16 +18,16 @@ pub(super) fn velocity<T: Real>(model: &Model<T>, qd: &[T], data: &mut Data<T>) 
 pub(crate) fn free_velocities<T: Real>(
     model: &Model<T>,
     rate: &[T],
-    connection: &super::Columns<T, 6>,
-    screw: &super::Columns<T, 6>,
+    connection: &[Twist<T>],
+    screw: &[Twist<T>],
     velocity: &mut [Twist<T>],
 ) {
     let mut base = Twist::zero();
     for (j, &rate) in rate.iter().enumerate() {
-        base = base - Twist::from_array(connection.get(j)) * rate;
+        base = base - connection[j] * rate;
     }
     velocity[0] = base;
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
-        velocity[k] = velocity[body.parent] + Twist::from_array(screw.get(k - 1)) * rate[k - 1];
+        velocity[k] = velocity[body.parent] + screw[k - 1] * rate[k - 1];
     }
 }

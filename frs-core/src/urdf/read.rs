@@ -184,7 +184,7 @@ fn kind(joint: Node<'_, '_>, values: &mut Values<'_>) -> JointKind {
         values.note(
             attribute.range_value().start,
             Part::Kind,
-            format!("type is {}", quoted(word)),
+            format!("joint type is {}", quoted(word)),
             KINDS.map(|kind| kind.to_string()).join(", "),
             "choose one of these",
         );

@@ -46,7 +46,7 @@ impl<'f> Values<'f> {
             self.note(
                 attribute.range_value().start,
                 part,
-                format!("{name} is {found}"),
+                format!("{} {name} is {found}", node.tag_name().name()),
                 "a finite number",
                 number_hint(attribute.value()),
             );
@@ -78,7 +78,7 @@ impl<'f> Values<'f> {
         self.note(
             attribute.range_value().start,
             part,
-            format!("{name} is {found}"),
+            format!("{} {name} is {found}", node.tag_name().name()),
             "three finite numbers",
             number_hint(value),
         );

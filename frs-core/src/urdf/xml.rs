@@ -29,21 +29,22 @@ pub(super) fn parse<'a>(source: &Source<'a>) -> Result<Document<'a>, UrdfError> 
         return Err(refuse(source.place_of(offset), found, "far fewer", "is it a URDF file?"));
     }
     Document::parse(source.text).map_err(|error| {
-        let end = || source.place_of(source.text.len());
         let place = match error {
             Error::DtdDetected => source.place_of(source.text.find("<!DOCTYPE").unwrap_or(0)),
-            Error::UnclosedRootNode | Error::UnexpectedEndOfStream => end(),
+            Error::UnclosedRootNode | Error::UnexpectedEndOfStream => source.place_of(source.text.len()),
             _ => source.place(error.pos().row as usize, error.pos().col as usize),
         };
-        let hint = match &error {
-            Error::DtdDetected => "take the document type declaration out, and replace the entities it declares",
-            Error::UnknownNamespace(prefix, _) if prefix == "xacro" => "expand the file by xacro first",
-            Error::NoRootNode => "is it a URDF file?",
-            _ => "correct the text there, or check that it is a URDF file",
+        let (expected, hint) = match &error {
+            Error::DtdDetected => ("none", "take it out, and replace the entities it declares by their values"),
+            Error::UnknownNamespace(prefix, _) if prefix == "xacro" => ("plain URDF", "expand the file by xacro first"),
+            _ => ("well-formed XML", "correct the text there, or check that it is a URDF file"),
         };
         let told = error.to_string();
-        let told = told.strip_suffix(&format!(" at {}", error.pos())).unwrap_or(&told);
-        refuse(place, told.into(), "well-formed XML", hint)
+        let found = match &error {
+            Error::DtdDetected => "a document type declaration",
+            _ => told.strip_suffix(&format!(" at {}", error.pos())).unwrap_or(&told),
+        };
+        refuse(place, found.into(), expected, hint)
     })
 }
 

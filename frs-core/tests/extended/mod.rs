@@ -1,15 +1,24 @@
-//! Numbers of 320 bits, to judge the others by.
+//! Extended precision to judge the core by: [`Big`] numbers and power series over them; [`Wide`] numbers to run it over.
 
+mod wide;
+
+use std::cell::RefCell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use astro_float::{BigFloat, Consts, RoundingMode};
 use nalgebra::SMatrix;
 use num_traits::{One, Zero};
 
-const BITS: usize = 320;
+pub use wide::Wide;
+
+const BITS: usize = 256;
 const ROUNDING: RoundingMode = RoundingMode::ToEven;
 
-/// A number of 320 bits, whose exponent neither overflows nor underflows here.
+thread_local! {
+    static CONSTANTS: RefCell<Consts> = RefCell::new(Consts::new().expect("a cache can be allocated"));
+}
+
+/// A number of 256 bits, whose exponent has no end.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct Big(BigFloat);
 
@@ -17,17 +26,17 @@ impl Big {
     /// The number `value`, exactly.
     pub fn new(value: f64) -> Self {
         if value.is_subnormal() {
-            // BigFloat::from_f64 halves them.
+            // BigFloat::from_f64 halves subnormal numbers.
             return Self::new(value * 2.0_f64.powi(64)) * Self::new(0.5_f64.powi(64));
         }
         Self(BigFloat::from_f64(value, BITS))
     }
 
-    /// The `f64` next to this number, within one unit in the last place.
+    /// This number to within a unit in the last place of `f64`.
     pub fn to_f64(&self) -> f64 {
         let Some((words, _, sign, exponent, _)) = self.0.as_raw_parts() else { return f64::NAN };
         let mantissa = words.last().map_or(0.0, |&word| word as f64) / 2.0_f64.powi(64);
-        // In two steps, so that neither factor leaves the range of f64.
+        // In two steps, that neither factor leaves the range of f64.
         let half = exponent / 2;
         f64::from(sign.to_int()) * (mantissa * 2.0_f64.powi(half)) * 2.0_f64.powi(exponent - half)
     }
@@ -41,41 +50,39 @@ impl Big {
     }
 
     pub fn sin_cos(&self) -> (Self, Self) {
-        let mut constants = constants();
-        (Self(self.0.sin(BITS, ROUNDING, &mut constants)), Self(self.0.cos(BITS, ROUNDING, &mut constants)))
+        CONSTANTS.with_borrow_mut(|c| (Self(self.0.sin(BITS, ROUNDING, c)), Self(self.0.cos(BITS, ROUNDING, c))))
     }
 
-    /// The angle of the point (`x`, `self`), both ≥ 0.
-    pub fn atan2_of_quadrant(&self, x: &Self) -> Self {
-        let mut constants = constants();
-        if x.is_zero() {
-            return Self(constants.pi(BITS, ROUNDING)) / Self::new(2.0);
-        }
-        Self((self.clone() / x.clone()).0.atan(BITS, ROUNDING, &mut constants))
+    /// The angle of the point (`x`, `self`), which is not on the negative x axis.
+    pub fn atan2(&self, x: &Self) -> Self {
+        // From the half angle: tan ½θ = y/(r + x).
+        let r = (self.clone() * self.clone() + x.clone() * x.clone()).sqrt();
+        let half_tan = self.clone() / (r + x.clone());
+        CONSTANTS.with_borrow_mut(|c| Self(half_tan.0.atan(BITS, ROUNDING, c))) * Self::new(2.0)
     }
 }
 
-fn constants() -> Consts {
-    Consts::new().expect("the cache of constants can be allocated")
-}
-
-macro_rules! operator {
-    ($($trait:ident $method:ident $trait_assign:ident $method_assign:ident),*) => {$(
-        impl $trait for Big {
+macro_rules! operators {
+    ($($operator:ident $method:ident $assign:ident $method_assign:ident;)*) => {$(
+        impl $operator for Big {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
                 Self(self.0.$method(&other.0, BITS, ROUNDING))
             }
         }
-        impl $trait_assign for Big {
+        impl $assign for Big {
             fn $method_assign(&mut self, other: Self) {
-                *self = self.clone().$method(other);
+                self.0 = self.0.$method(&other.0, BITS, ROUNDING);
             }
         }
     )*};
 }
-operator!(Add add AddAssign add_assign, Sub sub SubAssign sub_assign);
-operator!(Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
+operators! {
+    Add add AddAssign add_assign;
+    Sub sub SubAssign sub_assign;
+    Mul mul MulAssign mul_assign;
+    Div div DivAssign div_assign;
+}
 
 impl Neg for Big {
     type Output = Self;
@@ -106,11 +113,11 @@ pub fn largest<const R: usize, const C: usize>(matrix: &SMatrix<Big, R, C>) -> B
 
 /// `Σ a^k/(k+shift)!`: `exp(a)` for shift 0, its right-trivialised tangent for shift 1.
 pub fn exponential_series<const N: usize>(a: &SMatrix<Big, N, N>, shift: u32) -> SMatrix<Big, N, N> {
-    let enough = largest(a) * Big::new(1e-60);
+    let negligible = largest(a) * Big::new(1e-42);
     let mut term = SMatrix::<Big, N, N>::identity();
     let mut sum = term.clone();
     let mut k = 0;
-    while enough < largest(&term) {
+    while largest(&term) > negligible {
         k += 1;
         term = &term * a * (Big::one() / Big::new(f64::from(k + shift)));
         sum += &term;
@@ -118,11 +125,14 @@ pub fn exponential_series<const N: usize>(a: &SMatrix<Big, N, N>, shift: u32) ->
     sum
 }
 
-/// `exp(a)` for large a too: `(exp(a/2^m))^(2^m)`.
+/// `exp(a)` for large `a` too: `exp(a/2^m)^(2^m)`.
 pub fn exponential<const N: usize>(a: &SMatrix<Big, N, N>) -> SMatrix<Big, N, N> {
-    const HALVINGS: i32 = 9;
-    let mut power = exponential_series(&(a * Big::new(0.5_f64.powi(HALVINGS))), 0);
-    for _ in 0..HALVINGS {
+    let mut halvings = 0;
+    while largest(a) > Big::new(2.0_f64.powi(halvings)) {
+        halvings += 1;
+    }
+    let mut power = exponential_series(&(a * Big::new(0.5_f64.powi(halvings))), 0);
+    for _ in 0..halvings {
         power = &power * &power;
     }
     power

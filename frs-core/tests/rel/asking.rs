@@ -20,6 +20,16 @@ impl Case {
         Specification::new(&self.robot, &coordinates(model), &self.q, &self.qd)
     }
 
+    /// n.
+    pub fn dof(&self) -> usize {
+        self.q.len()
+    }
+
+    /// Runs `check` on the core at the case's state.
+    pub fn ask(&self, check: impl FnOnce(&mut Moving) -> TestCaseResult) -> TestCaseResult {
+        moving(&self.model(), &self.q, &self.qd, check)
+    }
+
     /// Runs `check` on the specification and the core at the case's state.
     pub fn judge(&self, check: impl FnOnce(&Specification, &mut Moving) -> TestCaseResult) -> TestCaseResult {
         let model = self.model();

@@ -4,13 +4,12 @@
 use std::ops::Add;
 
 use frs_core::Moving;
-use frs_core::model::{InertialDescription, JointKind, RobotDescription};
-use frs_core::spatial::{Pose, Symmetric3};
-use nalgebra::{DMatrix, DVector, Dim, Matrix, Matrix6, Matrix6xX, RawStorage, Vector3, Vector6};
+use nalgebra::{DMatrix, DVector, Dim, Matrix, Matrix6, Matrix6xX, RawStorage, Vector1, Vector6};
 
-use crate::algebra::{ad, ad_tilde, coriolis, rotation};
-use crate::asking::{six_by, square, twist, vector};
-use crate::closeness::derivative;
+use crate::algebra::{ad, ad_tilde, coriolis};
+use crate::asking::{shaped, six_by, square, twist, vector};
+use crate::closeness::{DIFFERENCES, derivative};
+use crate::fixed_robot::branching_arm;
 use crate::specification::{Link, Specification, unit};
 use crate::trees::Case;
 
@@ -36,47 +35,9 @@ macro_rules! corrected {
     }};
 }
 
-/// A base with an arm of four joints that branches, nothing on an axis, and a state of it.
-fn state() -> Case {
-    let mut robot = RobotDescription::new("corrections");
-    let solid = |mass: f64, com: [f64; 3], angles: [f64; 3]| {
-        let r = rotation(angles);
-        let principal = nalgebra::Matrix3::from_diagonal(&Vector3::new(0.5, 0.7, 0.4));
-        let inertia = Symmetric3::from_lower(&(r * principal * r.transpose() * mass));
-        InertialDescription { mass, com: Vector3::from(com), inertia }
-    };
-    robot.link("base", solid(3.0, [0.2, -0.3, 0.1], [0.4, 1.0, -0.3]));
-    robot.link("shoulder", solid(1.5, [0.1, 0.4, -0.2], [1.2, 0.1, 0.5]));
-    robot.link("slider", solid(1.0, [-0.3, 0.2, 0.3], [0.3, -0.8, 2.0]));
-    robot.link("elbow", solid(1.2, [0.3, -0.1, 0.2], [-1.0, 0.4, 0.9]));
-    robot.link("wing", solid(0.8, [0.5, 0.1, -0.4], [0.7, 0.7, -1.5]));
-    let at = |p: [f64; 3], angles| Pose::new(rotation(angles), Vector3::from(p));
-    let turn = JointKind::Revolute;
-    robot.joint("j1", turn, "base", "shoulder").axis(0.2, 1.0, -0.5).origin(at([0.6, 0.2, -0.4], [0.5, -0.2, 1.0]));
-    robot
-        .joint("j2", JointKind::Prismatic, "shoulder", "slider")
-        .axis(1.0, -0.4, 0.3)
-        .origin(at([0.3, 0.7, 0.2], [-0.9, 0.4, 0.1]));
-    robot.joint("j3", turn, "slider", "elbow").axis(-0.3, 0.4, 1.0).origin(at([-0.2, 0.5, 0.6], [1.4, 0.3, -0.6]));
-    robot.joint("j4", turn, "base", "wing").axis(1.0, 0.5, 0.4).origin(at([-0.7, 0.1, 0.5], [0.2, 1.1, 0.3]));
-    let vector = |numbers: [f64; 4]| DVector::from_row_slice(&numbers);
-    Case {
-        robot,
-        q: vector([0.4, -0.3, 0.9, -0.7]),
-        qd: vector([0.8, -0.6, 1.1, 0.5]),
-        x: vector([-0.5, 0.9, 0.3, -1.0]),
-        y: vector([1.0, 0.2, -0.7, 0.6]),
-        tau: vector([0.0; 4]),
-        mu: Vector6::new(0.9, -0.7, 0.6, 0.5, 0.8, -1.1),
-        v1: Vector6::new(-0.4, 1.0, 0.7, -0.9, 0.3, 0.6),
-        wrench: Vector6::zeros(),
-        pose: Pose::identity(),
-    }
-}
-
 /// Runs `check` on the state, its specification and the core.
 fn on_state(check: impl FnOnce(&Case, &Specification, &mut Moving)) {
-    let state = state();
+    let state = branching_arm();
     let checked = state.judge(|spec, robot| {
         check(&state, spec, robot);
         Ok(())
@@ -209,7 +170,8 @@ fn eq_36_second_is_plus_s() {
     });
 }
 
-/// −2B_2(μ)q̇ = 𝓑(q̇)μ, 𝓑(q̇) = −2( Σ_k J_kᵀ(C(M_k; J_k q̇) − M_k ad_{J_k q̇})Ad⁻¹ + S(A_l q̇)ᵀ − ½A_lᵀP(q̇) − ½A_lᵀ ad_{A_l q̇}ᵀ Λ_b ):
+/// −2B_2(μ)q̇ = 𝓑(q̇)μ with
+/// 𝓑(q̇) = −2( Σ_k J_kᵀ(C_k − M_k ad_{J_k q̇})Ad⁻¹ + S(A_l q̇)ᵀ − ½A_lᵀP(q̇) − ½A_lᵀ ad_{A_l q̇}ᵀ Λ_b ), C_k = C(M_k; J_k q̇):
 /// of all signs, and of the coefficients ±½ and ±1 of the last term, no others.
 #[test]
 fn eq_39_holds_with_one_choice_of_signs_and_coefficients() {
@@ -269,14 +231,14 @@ fn definition_5_keeps_its_half() {
         let model = robot.model();
         let form = |j| {
             derivative(|h| {
-                crate::asking::shaped(model, &(&state.q + unit(spec.dof(), j) * h), |robot| {
-                    nalgebra::Vector1::new(state.v1.dot(&(robot.locked_inertia().to_matrix() * state.v1)))
+                shaped(model, &(&state.q + unit(spec.dof(), j) * h), |robot| {
+                    Vector1::new(state.v1.dot(&(robot.locked_inertia().to_matrix() * state.v1)))
                 })
             })
         };
         let gradient = DVector::from_fn(spec.dof(), |j, _| form(j).x);
         let s = s(&state.v1, robot).transpose() * state.v1;
         assert!(residual(&gradient, &s) > FAILS, "the form without a half holds");
-        assert!(residual(&(gradient * 0.5), &s) < crate::closeness::DIFFERENCES);
+        assert!(residual(&(gradient * 0.5), &s) < DIFFERENCES);
     });
 }

@@ -85,7 +85,7 @@ fn path(robot: &RobotDescription, coordinates: &[String], q: &DVector<f64>, link
     steps
 }
 
-/// The screws of a joint in the child's frame, each with the name of its coordinate; a screw turns or slides, never both.
+/// The screws of a joint in the child's frame, each with the name of its coordinate; a screw turns or slides.
 pub fn motions(joint: &JointDescription) -> Vec<(Vector6<f64>, String)> {
     let axis = joint.axis.normalize();
     let turn = six(axis, Vector3::zeros());
@@ -122,8 +122,8 @@ pub fn drive(
     }
 }
 
-/// The coordinate directions of the plane normal to `axis`: the shortest rotation that takes ±z, whichever is nearer, to
-/// `axis` takes x and ±y to them.
+/// The coordinate directions of the plane normal to `axis`: the shortest rotation that takes ±z, whichever is nearer,
+/// to `axis` takes x and ±y to them.
 fn plane(axis: Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let side = 1.0_f64.copysign(axis.z);
     let (sine, cosine) = ((Vector3::z() * side).cross(&axis).cross_matrix(), side * axis.z);

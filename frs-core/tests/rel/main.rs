@@ -5,6 +5,7 @@ mod algebra;
 mod asking;
 mod closeness;
 mod corrections;
+mod fixed_robot;
 mod identities;
 mod kinematics;
 mod outputs;

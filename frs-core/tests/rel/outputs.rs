@@ -1,7 +1,7 @@
 //! Every output of the core in one list, over any scalar.
 
 use frs_core::spatial::{Pose, Twist, Wrench};
-use frs_core::{Curvature, Model, Real, Workspace};
+use frs_core::{Curvature, Model, Moving, Real, Workspace};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Matrix6xX, Vector3};
 
 use crate::trees::Case;
@@ -13,6 +13,9 @@ pub fn inputs(case: &Case) -> Vec<f64> {
     let pose = case.pose.rotation.iter().chain(&case.pose.translation);
     shape.into_iter().flatten().chain(sixes.into_iter().flatten()).chain(pose).copied().collect()
 }
+
+/// A quantity that is written to a matrix; the twist is for those that ask for one.
+type Quantity<T, Out> = fn(&mut Moving<'_, '_, '_, T>, Twist<T>, &mut Out);
 
 /// Every output, entry by entry.
 pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
@@ -44,7 +47,7 @@ pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
     }
     list.0.push(robot.kinetic_energy(mu));
 
-    let wides: [fn(&mut frs_core::Moving<'_, '_, '_, T>, Twist<T>, &mut Matrix6xX<T>); 3] = [
+    let wides: [Quantity<T, Matrix6xX<T>>; 3] = [
         |robot, _, out| robot.base_joint_inertia(out),
         |robot, _, out| robot.connection(out),
         |robot, mu, out| robot.inertia_derivative(mu, out),
@@ -62,7 +65,7 @@ pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
         list.take(wide.iter());
     }
 
-    let squares: [fn(&mut frs_core::Moving<'_, '_, '_, T>, Twist<T>, &mut DMatrix<T>); 4] = [
+    let squares: [Quantity<T, DMatrix<T>>; 4] = [
         |robot, _, out| robot.shape_inertia(out),
         |robot, _, out| robot.shape_inertia_textbook(out),
         |robot, _, out| robot.gamma_q(out),
@@ -72,7 +75,7 @@ pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
         quantity(&mut robot, mu, &mut shape_matrix);
         list.take(shape_matrix.iter());
     }
-    let full_squares: [fn(&mut frs_core::Moving<'_, '_, '_, T>, Twist<T>, &mut DMatrix<T>); 4] = [
+    let full_squares: [Quantity<T, DMatrix<T>>; 4] = [
         |robot, _, out| robot.d_qdot(out),
         |robot, mu, out| robot.d_mu(mu, out),
         |robot, _, out| robot.hamel_inertia(out),

@@ -195,33 +195,18 @@ impl Specification {
         self.lambda().cholesky().expect("Λ is positive definite").solve(&rest)
     }
 
-    /// The condition number of Λ_b, by which solving with it in the base frame multiplies errors.
-    pub fn condition(&self) -> f64 {
-        condition(&dense(&self.lambda_b))
-    }
-
     /// The condition number of Λ_q, by which forward dynamics multiplies errors.
     pub fn shape_condition(&self) -> f64 {
-        condition(&self.lambda_q())
-    }
-
-    /// The size of the numbers that sums over links run through: the largest inertia, at least 1.
-    pub fn size(&self) -> f64 {
-        self.hamel_inertia().amax().max(1.0)
+        if self.dof() == 0 {
+            return 1.0;
+        }
+        let eigenvalues = self.lambda_q().symmetric_eigenvalues();
+        eigenvalues.max() / eigenvalues.min()
     }
 
     fn shape_sum(&self, of_link: impl Fn(&Link) -> DMatrix<f64>) -> DMatrix<f64> {
         sum(self.dof(), self.dof(), self.links.iter().map(of_link))
     }
-}
-
-/// The ratio of the extreme eigenvalues of a positive definite matrix.
-pub fn condition(matrix: &DMatrix<f64>) -> f64 {
-    if matrix.is_empty() {
-        return 1.0;
-    }
-    let eigenvalues = matrix.symmetric_eigenvalues();
-    eigenvalues.max() / eigenvalues.min()
 }
 
 /// e_j.

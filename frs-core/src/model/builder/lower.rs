@@ -5,16 +5,21 @@ use nalgebra::{Matrix3, Vector3};
 use super::axis;
 use super::mimic::Following;
 use super::tree::{Tree, Via};
-use crate::model::{
-    Body, Coordinate, Drive, JointDescription, JointKind, Link, Model, Motion, Problem, RobotDescription,
-};
+use crate::model::{Body, Coordinate, Drive, JointDescription, JointKind, Link, Model, Motion, RobotDescription};
 use crate::spatial::{Pose, Symmetric3};
 
+/// A model, and where it came from.
+pub(super) struct Lowered {
+    pub model: Model,
+    /// The joint of the description that drives body k + 1.
+    pub joints: Vec<usize>,
+}
+
 /// Makes the model of a robot in which no error was found.
-pub(super) fn lower(robot: &RobotDescription, tree: &Tree, followings: &[Following], warnings: Vec<Problem>) -> Model {
+pub(super) fn lower(robot: &RobotDescription, tree: &Tree, followings: &[Following]) -> Lowered {
     let mut bodies = vec![body(0, 0, Motion::Revolute, Pose::identity())];
-    // The joint that drives each body, and what its coordinate's name adds to the joint's.
-    let mut drivers: Vec<Option<(usize, &str)>> = vec![None];
+    // The joint that drives each body but the base, and what its coordinate's name adds to the joint's.
+    let mut drivers: Vec<(usize, &str)> = Vec::new();
     let mut links: Vec<Link> = Vec::with_capacity(tree.steps.len());
     for step in &tree.steps {
         let (mut at, mut number) = (Pose::identity(), 0);
@@ -29,7 +34,7 @@ pub(super) fn lower(robot: &RobotDescription, tree: &Tree, followings: &[Followi
                 let parent = number;
                 number = bodies.len();
                 bodies.push(body(number, parent, motion, at * Pose::new(turn, Vector3::zeros())));
-                drivers.push(Some((joint, suffix)));
+                drivers.push((joint, suffix));
                 at = Pose::new(turn.transpose(), Vector3::zeros());
             }
             if reversed {
@@ -46,7 +51,10 @@ pub(super) fn lower(robot: &RobotDescription, tree: &Tree, followings: &[Followi
     centre_base(&mut bodies, &mut links);
     let coordinates = drive(robot, followings, &drivers, &mut bodies);
     let has_mimic = bodies.len() > coordinates.len() + 1;
-    Model { name: robot.name.clone(), bodies, links, coordinates, has_mimic, warnings }.map(|number| number + 0.0)
+    // Adding 0 makes 0 of −0.
+    let model = Model { name: robot.name.clone(), bodies, links, coordinates, has_mimic, warnings: Vec::new() }
+        .map(|number| number + 0.0);
+    Lowered { model, joints: drivers.into_iter().map(|(joint, _)| joint).collect() }
 }
 
 /// A body without mass.
@@ -135,12 +143,12 @@ fn centre_base(bodies: &mut [Body], links: &mut [Link]) {
 fn drive(
     robot: &RobotDescription,
     followings: &[Following],
-    drivers: &[Option<(usize, &str)>],
+    drivers: &[(usize, &str)],
     bodies: &mut [Body],
 ) -> Vec<Coordinate> {
     let mut coordinates = Vec::new();
     let mut coordinate_of = vec![0; robot.joints.len()];
-    let driven = || drivers.iter().enumerate().filter_map(|(body, driver)| driver.map(|driver| (body, driver)));
+    let driven = || (1..).zip(drivers.iter().copied());
     for (body, (joint, suffix)) in driven().filter(|(_, (joint, _))| followings[*joint].leader == *joint) {
         let description = &robot.joints[joint];
         coordinate_of[joint] = coordinates.len();

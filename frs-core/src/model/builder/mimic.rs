@@ -70,7 +70,7 @@ fn checked_leader(robot: &RobotDescription, names: &Names, joint: usize, problem
             "take the mimic away, or change the joint's type",
         );
         // A joint that was made fixed and kept its mimic stands still either way.
-        problems.push(if kind == JointKind::Fixed { problem.as_warning() } else { problem });
+        problems.push(if kind == JointKind::Fixed { problem.into_warning() } else { problem });
         return None;
     }
     let leader = names.leader[joint]?;
@@ -83,7 +83,7 @@ fn checked_leader(robot: &RobotDescription, names: &Names, joint: usize, problem
     if mimic.multiplier == 0.0 {
         let found = "mimic multiplier is 0, which locks the joint at the offset".into();
         let problem = problem(found, "a multiplier that is not 0", "make the joint fixed if it shall not move");
-        problems.push(problem.as_warning());
+        problems.push(problem.into_warning());
     }
     Some(leader)
 }

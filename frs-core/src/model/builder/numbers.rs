@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::plain;
+use super::{plain, rounded};
 use crate::model::{
     InertialDescription, JointDescription, JointKind, LinkDescription, Part, Problem, RobotDescription, Subject,
 };
@@ -58,8 +58,8 @@ fn check_joint(joint: &JointDescription, subject: &dyn Fn() -> Subject) -> [Opti
             .or_else(|| rotating(subject, &joint.origin)),
         usual(subject, Part::Axis, "axis", joint.axis.as_slice()).or_else(|| pointing(subject, joint)),
         usual(subject, Part::Limits, "limit", &bounds),
-        usual(subject, Part::Dynamics, "damping, friction, rotor inertia", &losses),
-        usual(subject, Part::Mimic, "mimic multiplier, offset", mimic),
+        usual(subject, Part::Dynamics, "dynamics (damping friction rotor-inertia)", &losses),
+        usual(subject, Part::Mimic, "mimic (multiplier offset)", mimic),
     ]
 }
 
@@ -97,7 +97,7 @@ fn physical(subject: &dyn Fn() -> Subject, inertial: &InertialDescription, lenie
     let [smallest, middle, largest] = principal_moments(inertial.inertia);
     let tolerance = ROUNDING_OF_INERTIAS * largest.max(-smallest) + inertial.mass.abs() * POINT * POINT;
     let problem = |expected: String, hint: &str| {
-        let found = format!("inertia has the principal moments {smallest:.4e}, {middle:.4e}, {largest:.4e}");
+        let found = format!("inertia has the principal moments {}", plain(&[smallest, middle, largest].map(rounded)));
         Problem::error(subject(), Part::Inertia, found, expected, hint)
     };
     if smallest < -tolerance {
@@ -108,10 +108,10 @@ fn physical(subject: &dyn Fn() -> Subject, inertial: &InertialDescription, lenie
     }
     if largest > smallest + middle + tolerance {
         let problem = problem(
-            format!("the largest to be at most the sum of the other two, {:.4e}", smallest + middle),
+            format!("the largest to be at most the sum of the other two, {}", plain(&[rounded(smallest + middle)])),
             "correct the inertia, which no body can have; lenient reading makes this a warning",
         );
-        return Some(if lenient { problem.as_warning() } else { problem });
+        return Some(if lenient { problem.into_warning() } else { problem });
     }
     None
 }

@@ -92,12 +92,15 @@ fn report_loops(
         if met[link] != Some(start) {
             continue;
         }
-        let circle: Vec<usize> = std::iter::successors(above[link], |&joint| above[ends[joint].0])
-            .take_while({
-                let mut closed = false;
-                move |&joint| !std::mem::replace(&mut closed, ends[joint].0 == link)
-            })
-            .collect();
+        let mut circle = Vec::new();
+        let mut at = link;
+        while let Some(joint) = above[at] {
+            circle.push(joint);
+            at = ends[joint].0;
+            if at == link {
+                break;
+            }
+        }
         let joints: Vec<String> = circle.iter().rev().map(|&joint| format!("'{}'", robot.joints[joint].name)).collect();
         let first = circle.iter().copied().min().unwrap_or_default();
         problems.push(Problem::error(
@@ -131,13 +134,8 @@ fn single_top(
             "at least one link",
             "describe its links",
         )),
-        None => problems.push(Problem::error(
-            Subject::Robot,
-            Part::Whole,
-            "every link is the child of some joint",
-            "one link that is nobody's child",
-            "take the joint above the base away",
-        )),
+        // Every link is somebody's child: a loop, which was told.
+        None => {}
         Some(top) => {
             for other in tops.into_iter().filter(|&link| link != top) {
                 let (name, top) = (&robot.links[other].name, &robot.links[top].name);
