@@ -3,11 +3,11 @@
 use allocation_counter::measure;
 use frs_core::model::{InertialDescription, JointKind, RobotDescription};
 use frs_core::spatial::{Pose, Symmetric3, Twist, Wrench};
-use frs_core::{Curvature, Workspace};
+use frs_core::{Curvature, Model, Workspace};
 use nalgebra::{DMatrix, Matrix6xX, Vector3};
 
-/// A base with two arms of three joints each.
-fn robot() -> RobotDescription {
+/// A base with two arms of three joints each; the last joint moves by itself or follows the first.
+fn robot(follows: bool) -> RobotDescription {
     let solid = |mass: f64| InertialDescription {
         mass,
         com: Vector3::new(0.1, -0.2, 0.3),
@@ -26,20 +26,31 @@ fn robot() -> RobotDescription {
             parent = child;
         }
     }
+    if let Some(last) = robot.joints.last_mut().filter(|_| follows) {
+        last.mimic("left_0_joint", -0.5, 0.2);
+    }
     robot
 }
 
 #[test]
 fn no_quantity_allocates() {
-    let model = robot().build().expect("a valid robot");
+    for follows in [false, true] {
+        let model = robot(follows).build().expect("a valid robot");
+        let allocated = allocations_of_every_quantity(&model);
+        assert_eq!(allocated, 0, "with a follower: {follows}");
+    }
+}
+
+/// How often asking everything of an existing workspace allocates.
+fn allocations_of_every_quantity(model: &Model) -> u64 {
     let n = model.dof();
-    let (q, qd, x, y, tau) = ([0.3; 6], [0.7; 6], [1.0, 0.0, 2.0, 0.0, 1.0, 0.5], [0.2; 6], [0.1; 6]);
+    let [q, qd, x, y, tau] = [0.3, 0.7, 1.0, -0.2, 0.1].map(|number| vec![number; n]);
     let mu = Twist::from_array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]);
     let force = Wrench::from_array([0.6, 0.5, 0.4, 0.3, 0.2, 0.1]);
     let (mut wide, mut shape_matrix) = (Matrix6xX::zeros(n), DMatrix::zeros(n, n));
     let mut full_matrix = DMatrix::zeros(6 + n, 6 + n);
     let (mut joints, mut all, mut curvature) = (vec![0.0; n], vec![0.0; 6 + n], Curvature::new(n));
-    let mut work = Workspace::new(&model);
+    let mut work = Workspace::new(model);
 
     let allocated = measure(|| {
         let mut shape = work.shape(&q);
@@ -77,13 +88,13 @@ fn no_quantity_allocates() {
         total += robot.spatial_momentum(&Pose::identity(), mu).force.sum();
         assert!(total.is_finite());
     });
-    assert_eq!(allocated.count_total, 0, "{allocated:?}");
+    allocated.count_total
 }
 
 /// The counter counts: without it the test above could not fail.
 #[test]
 fn a_workspace_does_allocate() {
-    let model = robot().build().expect("a valid robot");
+    let model = robot(false).build().expect("a valid robot");
     let allocated = measure(|| {
         Workspace::new(&model);
     });

@@ -7,11 +7,12 @@ mod extended;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use extended::{Big, Wide, exponential, exponential_series, largest};
-use frs_core::Real;
+use extended::exact::{self, largest};
+use extended::judge::{Judged, Random, Worst, big, block, matrix, twist, twists};
+use extended::{Big, Wide};
+use frs_core::derivatives::Dual;
 use frs_core::spatial::{Pose, Twist, so3};
-use nalgebra::{Matrix3, Matrix4, Matrix6, SMatrix, Vector3, Vector6};
-use num_traits::Zero;
+use nalgebra::{Matrix3, Matrix4, Vector3, Vector6};
 
 /// What every function keeps.
 const ULPS: f64 = 4.0;
@@ -52,144 +53,10 @@ const ANGLES: [f64; 29] = [
     PI,
 ];
 
-/// A number type under test.
-trait Judged: Real {
-    const EPSILON: f64;
-    /// Below the smallest normal number a unit in the last place shrinks no more.
-    const SMALLEST: f64;
-    fn big(self) -> Big;
-    fn nearest(value: &Big) -> Self;
-}
-
-macro_rules! judged {
-    ($($float:ident),*) => {$(
-        impl Judged for $float {
-            const EPSILON: f64 = $float::EPSILON as f64;
-            const SMALLEST: f64 = $float::MIN_POSITIVE as f64;
-            fn big(self) -> Big {
-                Big::new(f64::from(self))
-            }
-            fn nearest(value: &Big) -> Self {
-                Self::from_f64(value.to_f64())
-            }
-        }
-    )*};
-}
-judged!(f64, f32);
-
-/// Its own error is far below: what is left is where a series was cut, promised to be below 10⁻³³.
-impl Judged for Wide {
-    const EPSILON: f64 = 1e-33 / ULPS;
-    const SMALLEST: f64 = 1e-250;
-    fn big(self) -> Big {
-        self.big()
-    }
-    fn nearest(value: &Big) -> Self {
-        Self::of(value.clone())
-    }
-}
-
-fn big<T: Judged, const R: usize, const C: usize>(matrix: SMatrix<T, R, C>) -> SMatrix<Big, R, C> {
-    matrix.map(T::big)
-}
-
-/// The worst error of one function.
-struct Worst {
-    name: &'static str,
-    ulps: f64,
-    angle: f64,
-}
-
-impl Worst {
-    fn of(name: &'static str) -> Self {
-        Self { name, ulps: 0.0, angle: f64::NAN }
-    }
-
-    fn see<T: Judged, const R: usize, const C: usize>(
-        &mut self,
-        angle: f64,
-        got: SMatrix<T, R, C>,
-        exact: &SMatrix<Big, R, C>,
-    ) {
-        self.see_at_scale(angle, got, exact, largest(exact));
-    }
-
-    fn see_at_scale<T: Judged, const R: usize, const C: usize>(
-        &mut self,
-        angle: f64,
-        got: SMatrix<T, R, C>,
-        exact: &SMatrix<Big, R, C>,
-        scale: Big,
-    ) {
-        let smallest = Big::new(T::SMALLEST);
-        let unit = if scale < smallest { smallest } else { scale } * Big::new(T::EPSILON);
-        let ulps = (largest(&(big(got) - exact)) / unit).to_f64();
-        if ulps.is_nan() || ulps > self.ulps {
-            (self.ulps, self.angle) = (ulps, angle);
-        }
-    }
-
-    fn keeps<T>(&self, bound: f64) {
-        let Self { name, ulps, angle } = self;
-        let report = format!("{} {name}: {ulps:.2} ulp at {angle:e}", std::any::type_name::<T>());
-        println!("{report}");
-        assert!(*ulps <= bound, "{report}");
-    }
-}
-
-/// Numbers in (−1, 1), the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / 2.0_f64.powi(52) - 1.0
-    }
-
-    fn vector(&mut self) -> Vector3<f64> {
-        Vector3::from_fn(|_, _| self.number())
-    }
-}
-
-fn twist<T: Real>(angular: Vector3<f64>, linear: Vector3<f64>) -> Twist<T> {
-    Twist::new(angular.map(T::from_f64), linear.map(T::from_f64))
-}
-
-/// For every angle the coordinate axes and random ones, with linear parts of many sizes.
-fn twists<T: Judged>(angles: &[f64]) -> Vec<(f64, Twist<T>)> {
-    // Wide numbers are slow, and only series ends are looked for.
-    let axes = if T::EPSILON < 1e-30 { 4 } else { 16 };
-    let mut random = Random(1);
-    let mut list = Vec::new();
-    for &angle in angles {
-        for k in 0..axes {
-            let axis = [Vector3::x(), -Vector3::y(), Vector3::z()].get(k).copied();
-            let axis = axis.unwrap_or_else(|| random.vector().normalize());
-            list.push((angle, twist(axis * angle, random.vector() * 10.0_f64.powi(k as i32 % 7 - 3))));
-        }
-    }
-    list
-}
-
-/// The 4×4 matrix of `zeta`.
-fn hat([x, y, z, u, v, w]: [Big; 6]) -> Matrix4<Big> {
-    let (o, [a, b, c]) = (Big::zero, [x.clone(), y.clone(), z.clone()].map(|e| -e));
-    Matrix4::new(o(), c, y, u, z, o(), a, v, b, x, o(), w, o(), o(), o(), o())
-}
-
-fn exact_exp<T: Judged>(zeta: Twist<T>) -> (Matrix3<Big>, Vector3<Big>) {
-    let power = exponential(&hat(zeta.to_array().map(T::big)));
-    (power.fixed_view::<3, 3>(0, 0).into_owned(), power.fixed_view::<3, 1>(0, 3).into_owned())
-}
-
-fn block<T: nalgebra::Scalar>(matrix: &Matrix6<T>, row: usize, column: usize) -> Matrix3<T> {
-    matrix.fixed_view::<3, 3>(row, column).into_owned()
-}
-
 fn judge_exp<T: Judged>() {
     let [mut rotation, mut translation] = ["exp, R", "exp, p"].map(Worst::of);
     for (angle, zeta) in twists::<T>(&ANGLES) {
-        let (r, p) = exact_exp(zeta);
+        let (r, p) = exact::exp(zeta.to_array().map(T::big));
         let got = Pose::exp(zeta);
         rotation.see(angle, got.rotation, &r);
         translation.see(angle, got.translation, &p);
@@ -211,7 +78,7 @@ fn exp_of_many_turns_errs_by_the_rounding_of_the_angle() {
     for angle in [4.0, 5.0, TAU, 7.0, 30.0, 1e3] {
         let [mut rotation, mut translation] = ["exp of many turns, R", "exp of many turns, p"].map(Worst::of);
         for (angle, zeta) in twists::<f64>(&[angle]) {
-            let (r, p) = exact_exp(zeta);
+            let (r, p) = exact::exp(zeta.to_array().map(Big::new));
             let got = Pose::exp(zeta);
             rotation.see(angle, got.rotation, &r);
             // At 2π a p across the axis is zero.
@@ -222,42 +89,16 @@ fn exp_of_many_turns_errs_by_the_rounding_of_the_angle() {
     }
 }
 
-fn cross(phi: &Vector3<Big>) -> Matrix3<Big> {
-    Matrix3::from_columns(&[0, 1, 2].map(|k| phi.cross(&Vector3::ith(k, Big::new(1.0)))))
-}
-
-/// The logarithm φ of the rotation nearest to `r`, in the sense of `like` where |φ| is about π.
-fn exact_log(r: &Matrix3<Big>, like: &Vector3<Big>) -> Vector3<Big> {
-    let number = Big::new;
-    // The last summand gives an exact half turn a sense, and is nothing otherwise.
-    let mut x = r + cross(like) * number(1e-60);
-    for _ in 0..3 {
-        x = &x * (Matrix3::identity() * number(3.0) - x.transpose() * &x) * number(0.5);
-    }
-    let skew = (&x - x.transpose()) * number(0.5);
-    let axis = Vector3::from([(2, 1), (0, 2), (1, 0)].map(|entry| skew[entry].clone()));
-    let sin = axis.dot(&axis).sqrt();
-    if sin.is_zero() {
-        return axis;
-    }
-    let mut angle = sin.atan2(&((x.trace() - number(1.0)) * number(0.5)));
-    if axis.dot(like) < number(0.0) {
-        // The other way round.
-        angle -= number(1.0).atan2(&number(0.0)) * number(4.0);
-    }
-    axis * (angle / sin)
-}
-
 fn judge_log<T: Judged>() {
     let [mut angular, mut linear] = ["log, φ", "log, ρ"].map(Worst::of);
     for (angle, zeta) in twists::<T>(&ANGLES) {
-        let (r, p) = exact_exp(zeta);
+        let (r, p) = exact::exp(zeta.to_array().map(T::big));
         let pose = Pose::new(r.map(|e| T::nearest(&e)), p.map(|e| T::nearest(&e)));
         let got = pose.log();
-        let phi = exact_log(&big(pose.rotation), &big(got.angular));
-        let j = exponential_series(&cross(&phi), 1);
+        let phi = exact::log(&big(pose.rotation), &big(got.angular));
+        let j = exact::exponential_series(&exact::cross(&phi), 1);
         angular.see(angle, got.angular, &phi);
-        linear.see(angle, got.linear, &(inverse(&j) * big(pose.translation)));
+        linear.see(angle, got.linear, &(exact::inverse(&j) * big(pose.translation)));
     }
     angular.keeps::<T>(ULPS);
     linear.keeps::<T>(ULPS);
@@ -270,31 +111,12 @@ fn log_undoes_the_matrix_exponential() {
     judge_log::<Wide>();
 }
 
-/// The 6×6 matrix of a linear map of twists.
-fn matrix<T: Real>(map: impl Fn(Twist<T>) -> Twist<T>) -> Matrix6<T> {
-    let columns: [Vector6<T>; 6] = std::array::from_fn(|k| {
-        let mut unit = [T::zero(); 6];
-        unit[k] = T::one();
-        map(Twist::from_array(unit)).to_vector()
-    });
-    Matrix6::from_columns(&columns)
-}
-
-/// `J⁻¹` by Newton's iteration from `f64`.
-fn inverse(j: &Matrix3<Big>) -> Matrix3<Big> {
-    let mut x = j.map(|e| e.to_f64()).try_inverse().expect("J is regular below 2π").map(Big::new);
-    for _ in 0..3 {
-        x = &x * (Matrix3::identity() * Big::new(2.0) - j * &x);
-    }
-    x
-}
-
 fn judge_dexp<T: Judged>() {
     let mut worst = ["dexp, J", "dexp, Q", "dexp⁻¹, J⁻¹", "dexp⁻¹, −J⁻¹QJ⁻¹"].map(Worst::of);
     for (angle, zeta) in twists::<T>(&[&ANGLES[..], &[3.5, 4.0]].concat()) {
-        let exact = exponential_series(&big(zeta.ad_matrix()), 1);
+        let exact = exact::exponential_series(&big(zeta.ad_matrix()), 1);
         let (j, q) = (block(&exact, 0, 0), block(&exact, 3, 0));
-        let j_inverse = inverse(&j);
+        let j_inverse = exact::inverse(&j);
         let (forward, backward) = (matrix(|w| zeta.dexp(w)), matrix(|w| zeta.dexp_inverse(w)));
         worst[0].see(angle, block(&forward, 0, 0), &j);
         worst[0].see(angle, block(&forward, 3, 3), &j);
@@ -326,9 +148,11 @@ fn dexp_is_the_tangent_of_exp() {
     let [mut space, mut body] = ["dexp as a tangent, left", "dexp as a tangent, right"].map(Worst::of);
     for (angle, zeta) in twists::<f64>(&[0.0, 1e-4, 0.5, 1.9, 2.1, 3.0]) {
         let eta = twist::<f64>(random.vector(), random.vector());
-        let (at, along) = (hat(zeta.to_array().map(Big::new)), hat(eta.to_array().map(Big::new)) * step.clone());
-        let rate = (exponential(&(&at + &along)) - exponential(&(&at - &along))) / (step.clone() + step.clone());
-        let back = exponential(&-at);
+        let (at, along) =
+            (exact::hat(zeta.to_array().map(Big::new)), exact::hat(eta.to_array().map(Big::new)) * step.clone());
+        let rate =
+            (exact::exponential(&(&at + &along)) - exact::exponential(&(&at - &along))) / (step.clone() + step.clone());
+        let back = exact::exponential(&-at);
         // The entries of dexp times η, whose sum may be small.
         let scale = (Big::new(1.0) + largest(&big(zeta.to_vector()))) * largest(&big(eta.to_vector()));
         let vee = |rate: Matrix4<Big>| {
@@ -358,7 +182,7 @@ fn dexp_and_its_inverse_make_one() {
 fn adjoint_of_exp_is_exp_of_ad() {
     let [mut diagonal, mut lower] = ["Ad exp, R", "Ad exp, p×R"].map(Worst::of);
     for (angle, zeta) in twists::<f64>(&ANGLES) {
-        let exact = exponential(&big(zeta.ad_matrix()));
+        let exact = exact::exponential(&big(zeta.ad_matrix()));
         let got = Pose::exp(zeta).adjoint();
         diagonal.see(angle, block(&got, 3, 3), &block(&exact, 3, 3));
         lower.see(angle, block(&got, 3, 0), &block(&exact, 3, 0));
@@ -397,6 +221,33 @@ fn exp_and_log_invert_each_other_on_random_poses() {
     }
     poses.keeps::<f64>(PRODUCT_ULPS);
     twists.keeps::<f64>(PRODUCT_ULPS);
+}
+
+/// Both sides of every select are differentiated too, and the one not taken must stay out.
+#[test]
+fn dual_numbers_differentiate_exp_and_log() {
+    let mut random = Random(5);
+    let [mut exp, mut log] = ["d exp = dexp", "d log d exp = 1"].map(Worst::of);
+    for (angle, zeta) in twists::<f64>(&ANGLES) {
+        let eta = twist::<f64>(random.vector(), random.vector());
+        let dual = |value: Vector3<f64>, rate: Vector3<f64>| value.zip_map(&rate, Dual::new);
+        let pose = Pose::exp(Twist::new(dual(zeta.angular, eta.angular), dual(zeta.linear, eta.linear)));
+        let (r, p) = (pose.rotation, pose.translation);
+        // (Ṙ, ṗ) = (ω× R, ω × p + v) of the left velocity.
+        let velocity = zeta.dexp(eta);
+        let rate = velocity.angular.cross_matrix() * r.map(|e| e.value);
+        let scale = (Big::new(1.0) + largest(&big(zeta.to_vector()))) * largest(&big(eta.to_vector()));
+        exp.see_at_scale(angle, r.map(|e| e.derivative), &big(rate), scale.clone());
+        let rate = velocity.angular.cross(&p.map(|e| e.value)) + velocity.linear;
+        exp.see_at_scale(angle, p.map(|e| e.derivative), &big(rate), scale.clone());
+        if angle < 3.0 {
+            let again = pose.log();
+            log.see_at_scale(angle, again.angular.map(|e| e.derivative), &big(eta.angular), scale.clone());
+            log.see_at_scale(angle, again.linear.map(|e| e.derivative), &big(eta.linear), scale);
+        }
+    }
+    exp.keeps::<f64>(PRODUCT_ULPS);
+    log.keeps::<f64>(PRODUCT_ULPS);
 }
 
 #[test]

@@ -161,6 +161,10 @@ fn masses() {
         "robot.urdf:2:24: link 'stone': mass is -1; expected a mass that is not negative; correct it, or write 0 for a link without mass",
     );
     assert_told(
+        &stone(&format!("<mass value='1e-31'/>{UNIT_INERTIA}")),
+        "robot.urdf:2:24: link 'stone': mass is 1e-31; expected 0, or at least 1e-30; correct it, or write 0 for a link without mass",
+    );
+    assert_told(
         &stone(&format!("<mass value='0'/>{UNIT_INERTIA}")),
         "robot.urdf:1:1: robot: no link has mass; expected a total mass that is positive; give at least one link an inertial with mass",
     );
@@ -232,6 +236,16 @@ fn inertias_rounded_to_few_digits_are_inertias() {
         );
         Model::from_urdf(&urdf).unwrap();
     }
+}
+
+#[test]
+fn columns_count_characters() {
+    let urdf = stone(&format!("<mass value='1'/>{UNIT_INERTIA}"))
+        .replace("</robot>", "<link name='é'><inertial/></link></robot>");
+    let places: Vec<_> =
+        Model::from_urdf(&urdf).unwrap_err().problems().iter().map(|p| p.place.clone().unwrap().column).collect();
+    let letter = urdf.lines().nth(1).unwrap().find("é").unwrap() + 1;
+    assert_eq!(places, [letter, letter + 3, letter + 3]);
 }
 
 // Joints.
@@ -452,6 +466,8 @@ fn motions_that_move_nothing() {
     );
     Model::from_urdf(&arm("revolute", "", &tip("revolute", wheel, ""))).unwrap();
     Model::from_urdf(&arm("revolute", "", &tip("revolute", "", "<mimic joint='elbow'/>"))).unwrap();
+    let leader = finger("revolute", "<mimic joint='wrist'/>");
+    Model::from_urdf(&arm("revolute", "", &(tip("revolute", "", "") + &leader))).unwrap();
     // Seen from the tip, it is the rest of the robot that has mass.
     let from_tip = Options { root: Some("tip"), ..Options::default() };
     let error = Model::from_urdf_with(&arm("revolute", "", &tip("continuous", "", "")), &from_tip);
@@ -500,6 +516,29 @@ fn motions_that_masses_on_one_line_do_not_resist() {
         "robot.urdf:6:21: joint 'inner': nothing resists the joint's motion: all masses it moves lie on its axis, or give way by other joints; expected something to move, else the motion is undetermined; give the links beyond it rotational inertia, or make the joint fixed",
     );
     Model::from_urdf(&arm("revolute", "", &wheel("0 1 0"))).unwrap();
+}
+
+#[test]
+fn rounding_does_not_resist_a_motion() {
+    for along in ["0.1 0.2 0.3", "0.3 0.1 -0.7", "-0.9 0.3 0.1", "0.7 -0.6 0.1", "0.3 0.3 0.1"] {
+        let tip = format!(
+            "<link name='tip'><inertial><origin xyz='{along}'/><mass value='1'/><inertia ixx='0' ixy='0' ixz='0' iyy='0' iyz='0' izz='0'/></inertial></link>
+             <joint name='wrist' type='revolute'><parent link='hand'/><child link='tip'/><axis xyz='{along}'/></joint>"
+        );
+        let error = Model::from_urdf(&arm("fixed", "", &tip)).unwrap_err();
+        assert!(error.problems()[0].found.starts_with("nothing resists the joint's motion"), "{error}");
+    }
+}
+
+#[test]
+fn a_motion_that_masses_resist_in_all_but_some_shapes_is_determined() {
+    // With the middle joint at 0, the axes of the outer ones are one.
+    let wrist = "<link name='yoke'/><link name='cross'/>
+      <joint name='roll' type='revolute'><parent link='hand'/><child link='yoke'/><axis xyz='0 0 1'/></joint>
+      <joint name='pitch' type='revolute'><parent link='yoke'/><child link='cross'/><axis xyz='0 1 0'/></joint>";
+    let urdf =
+        arm("fixed", "", &(wrist.to_owned() + &finger("revolute", "<axis xyz='0 0 1'/>").replace("hand", "cross")));
+    assert_eq!(Model::from_urdf(&urdf).unwrap().dof(), 3);
 }
 
 #[test]
@@ -562,16 +601,20 @@ fn deep_nesting() {
 #[test]
 fn ten_megabytes_of_junk() {
     let fill = |piece: &str| piece.repeat(10_000_000 / piece.len());
+    let attributes = format!("<robot {}/>", (0..600_000).map(|i| format!("a{i}=\"\" ")).collect::<String>());
+    let namespaces: String = (0..300_000).map(|i| format!("<a xmlns:n{i}=\"{i}\">")).collect();
     for junk in [
         fill("x"),
         fill("<"),
         fill("<a>"),
         fill("\n"),
         fill("\u{0}"),
-        format!("<robot {}/>", (0..600_000).map(|i| format!("a{i}=\"\" ")).collect::<String>()),
-        (0..300_000).map(|i| format!("<a xmlns:n{i}=\"{i}\">")).collect(),
         format!("<robot>{}</robot>", fill("<link name='é'><inertial><mass value='?'/></inertial></link>")),
     ] {
         assert!(Model::from_urdf(&junk).unwrap_err().problems()[0].place.is_some());
+    }
+    for crowd in [attributes, namespaces] {
+        let told = Model::from_urdf(&crowd).unwrap_err().to_string();
+        assert!(told.contains("more than 1000 attributes in one element, or namespaces in all"));
     }
 }

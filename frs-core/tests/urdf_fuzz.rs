@@ -45,8 +45,8 @@ fn change() -> impl Strategy<Value = Change> {
     let place = || 0.0..1.0_f64;
     let short = || 0.0..0.1_f64;
     let value = prop::sample::select(vec![
-        "NaN", "inf", "-inf", "1e400", "-1", "", "0", "1e30", "-1e30", "1e-300", "1e-30", "0 0 0", "1 2", "x", "world",
-        "palm", "fixed", "planar", "floating", "revolute",
+        "NaN", "inf", "-inf", "1e400", "-1", "", "0", "1e30", "-1e30", "1e-300", "1e-320", "1e-30", "0 0 0", "1 2",
+        "x", "world", "palm", "fixed", "planar", "floating", "revolute",
     ]);
     prop_oneof![
         1 => (place(), any::<u8>()).prop_map(|(at, byte)| Change::Byte(at, byte)),

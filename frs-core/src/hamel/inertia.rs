@@ -20,7 +20,7 @@ impl<T: Real> Shape<'_, '_, T> {
             let end = model.bodies()[i + 1].end - 1;
             self.data.inside_rows.dot(self.data.screw[i].to_array(), i..end, row);
             row[end..].fill(T::zero());
-            joint_block.lower(i, T::one(), |j| row[j]);
+            joint_block.lower(i, T::one(), row);
         }
         joint_block.mirror(T::one());
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&self.locked_inertia().to_matrix());

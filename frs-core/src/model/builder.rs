@@ -10,6 +10,7 @@ mod mimic;
 mod names;
 mod numbers;
 mod tree;
+mod wording;
 
 use lower::Lowered;
 
@@ -32,23 +33,4 @@ pub(super) fn build(robot: &RobotDescription) -> Result<Model, ModelError> {
     let Lowered { model, joints } = lower::lower(robot, &tree, &followings);
     definite::check(robot, &model, &joints, &mut problems);
     if stops(&problems) { Err(ModelError::new(problems)) } else { Ok(model.with_warnings(problems)) }
-}
-
-/// Numbers as a person writes them.
-fn plain(numbers: &[f64]) -> String {
-    let plain = |number: &f64| format!("{number:?}").trim_end_matches(".0").to_owned();
-    numbers.iter().map(plain).collect::<Vec<_>>().join(" ")
-}
-
-/// The number with four digits.
-fn rounded(number: f64) -> f64 {
-    format!("{number:.3e}").parse().unwrap_or(number)
-}
-
-/// Names in quotes; the middle of long lists is left out.
-fn abridged(names: &[String]) -> String {
-    match names {
-        [first, second, .., last] if names.len() > 8 => format!("{first} {second} … {last} ({} in all)", names.len()),
-        _ => names.join(" "),
-    }
 }

@@ -43,7 +43,7 @@ pub struct Body<T: Real = f64> {
     pub motion: Motion,
     /// Pose of the body's frame in its parent's frame at joint value 0.
     pub placement: Pose<T>,
-    /// Which coordinate drives the joint, and how: joint value = `ratio`·q[`coordinate`] + `offset`.
+    /// Which coordinate drives the joint, and how: joint value = `ratio·q[coordinate] + offset`.
     pub drive: Drive<T>,
     /// Mass, kg.
     pub mass: T,
@@ -53,7 +53,7 @@ pub struct Body<T: Real = f64> {
     pub inertia: Symmetric3<T>,
 }
 
-/// How a coordinate drives a joint: joint value = `ratio`·q[`coordinate`] + `offset`.
+/// How a coordinate drives a joint: joint value = `ratio·q[coordinate] + offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive<T: Real = f64> {
     /// Column of the coordinate.
@@ -150,11 +150,6 @@ impl<T: Real> Model<T> {
     /// What is odd about the robot without keeping it from being one.
     pub fn warnings(&self) -> &[Problem] {
         &self.warnings
-    }
-
-    /// Takes the warnings out, to be given places.
-    pub(crate) fn take_warnings(&mut self) -> Vec<Problem> {
-        std::mem::take(&mut self.warnings)
     }
 
     /// The same robot with these warnings.

@@ -42,14 +42,16 @@ impl<T: Real> Shape<'_, '_, T> {
         let (com, mu, momentum) = (self.com(), mu.at(self.com()), self.centroidal_momentum(mu));
         out.view_range_mut(..6, 6..).fill(T::zero());
         for (j, body) in self.model.bodies()[1..].iter().enumerate() {
-            let connection = self.data.connection[j];
-            let upper = -(self.half_rate(j, mu) + connection.ad_transpose(momentum)).at(-com);
-            let mut column = out.fixed_view_mut::<6, 1>(0, 6 + body.drive.coordinate);
-            column += upper.to_vector() * body.drive.ratio;
+            let upper = (self.half_rate(j, mu) + self.data.connection[j].ad_transpose(momentum)).at(-com);
+            let mut column = out.column_mut(6 + body.drive.coordinate);
+            for (entry, x) in column.iter_mut().zip(upper.to_array()) {
+                *entry -= x * body.drive.ratio;
+            }
         }
-        for c in 6..out.ncols() {
+        let (mut left, right) = out.columns_range_pair_mut(..6, 6..);
+        for (c, column) in right.column_iter().enumerate() {
             for r in 0..6 {
-                out[(c, r)] = -out[(r, c)];
+                left[(6 + c, r)] = -column[r];
             }
         }
     }
@@ -73,7 +75,8 @@ impl<T: Real> Shape<'_, '_, T> {
             let beside = (data.wrench[i] - locked.coriolis_central(omega, connection)).to_array();
             data.six_rows.dot_both((-connection).to_array(), &data.connection_rows, beside, end..joints, row);
             row[i] = T::zero();
-            out.lower(i, -T::one(), |j| -(row[j] * factor));
+            row[i + 1..].iter_mut().for_each(|entry| *entry = -(*entry * factor));
+            out.lower(i, -T::one(), row);
         }
         out.mirror(-T::one());
     }

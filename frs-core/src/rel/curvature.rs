@@ -62,7 +62,9 @@ impl<T: Real> Shape<'_, '_, T> {
                 data.turn[j] = turn;
             }
             for (component, out) in out.iter_mut().enumerate() {
-                out.lower(i, -T::one(), |j| -data.turn[j][component]);
+                let turns = data.turn[i..joints].iter();
+                data.row[i..].iter_mut().zip(turns).for_each(|(entry, turn)| *entry = -turn[component]);
+                out.lower(i, -T::one(), &data.row);
             }
         }
         out.iter_mut().for_each(|out| out.mirror(-T::one()));

@@ -30,7 +30,7 @@ impl<T: Real> Shape<'_, '_, T> {
             let end = model.bodies()[i + 1].end - 1;
             data.connection_rows.dot(data.outside[i].to_array(), i..end, row);
             data.inside_rows.dot((-data.connection[i]).to_array(), end..joints, row);
-            out.lower(i, T::one(), |j| row[j]);
+            out.lower(i, T::one(), row);
         }
         out.mirror(T::one());
     }
@@ -50,7 +50,7 @@ impl<T: Real> Shape<'_, '_, T> {
             data.inside_rows.dot(data.screw[i].to_array(), i..end, row);
             row[end..].fill(T::zero());
             data.inside_rows.add_dot((-data.connection[i]).to_array(), i..joints, row);
-            out.lower(i, T::one(), |j| row[j]);
+            out.lower(i, T::one(), row);
         }
         out.mirror(T::one());
     }

@@ -1,7 +1,7 @@
 //! Rigid motions: the exponential of SE(3), its principal logarithm and its tangent.
 //!
-//! `ad_{[φ; ρ]}` is the derivative of `ad_{[φ; 0]}` along ρ below a diagonal of twice `φ×`, and so is every function of
-//! it: where SO(3) has a map M(φ), SE(3) has `[[M, 0], [DM, M]]` with `DM` the derivative of M(φ) along ρ.
+//! `ad_ζ = [[φ×, 0], [ρ×, φ×]]` of `ζ = [φ; ρ]` has the derivative of φ× along ρ below its diagonal. Power series keep that
+//! form: where SO(3) has a map M(φ), SE(3) has `[[M, 0], [DM, M]]` with `DM` the derivative of M(φ) along ρ.
 
 use super::stumpff::{Coaxial, Stumpff};
 use super::{Pose, Twist, so3};

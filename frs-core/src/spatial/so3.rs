@@ -1,7 +1,7 @@
 //! Rotations: the exponential of SO(3), its principal logarithm and its tangent.
 //!
-//! A rotation vector φ is axis times angle, in radians; `φ^ = φ×`. The tangent is *right-trivialised*: `dexp` gives the
-//! angular velocity on the left of the rotation,
+//! A rotation vector φ is axis times angle, in radians. The tangent is *right-trivialised*: `dexp` gives the angular
+//! velocity that stands left of the rotation,
 //!
 //! ```text
 //! d/dt exp(φ(t)) = (dexp_φ φ̇)× exp(φ) = exp(φ) (dexp_{−φ} φ̇)×

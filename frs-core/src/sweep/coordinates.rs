@@ -20,11 +20,12 @@ impl<T: Real> Model<T> {
     /// `out[·, c] = Σ_j ratio_j·value(j)`: the same for columns of six.
     pub(crate) fn gather_columns(&self, out: &mut Matrix6xX<T>, value: impl Fn(usize) -> [T; 6]) {
         assert_eq!(out.ncols(), self.dof(), "the output must have one column per coordinate");
-        out.fill(T::zero());
+        let (columns, _) = out.as_mut_slice().as_chunks_mut::<6>();
+        columns.fill([T::zero(); 6]);
         for (j, body) in self.bodies()[1..].iter().enumerate() {
-            let mut column = out.column_mut(body.drive.coordinate);
-            for (entry, x) in column.iter_mut().zip(value(j)) {
-                *entry += x * body.drive.ratio;
+            let (column, value) = (&mut columns[body.drive.coordinate], value(j));
+            for r in 0..6 {
+                column[r] += value[r] * body.drive.ratio;
             }
         }
     }
@@ -71,15 +72,21 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         }
     }
 
-    /// Column j of a matrix with `entry(j, i) = sign·entry(i, j)`, sign 1 or −1: entries (i, j) for i from j on.
+    /// Column j of a matrix with `entry(j, i) = sign·entry(i, j)`, sign 1 or −1: `values[i]` for joints i from j on.
     /// [`mirror`](Self::mirror) then gives the entries above the diagonal.
     #[inline(always)]
-    pub fn lower(&mut self, j: usize, sign: T, value: impl Fn(usize) -> T) {
-        let joints = self.model.bodies().len() - 1;
+    pub fn lower(&mut self, j: usize, sign: T, values: &[T]) {
+        let joints = self.model.joints();
         if self.model.has_mimic() {
-            self.row(j, j + 1..joints, |i| sign * value(i));
+            self.column(j, j..joints, |i| values[i]);
+            self.row(j, j + 1..joints, |i| sign * values[i]);
+        } else {
+            let column = self.first + (self.first + j) * self.stride;
+            let entries = &mut self.entries[column + j..column + joints];
+            for (entry, &value) in entries.iter_mut().zip(&values[j..joints]) {
+                *entry = value + T::zero();
+            }
         }
-        self.column(j, j..joints, value);
     }
 
     /// The entries above the diagonal from those below, in tiles, so that large matrices stay in the cache.
@@ -91,12 +98,14 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         if self.model.has_mimic() {
             return;
         }
-        let size = self.stride - self.first;
+        let (first, stride, size) = (self.first, self.stride, self.stride - self.first);
         for tile in (0..size).step_by(TILE) {
             for i in tile + 1..size {
-                for j in tile..(tile + TILE).min(i) {
-                    let [lower, upper] = [(i, j), (j, i)].map(|(r, c)| self.first + r + (self.first + c) * self.stride);
-                    self.entries[upper] = sign * self.entries[lower] + T::zero();
+                let (left, column) = self.entries.split_at_mut((first + i) * stride + first);
+                let row = &left[(first + tile) * stride + first + i..];
+                let upper = &mut column[tile..(tile + TILE).min(i)];
+                for (entry, &mirrored) in upper.iter_mut().zip(row.iter().step_by(stride)) {
+                    *entry = sign * mirrored + T::zero();
                 }
             }
         }

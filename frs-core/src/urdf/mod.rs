@@ -85,8 +85,8 @@ impl Model {
         let document = xml::parse(&source)?;
         let Reading { robot, elements, mut findings } = read::read(&document, options);
         let (model, problems) = match robot.map(|robot| robot.build()) {
-            Some(Ok(mut model)) => {
-                let warnings = model.take_warnings();
+            Some(Ok(model)) => {
+                let warnings = model.warnings().to_vec();
                 (Some(model), warnings)
             }
             Some(Err(error)) => (None, error.into_problems()),

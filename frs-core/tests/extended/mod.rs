@@ -1,12 +1,13 @@
-//! Extended precision to judge the core by: [`Big`] numbers and power series over them; [`Wide`] numbers to run it over.
+//! Extended precision: [`Big`] numbers to judge the core by, [`Wide`] numbers to run it over.
 
+pub mod exact;
+pub mod judge;
 mod wide;
 
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use astro_float::{BigFloat, Consts, RoundingMode};
-use nalgebra::SMatrix;
 use num_traits::{One, Zero};
 
 pub use wide::Wide;
@@ -39,6 +40,10 @@ impl Big {
         // In two steps, that neither factor leaves the range of f64.
         let half = exponent / 2;
         f64::from(sign.to_int()) * (mantissa * 2.0_f64.powi(half)) * 2.0_f64.powi(exponent - half)
+    }
+
+    pub fn is_nan(&self) -> bool {
+        self.0.is_nan()
     }
 
     pub fn abs(&self) -> Self {
@@ -104,36 +109,4 @@ impl One for Big {
     fn one() -> Self {
         Self::new(1.0)
     }
-}
-
-/// The largest absolute entry.
-pub fn largest<const R: usize, const C: usize>(matrix: &SMatrix<Big, R, C>) -> Big {
-    matrix.iter().map(Big::abs).fold(Big::zero(), |a, b| if a < b { b } else { a })
-}
-
-/// `Σ a^k/(k+shift)!`: `exp(a)` for shift 0, its right-trivialised tangent for shift 1.
-pub fn exponential_series<const N: usize>(a: &SMatrix<Big, N, N>, shift: u32) -> SMatrix<Big, N, N> {
-    let negligible = largest(a) * Big::new(1e-42);
-    let mut term = SMatrix::<Big, N, N>::identity();
-    let mut sum = term.clone();
-    let mut k = 0;
-    while largest(&term) > negligible {
-        k += 1;
-        term = &term * a * (Big::one() / Big::new(f64::from(k + shift)));
-        sum += &term;
-    }
-    sum
-}
-
-/// `exp(a)` for large `a` too: `exp(a/2^m)^(2^m)`.
-pub fn exponential<const N: usize>(a: &SMatrix<Big, N, N>) -> SMatrix<Big, N, N> {
-    let mut halvings = 0;
-    while largest(a) > Big::new(2.0_f64.powi(halvings)) {
-        halvings += 1;
-    }
-    let mut power = exponential_series(&(a * Big::new(0.5_f64.powi(halvings))), 0);
-    for _ in 0..halvings {
-        power = &power * &power;
-    }
-    power
 }

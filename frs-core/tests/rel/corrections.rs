@@ -171,7 +171,8 @@ fn eq_36_second_is_plus_s() {
 }
 
 /// −2B_2(μ)q̇ = 𝓑(q̇)μ with
-/// 𝓑(q̇) = −2( Σ_k J_kᵀ(C_k − M_k ad_{J_k q̇})Ad⁻¹ + S(A_l q̇)ᵀ − ½A_lᵀP(q̇) − ½A_lᵀ ad_{A_l q̇}ᵀ Λ_b ), C_k = C(M_k; J_k q̇):
+/// 𝓑(q̇) = −2( Σ_k J_kᵀ(C_k − M_k ad_{J_k q̇})Ad⁻¹ + S(A_l q̇)ᵀ − ½A_lᵀP(q̇) − ½A_lᵀ ad_{A_l q̇}ᵀ Λ_b ) and
+/// C_k = C(M_k; J_k q̇):
 /// of all signs, and of the coefficients ±½ and ±1 of the last term, no others.
 #[test]
 fn eq_39_holds_with_one_choice_of_signs_and_coefficients() {

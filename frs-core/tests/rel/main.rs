@@ -14,3 +14,4 @@ mod scalars;
 mod specification;
 mod specification_rates;
 mod trees;
+mod workspaces;

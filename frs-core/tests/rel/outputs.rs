@@ -17,11 +17,20 @@ pub fn inputs(case: &Case) -> Vec<f64> {
 /// A quantity that is written to a matrix; the twist is for those that ask for one.
 type Quantity<T, Out> = fn(&mut Moving<'_, '_, '_, T>, Twist<T>, &mut Out);
 
-/// Every output, entry by entry.
+/// Every output of a new workspace.
 pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
     let n = model.dof();
+    let mut work = Workspace::new(model);
+    let mut shape = work.shape(&inputs[..n]);
+    outputs_of(&mut shape.moving(&inputs[n..2 * n]), inputs)
+}
+
+/// Every output at the state that `robot` is in, entry by entry.
+pub fn outputs_of<T: Real>(robot: &mut Moving<T>, inputs: &[T]) -> Vec<T> {
+    let model = robot.model();
+    let n = model.dof();
     let (shape, rest) = inputs.split_at(5 * n);
-    let [q, qd, x, y, tau] = [0, 1, 2, 3, 4].map(|i| &shape[i * n..(i + 1) * n]);
+    let [x, y, tau] = [2, 3, 4].map(|i| &shape[i * n..(i + 1) * n]);
     let six = |i: usize| [0, 1, 2, 3, 4, 5].map(|k| rest[6 * i + k]);
     let (mu, v1, force) = (Twist::from_array(six(0)), Twist::from_array(six(1)), Wrench::from_array(six(2)));
     let pose = Pose::new(Matrix3::from_column_slice(&rest[18..27]), Vector3::from_column_slice(&rest[27..30]));
@@ -31,14 +40,12 @@ pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
     let mut full_matrix = DMatrix::zeros(6 + n, 6 + n);
     let (mut joints, mut all, mut curvature) = (vec![T::zero(); n], vec![T::zero(); 6 + n], Curvature::new(n));
 
-    let mut work = Workspace::new(model);
-    let mut shape = work.shape(q);
-    let mut robot = shape.moving(qd);
-
     list.matrix6(&robot.locked_inertia().to_matrix());
     list.matrix6(&robot.inertia_velocity(x));
     list.matrix6(&robot.locked_coriolis(mu));
     list.take(robot.com().iter());
+    list.take(robot.locked_rotational_inertia().to_matrix().iter());
+    list.take(robot.locked_inverse_pivots().iter());
     for six in [robot.curvature_on(x, y), robot.locked_velocity(v1), robot.base_twist(mu)] {
         list.take(six.to_array().iter());
     }
@@ -53,7 +60,7 @@ pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
         |robot, mu, out| robot.inertia_derivative(mu, out),
     ];
     for quantity in wides {
-        quantity(&mut robot, mu, &mut wide);
+        quantity(robot, mu, &mut wide);
         list.take(wide.iter());
     }
     for link in 0..model.links().len() {
@@ -72,7 +79,7 @@ pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
         |robot, mu, out| robot.b2(mu, out),
     ];
     for quantity in squares {
-        quantity(&mut robot, mu, &mut shape_matrix);
+        quantity(robot, mu, &mut shape_matrix);
         list.take(shape_matrix.iter());
     }
     let full_squares: [Quantity<T, DMatrix<T>>; 4] = [
@@ -82,7 +89,7 @@ pub fn outputs<T: Real>(model: &Model<T>, inputs: &[T]) -> Vec<T> {
         |robot, v1, out| robot.hamel_coriolis(v1, out),
     ];
     for quantity in full_squares {
-        quantity(&mut robot, mu, &mut full_matrix);
+        quantity(robot, mu, &mut full_matrix);
         list.take(full_matrix.iter());
     }
     robot.curvature(&mut curvature);

@@ -2,13 +2,13 @@
 
 use frs_core::Curvature;
 use frs_core::spatial::Pose;
-use nalgebra::{DVector, Vector1, Vector6};
+use nalgebra::{DVector, Matrix3, Vector1, Vector3, Vector6};
 use proptest::prelude::*;
 
-use crate::algebra::adjoint_inverse;
+use crate::algebra::{adjoint, adjoint_inverse};
 use crate::asking::{six_by, square, twist, vector, wrench};
 use crate::closeness::{ROUNDING, close};
-use crate::specification::unit;
+use crate::specification::{Link, stack, unit};
 use crate::trees::{case, config};
 
 proptest! {
@@ -16,7 +16,16 @@ proptest! {
 
     #[test]
     fn locked_inertia(case in case()) {
-        case.judge(|spec, robot| close(&robot.locked_inertia().to_matrix(), &spec.lambda_b, ROUNDING))?;
+        case.judge(|spec, robot| {
+            close(&robot.locked_inertia().to_matrix(), &spec.lambda_b, ROUNDING)?;
+            let about_com = adjoint(&Matrix3::identity(), &robot.com());
+            let rotational = (about_com.transpose() * spec.lambda_b * about_com).fixed_view::<3, 3>(0, 0).into_owned();
+            close(&robot.locked_rotational_inertia().to_matrix(), &rotational, ROUNDING)?;
+            // The pivots of LDLᵀ are the ratios of leading minors.
+            let minor = |size: usize| rotational.view((0, 0), (size, size)).determinant();
+            let inverse_pivots = Vector3::new(1.0 / minor(1), minor(1) / minor(2), minor(2) / minor(3));
+            close(&robot.locked_inverse_pivots(), &inverse_pivots, ROUNDING)
+        })?;
     }
 
     #[test]
@@ -136,7 +145,7 @@ proptest! {
     fn centre_of_mass(case in case()) {
         case.judge(|spec, robot| {
             let bodies = spec.links.iter().zip(&case.robot.links).map(|(k, link)| (&k.motion, link.inertial));
-            let moment: nalgebra::Vector3<f64> =
+            let moment: Vector3<f64> =
                 bodies.map(|(at, body)| (at.rotation * body.com + at.translation) * body.mass).sum();
             close(&robot.com(), &(moment / spec.lambda_b[(3, 3)]), ROUNDING)
         })?;
@@ -171,7 +180,7 @@ proptest! {
             // In a frame in which the base has pose g, the momentum h of the base frame is Ad_g⁻ᵀ h.
             let seen = |pose: &Pose<f64>| adjoint_inverse(&pose.rotation, &pose.translation).transpose() * momentum;
             close(&robot.spatial_momentum(&case.pose, mu).to_vector(), &seen(&case.pose), ROUNDING)?;
-            let centroidal = Pose::new(nalgebra::Matrix3::identity(), -robot.com());
+            let centroidal = Pose::new(Matrix3::identity(), -robot.com());
             close(&robot.centroidal_momentum(mu).to_vector(), &seen(&centroidal), ROUNDING)
         })?;
     }
@@ -180,7 +189,7 @@ proptest! {
     fn kinetic_energy(case in case()) {
         case.judge(|spec, robot| {
             let v1 = case.mu - (&spec.a * &case.qd);
-            let of_link = |k: &crate::specification::Link| {
+            let of_link = |k: &Link| {
                 let velocity = k.x * v1 + (&k.j * &case.qd);
                 0.5 * velocity.dot(&(k.m * velocity))
             };
@@ -195,7 +204,7 @@ proptest! {
         case.judge(|spec, robot| {
             let (size, expected) = (6 + spec.dof(), spec.hamel_coriolis(&case.v1));
             close(&square(size, |out| robot.hamel_coriolis(twist(&case.v1), out)), &expected, ROUNDING)?;
-            let velocity = crate::specification::stack(&case.v1, &case.qd);
+            let velocity = stack(&case.v1, &case.qd);
             let bias = expected * velocity;
             close(&vector(size, |out| robot.hamel_bias(twist(&case.v1), out)), &bias, ROUNDING)
         })?;
@@ -218,7 +227,7 @@ proptest! {
     fn inverse_dynamics(case in case()) {
         case.judge(|spec, robot| {
             // Any acceleration will do: [v₁; y].
-            let xi_rate = crate::specification::stack(&case.v1, &case.y);
+            let xi_rate = stack(&case.v1, &case.y);
             let expected = spec.lambda() * &xi_rate + (spec.d_qdot() - spec.d_mu(&case.mu)) * spec.xi(&case.mu);
             let mut tau = vec![f64::NAN; spec.dof()];
             let force = robot.inverse_dynamics(twist(&case.mu), xi_rate.as_slice(), &mut tau).to_vector();

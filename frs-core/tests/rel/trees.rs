@@ -17,13 +17,12 @@ const MOST_JOINTS: usize = 12;
 /// A joint's parent is one of this many links before it: trees are deep and branch often.
 const PARENTS: usize = 4;
 
-/// Random robots a property is tried on, unless `PROPTEST_CASES` says otherwise.
+/// Random robots a property is tried on; the environment variable `PROPTEST_CASES` overrides it.
 const CASES: u32 = 256;
 
 /// How often a property is tried; failures print the shrunk case instead of leaving a file behind.
 pub fn config() -> ProptestConfig {
-    let cases = std::env::var("PROPTEST_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(CASES);
-    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
+    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(CASES) }
 }
 
 /// A robot, a state of it, and the directions a property asks about.

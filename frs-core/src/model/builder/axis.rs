@@ -35,6 +35,7 @@ mod tests {
             }
         }
         assert_eq!(along(Vector3::z()), Matrix3::identity());
+        assert_eq!(along(Vector3::new(1.0, 0.0, -0.0)), along(Vector3::x()));
     }
 
     #[test]

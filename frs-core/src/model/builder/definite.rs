@@ -14,6 +14,9 @@ use crate::spatial::{Inertia, Pose};
 /// as near to an axis as a millionth of its distance along it.
 const SINGULAR: f64 = 1e-12;
 
+/// Inertia of a unit mass, m², that counts as none: its reciprocal must stay finite in products too.
+const NONE: f64 = 1e-60;
+
 /// Reports joints, and the base, whose motion nothing resists; body k + 1 is driven by joint `joints[k]`.
 pub(super) fn check(robot: &RobotDescription, model: &Model, joints: &[usize], problems: &mut Vec<Problem>) {
     let bodies = model.bodies();
@@ -34,7 +37,7 @@ pub(super) fn check(robot: &RobotDescription, model: &Model, joints: &[usize], p
         let mut left = inertia;
         if driven[body.drive.coordinate] == 1 {
             let pivot = inertia[(axis, axis)];
-            if pivot > SINGULAR * behind(&rigid[k], axis) {
+            if pivot > SINGULAR * behind(&rigid[k], axis) + NONE {
                 let column = inertia.column(axis);
                 left -= column * column.transpose() / pivot;
             } else {
@@ -56,7 +59,7 @@ pub(super) fn check(robot: &RobotDescription, model: &Model, joints: &[usize], p
     let resisted = (0..6).all(|axis| {
         let (column, pivot) = (base.column(axis).into_owned(), base[(axis, axis)]);
         base -= column * column.transpose() / pivot;
-        pivot > SINGULAR * behind(&rigid[0], axis)
+        pivot > SINGULAR * behind(&rigid[0], axis) + NONE
     });
     if !resisted {
         problems.push(Problem::error(
@@ -74,7 +77,7 @@ fn unit_inertia(body: &Body, size: f64) -> Matrix6<f64> {
     let trace = body.inertia.to_matrix().trace();
     let unit = if body.mass > 0.0 {
         Inertia::from_com(1.0, body.com, body.inertia * (1.0 / body.mass))
-    } else if trace > 0.0 {
+    } else if trace > NONE {
         Inertia::from_com(0.0, Vector3::zeros(), body.inertia * (size * size / trace))
     } else {
         Inertia::zero()

@@ -1,7 +1,7 @@
 //! Who follows whom: chains of mimic joints, composed.
 
-use super::abridged;
 use super::names::Names;
+use super::wording::abridged;
 use crate::model::{JointKind, Part, Problem, RobotDescription};
 
 /// How a joint follows the coordinate of its leader: value = `ratio`·(the leader's value) + `offset`.
@@ -50,7 +50,7 @@ pub(super) fn compose(robot: &RobotDescription, names: &Names, problems: &mut Ve
         }
         chain.clear();
     }
-    followings.into_iter().enumerate().map(|(joint, following)| following.unwrap_or(own(joint))).collect()
+    followings.into_iter().flatten().collect()
 }
 
 /// The joint that `joint` follows, if both are joints with one value.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{plain, rounded};
+use super::wording::{plain, rounded};
 use crate::model::{
     InertialDescription, JointDescription, JointKind, LinkDescription, Part, Problem, RobotDescription, Subject,
 };
@@ -10,6 +10,9 @@ use crate::spatial::{Pose, Symmetric3};
 
 /// Magnitude beyond which a number is a mistake; the products of up to ten such numbers stay finite.
 const LARGEST: f64 = 1e30;
+
+/// Mass, kg, below which a mass that is not 0 is a mistake: its reciprocal must stay finite in products too.
+const LIGHTEST: f64 = 1e-30;
 
 /// Part of the largest principal moment by which a smaller one may be negative, or by which the largest may exceed the
 /// sum of the others: URDFs print inertias with few digits.
@@ -38,7 +41,7 @@ fn check_link(link: &LinkDescription, subject: &dyn Fn() -> Subject, lenient: bo
     let Symmetric3 { xx, xy, xz, yy, yz, zz } = inertial.inertia;
     [
         usual(subject, Part::CentreOfMass, "centre of mass", inertial.com.as_slice()),
-        usual(subject, Part::Mass, "mass", &[inertial.mass]).or_else(|| not_negative(subject, inertial.mass)),
+        usual(subject, Part::Mass, "mass", &[inertial.mass]).or_else(|| weighing(subject, inertial.mass)),
         usual(subject, Part::Inertia, "inertia (xx xy xz yy yz zz)", &[xx, xy, xz, yy, yz, zz])
             .or_else(|| physical(subject, inertial, lenient)),
     ]
@@ -79,15 +82,16 @@ fn usual(subject: &dyn Fn() -> Subject, part: Part, what: &str, numbers: &[f64])
     ))
 }
 
-fn not_negative(subject: &dyn Fn() -> Subject, mass: f64) -> Option<Problem> {
-    if mass >= 0.0 {
+/// Zero, or a mass that can be divided by.
+fn weighing(subject: &dyn Fn() -> Subject, mass: f64) -> Option<Problem> {
+    if mass == 0.0 || mass >= LIGHTEST {
         return None;
     }
     Some(Problem::error(
         subject(),
         Part::Mass,
-        format!("mass is {mass}"),
-        "a mass that is not negative",
+        format!("mass is {}", plain(&[mass])),
+        if mass < 0.0 { "a mass that is not negative".into() } else { format!("0, or at least {LIGHTEST:e}") },
         "correct it, or write 0 for a link without mass",
     ))
 }

@@ -1,7 +1,7 @@
 //! The tree that links and joints form, walked from the root link.
 
-use super::abridged;
 use super::names::Names;
+use super::wording::abridged;
 use crate::model::{InertialDescription, JointKind, Part, Problem, RobotDescription, Subject};
 
 /// The links in the order in which they are walked: depth first from the root, joints in the order of description.

@@ -1,10 +1,10 @@
 //! The equations of motion: forward against inverse, one route against another, the Hamel form against the reduced one.
 
-use frs_core::spatial::Wrench;
+use frs_core::spatial::{Twist, Wrench};
 use nalgebra::{DMatrix, DVector, Matrix6, Matrix6xX, MatrixXx6, Vector1};
 use proptest::prelude::*;
 
-use crate::asking::{six_by, square, twist, vector, wrench};
+use crate::asking::{moving, six_by, square, twist, vector, wrench};
 use crate::closeness::{ROUNDING, close};
 use crate::specification::{blocks, stack};
 use crate::trees::{case, config};
@@ -119,9 +119,9 @@ proptest! {
     fn rest_stays_rest(case in case()) {
         let (model, n) = (case.model(), case.dof());
         let still = DVector::zeros(n);
-        crate::asking::moving(&model, &case.q, &still, |robot| {
+        moving(&model, &case.q, &still, |robot| {
             let xi_rate = vector(6 + n, |out| {
-                robot.forward_dynamics(frs_core::spatial::Twist::zero(), Wrench::zero(), still.as_slice(), out);
+                robot.forward_dynamics(Twist::zero(), Wrench::zero(), still.as_slice(), out);
             });
             close(&xi_rate, &DVector::zeros(6 + n), 0.0)
         })?;

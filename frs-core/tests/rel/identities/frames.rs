@@ -46,7 +46,7 @@ impl View {
 proptest! {
     #![proptest_config(config())]
 
-    /// Another link as base: Λ_b^k = Ad_{1k}ᵀ Λ_b Ad_{1k}, A_l^k = −J̃_k, 𝓑^k = Ad_{1k}⁻¹ 𝓑, what is of the shape stays.
+    /// Another link as base: Λ_b^k = Ad_{1k}ᵀ Λ_b Ad_{1k}, A_l^k = −J̃_k, 𝓑^k = Ad_{1k}⁻¹ 𝓑; the shape's inertia stays.
     #[test]
     fn another_base_link_is_the_same_robot(case in case(), root in any::<Index>()) {
         let here = case.model();

@@ -1,5 +1,6 @@
 //! Identities between quantities and their derivatives along the shape, the latter by central differences.
 
+use frs_core::spatial::Wrench;
 use nalgebra::{DMatrix, DVector, Vector1, Vector6};
 use proptest::prelude::*;
 
@@ -95,7 +96,7 @@ proptest! {
         case.ask(|robot| {
             let still = vec![0.0; case.dof()];
             let xi_rate = vector(6 + case.dof(), |out| {
-                robot.forward_dynamics(twist(&case.mu), frs_core::spatial::Wrench::zero(), &still, out);
+                robot.forward_dynamics(twist(&case.mu), Wrench::zero(), &still, out);
             });
             let mu_rate = Vector6::from_column_slice(&xi_rate.as_slice()[..6]);
             let v1 = robot.base_twist(twist(&case.mu)).to_vector();

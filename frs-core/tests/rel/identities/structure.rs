@@ -1,10 +1,11 @@
 //! Identities at one state: symmetry, definiteness, skewness, and one quantity written through another.
 
+use frs_core::Moving;
 use frs_core::spatial::Twist;
-use nalgebra::{DMatrix, Matrix3, Vector1, Vector3, Vector6};
+use nalgebra::{DMatrix, Matrix3, Matrix6, Vector1, Vector3, Vector6};
 use proptest::prelude::*;
 
-use crate::algebra::ad_tilde;
+use crate::algebra::{ad_tilde, adjoint};
 use crate::asking::{six_by, square, twist, vector};
 use crate::closeness::{ROUNDING, close};
 use crate::specification::{dense, stack, unit};
@@ -47,7 +48,7 @@ proptest! {
     #[test]
     fn s_is_symmetric_in_its_arguments(case in case()) {
         case.ask(|robot| {
-            let s = |robot: &mut frs_core::Moving, x: &Vector6<f64>| {
+            let s = |robot: &mut Moving, x: &Vector6<f64>| {
                 six_by(case.dof(), |out| robot.inertia_derivative(twist(x), out)).transpose()
             };
             close(&(s(robot, &case.mu) * case.v1), &(s(robot, &case.v1) * case.mu), ROUNDING)
@@ -144,11 +145,11 @@ proptest! {
     #[test]
     fn locked_coriolis_is_block_diagonal_about_the_centre_of_mass(case in case()) {
         case.judge(|spec, robot| {
-            let seen = frs_core::spatial::Pose::new(Matrix3::identity(), robot.com()).adjoint();
+            let seen = adjoint(&Matrix3::identity(), &robot.com());
             let about_com = seen.transpose() * robot.locked_coriolis(twist(&case.mu)) * seen;
             let j = (seen.transpose() * spec.lambda_b * seen).fixed_view::<3, 3>(0, 0).into_owned();
             let w: Vector3<f64> = case.mu.fixed_rows::<3>(0).into_owned();
-            let mut expected = nalgebra::Matrix6::zeros();
+            let mut expected = Matrix6::zeros();
             let sigma = w * (0.5 * j.trace()) - j * w;
             expected.fixed_view_mut::<3, 3>(0, 0).copy_from(&sigma.cross_matrix());
             expected.fixed_view_mut::<3, 3>(3, 3).copy_from(&(w * spec.lambda_b[(3, 3)]).cross_matrix());
