@@ -82,11 +82,10 @@ struct Worst(Vec<Residual>);
 impl Worst {
     /// Records `difference` relative to `scale`.
     fn see(&mut self, identity: &'static str, difference: f64, scale: f64) {
-        let worst = if scale > 0.0 { difference / scale } else { difference };
+        let worst = if scale > 0.0 { difference / scale } else { difference }.abs();
         match self.0.iter_mut().find(|residual| residual.identity == identity) {
-            // NaN must win: it is the worst of all.
-            Some(residual) if !(worst <= residual.worst) => residual.worst = worst,
-            Some(_) => {}
+            // NaN must win: it is the worst of all, and `total_cmp` places it last.
+            Some(residual) => residual.worst = std::cmp::max_by(residual.worst, worst, f64::total_cmp),
             None => self.0.push(Residual { identity, worst }),
         }
     }

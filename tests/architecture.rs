@@ -37,7 +37,8 @@ fn arrows_point_one_way() {
 #[test]
 fn every_room_is_known() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("frs-core/src");
-    let mut rooms: Vec<_> = fs::read_dir(source).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    let mut rooms: Vec<_> =
+        fs::read_dir(source).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     rooms.retain(|room| room != "lib.rs");
     rooms.sort();
     let mut known = ARROWS.map(|(room, _)| room.to_owned());

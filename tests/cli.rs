@@ -124,7 +124,10 @@ fn bad_files_and_options_are_told() {
     let axis = frs(&["eval", &robot], "");
     assert_eq!(axis.status.code(), Some(2));
     let message = text(&axis.stderr);
-    assert!(message.contains("zero_axis.urdf:") && message.contains("axis") && message.contains("expected"), "{message}");
+    assert!(
+        message.contains("zero_axis.urdf:") && message.contains("axis") && message.contains("expected"),
+        "{message}"
+    );
 
     let root = frs(&["eval", LWR, "--root", "hand"], "");
     assert_eq!(root.status.code(), Some(2));

@@ -1,10 +1,10 @@
 //! Times the core on given robots and prints samples as JSON lines, for the side-by-side table of `benches/peers/run`.
 //!
-//! `peer_times [--samples N] ROBOT.urdf|chain_N …`: each sample is the mean over 128 random states.
+//! `peer_times [--samples N] ROBOT.urdf …`: each sample is the mean over 128 random states.
 
-#[path = "../subjects.rs"]
-mod subjects;
-#[path = "../work.rs"]
+#[path = "../core/states.rs"]
+mod states;
+#[path = "../core/work.rs"]
 mod work;
 
 use std::error::Error;
@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn time(robot: &str, model: &Model, samples: usize) {
-    let states = subjects::states(model, 128);
+    let states = states::states(model, 128);
     let mut bench = work::Bench::new(model);
     for (name, work) in work::ALL {
         // The first pass warms the caches and is not counted.

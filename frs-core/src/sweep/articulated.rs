@@ -32,7 +32,7 @@ pub(crate) fn articulated_accelerations<T: Real>(
         let inverse = T::one() / s.dot(u);
         let unmet = tau[body.drive.coordinate] - s.dot(wrench[k]);
         let handed_down = wrench[k] + articulated[k] * bias + u * ((unmet - bias.dot(u)) * inverse);
-        wrench[p] = wrench[p] + handed_down;
+        wrench[p] += handed_down;
         articulated[p] = articulated[p] + articulated[k].without(u, inverse);
         twist[k] = bias;
         column[k] = u;

@@ -3,7 +3,7 @@
 use frs::nalgebra::{DMatrix, Matrix6xX};
 use frs::{Model, Workspace};
 
-use crate::subjects::State;
+use crate::states::State;
 
 /// Memory for one robot, so that nothing is allocated while the clock runs.
 pub struct Bench<'m> {

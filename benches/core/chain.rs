@@ -1,9 +1,9 @@
-//! The robots that are timed, and random states of them.
+//! Serial chains of any length, for timing growth.
 
 use frs::Model;
 use frs::model::{InertialDescription, JointKind, RobotDescription};
 use frs::nalgebra::Vector3;
-use frs::spatial::{Pose, Symmetric3, Twist, Wrench};
+use frs::spatial::{Pose, Symmetric3};
 
 /// A serial chain of `n` revolute joints with nothing aligned: no zero is free.
 pub fn chain(n: usize) -> Model {
@@ -35,27 +35,4 @@ pub fn chain(n: usize) -> Model {
             .origin(Pose::from_rpy(Vector3::new(0.1, 0.05, 0.2), [0.1 * turn, 0.2, -0.3 * turn]));
     }
     robot.build().unwrap_or_else(|error| panic!("the chain is a robot: {error}"))
-}
-
-/// What a robot does, and what pushes it.
-pub struct State {
-    pub q: Vec<f64>,
-    pub qd: Vec<f64>,
-    pub mu: Twist<f64>,
-    pub wrench: Wrench<f64>,
-    pub tau: Vec<f64>,
-}
-
-/// `count` random states, always the same.
-pub fn states(model: &Model, count: usize) -> Vec<State> {
-    let mut rng = fastrand::Rng::with_seed(7);
-    let mut unit = || 2.0 * rng.f64() - 1.0;
-    (0..count)
-        .map(|_| {
-            let mut vector = |scale: f64| (0..model.dof()).map(|_| scale * unit()).collect::<Vec<_>>();
-            let (q, qd, tau) = (vector(std::f64::consts::PI), vector(1.0), vector(1.0));
-            let mut six = || std::array::from_fn(|_| unit());
-            State { q, qd, mu: Twist::from_array(six()), wrench: Wrench::from_array(six()), tau }
-        })
-        .collect()
 }

@@ -1,6 +1,7 @@
 //! Timings of the recursive core: `cargo bench`.
 
-mod subjects;
+mod chain;
+mod states;
 mod work;
 
 use std::hint::black_box;
@@ -10,17 +11,17 @@ use frs::Model;
 
 fn robots() -> Vec<Model> {
     let urdfs = [
-        include_str!("../robots/lwr_satellite.urdf"),
-        include_str!("../robots/quadruped.urdf"),
-        include_str!("../robots/humanoid.urdf"),
+        include_str!("../../robots/lwr_satellite.urdf"),
+        include_str!("../../robots/quadruped.urdf"),
+        include_str!("../../robots/humanoid.urdf"),
     ];
     let own = urdfs.map(|urdf| Model::from_urdf(urdf).unwrap_or_else(|error| panic!("{error}")));
-    own.into_iter().chain([10, 50, 100, 200].map(subjects::chain)).collect()
+    own.into_iter().chain([10, 50, 100, 200].map(chain::chain)).collect()
 }
 
 fn core(criterion: &mut Criterion) {
     for model in robots() {
-        let states = subjects::states(&model, 128);
+        let states = states::states(&model, 128);
         let mut bench = work::Bench::new(&model);
         let mut group = criterion.benchmark_group(model.name());
         for (name, work) in work::ALL {
