@@ -38,17 +38,17 @@ impl<T: Real> Shape<'_, '_, T> {
         self.curvature_coupling(mu, T::from_f64(-2.0), block);
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&-self.locked_coriolis(mu));
 
-        self.fill_inertia_rates();
-        let (com, mu, momentum) = (self.com(), mu.at(self.com()), self.centroidal_momentum(mu));
-        out.view_range_mut(..6, 6..).fill(T::zero());
+        let (com, mu) = (self.com(), mu.at(self.com()));
+        let (momentum, half) = (self.locked_momentum(mu), mu * T::from_f64(0.5));
+        let (mut left, mut right) = out.columns_range_pair_mut(..6, 6..);
+        right.rows_range_mut(..6).fill(T::zero());
         for (j, body) in self.model.bodies()[1..].iter().enumerate() {
-            let upper = (self.half_rate(j, mu) + self.data.connection[j].ad_transpose(momentum)).at(-com);
-            let mut column = out.column_mut(6 + body.drive.coordinate);
-            for (entry, x) in column.iter_mut().zip(upper.to_array()) {
+            let upper = self.data.inertia_rate(j) * half + self.data.connection[j].ad_transpose(momentum);
+            let mut column = right.column_mut(body.drive.coordinate);
+            for (entry, x) in column.iter_mut().zip(upper.at(-com).to_array()) {
                 *entry -= x * body.drive.ratio;
             }
         }
-        let (mut left, right) = out.columns_range_pair_mut(..6, 6..);
         for (c, column) in right.column_iter().enumerate() {
             for r in 0..6 {
                 left[(6 + c, r)] = -column[r];
@@ -61,19 +61,22 @@ impl<T: Real> Shape<'_, '_, T> {
         let data = &mut *self.data;
         let (omega, locked) = (mu.angular, data.composite[0]);
         let joints = self.model.joints();
+        let (below, beside) = (&mut data.wrench, &mut data.wrench_outside);
         for j in 0..joints {
-            data.wrench[j] = data.composite[j + 1].coriolis(omega, data.screw[j]);
-            data.six_rows.set(j, data.wrench[j].to_array());
+            let (composite, complement) = (&data.composite[j + 1], &data.complement[j + 1]);
+            let (connection, reaction) = (data.connection[j], data.reaction[j]);
+            let f = composite.coriolis(omega, data.screw[j]);
+            below[j] = composite.coriolis(omega, reaction) - complement.coriolis(omega, connection);
+            beside[j] = f - locked.coriolis_central(omega, connection);
+            data.six_rows.set(j, f.to_array());
         }
         let row = &mut data.row;
         for i in 0..joints {
             let end = self.model.bodies()[i + 1].end - 1;
-            let (connection, reaction) = (data.connection[i], data.reaction[i]);
-            let inside = data.composite[i + 1].coriolis(omega, reaction);
-            let below = (inside - data.complement[i + 1].coriolis(omega, connection)).to_array();
+            let (connection, reaction) = (-data.connection[i], data.reaction[i]);
+            let (below, beside) = (below[i].to_array(), beside[i].to_array());
             data.six_rows.dot_both(reaction.to_array(), &data.connection_rows, below, i..end, row);
-            let beside = (data.wrench[i] - locked.coriolis_central(omega, connection)).to_array();
-            data.six_rows.dot_both((-connection).to_array(), &data.connection_rows, beside, end..joints, row);
+            data.six_rows.dot_both(connection.to_array(), &data.connection_rows, beside, end..joints, row);
             row[i] = T::zero();
             row[i + 1..].iter_mut().for_each(|entry| *entry = -(*entry * factor));
             out.lower(i, -T::one(), row);

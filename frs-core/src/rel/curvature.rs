@@ -39,7 +39,9 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` was not made for n coordinates.
     pub fn curvature(&mut self, out: &mut Curvature<T>) {
-        self.fill_inertia_rates();
+        for j in 0..self.model.joints() {
+            self.data.inertia_rate[j] = self.data.inertia_rate(j);
+        }
         out.com = self.com();
         let (model, data) = (self.model, &mut *self.data);
         let joints = model.joints();
@@ -51,7 +53,7 @@ impl<T: Real> Shape<'_, '_, T> {
             data.turn[i] = Vector3::zeros();
             for j in i + 1..joints {
                 let a_j = data.connection[j];
-                let (rate_i, rate_j) = (data.inertia_rate[i + 1], data.inertia_rate[j + 1]);
+                let (rate_i, rate_j) = (data.inertia_rate[i], data.inertia_rate[j]);
                 let momentum = if j < end {
                     let carried = screw.ad_transpose(data.inside[j]);
                     -carried.moment - (rate_i * a_j).moment - (rate_j * reaction).moment

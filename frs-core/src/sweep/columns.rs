@@ -42,6 +42,9 @@ impl<T: Real, const R: usize> Columns<T, R> {
     /// `out[j] = Σ_r coefficients[r]·self[j][r]` over the first `S` rows, for the joints in `range`.
     #[inline(always)]
     pub fn dot<const S: usize>(&self, coefficients: [T; S], range: Range<usize>, out: &mut [T]) {
+        if range.is_empty() {
+            return;
+        }
         let rows = self.rows(&range);
         for (k, out) in lanes_mut(out, &range).iter_mut().enumerate() {
             *out = add_dot(&rows, coefficients, k, [T::zero(); LANES]);
@@ -58,6 +61,9 @@ impl<T: Real, const R: usize> Columns<T, R> {
         range: Range<usize>,
         out: &mut [T],
     ) {
+        if range.is_empty() {
+            return;
+        }
         let (rows, other_rows) = (self.rows(&range), other.rows(&range));
         for (k, out) in lanes_mut(out, &range).iter_mut().enumerate() {
             *out = add_dot(&other_rows, others, k, add_dot(&rows, coefficients, k, [T::zero(); LANES]));

@@ -89,26 +89,53 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         }
     }
 
-    /// The entries above the diagonal from those below, in tiles, so that large matrices stay in the cache.
+    /// The entries above the diagonal from those below, `entry(j, i) = sign·entry(i, j)`, in tiles that registers hold.
     ///
     /// With mimic joints [`lower`](Self::lower) has already added both.
     #[inline(always)]
     pub fn mirror(&mut self, sign: T) {
-        const TILE: usize = 8;
+        const TILE: usize = 4;
         if self.model.has_mimic() {
             return;
         }
-        let (first, stride, size) = (self.first, self.stride, self.stride - self.first);
-        for tile in (0..size).step_by(TILE) {
-            for i in tile + 1..size {
-                let (left, column) = self.entries.split_at_mut((first + i) * stride + first);
-                let row = &left[(first + tile) * stride + first + i..];
-                let upper = &mut column[tile..(tile + TILE).min(i)];
-                for (entry, &mirrored) in upper.iter_mut().zip(row.iter().step_by(stride)) {
-                    *entry = sign * mirrored + T::zero();
+        let size = self.stride - self.first;
+        for right in (0..size).step_by(TILE) {
+            for upper in (0..right).step_by(TILE) {
+                if right + TILE <= size {
+                    let lower: [[T; TILE]; TILE] = std::array::from_fn(|c| self.load(right, upper + c));
+                    for c in 0..TILE {
+                        self.store::<TILE>(upper, right + c, std::array::from_fn(|r| sign * lower[r][c] + T::zero()));
+                    }
+                } else {
+                    self.mirror_block(upper..upper + TILE, right..size, sign);
                 }
             }
+            self.mirror_block(right..size, right..(right + TILE).min(size), sign);
         }
+    }
+
+    /// The entries of a block that lie above the diagonal, one by one.
+    fn mirror_block(&mut self, rows: Range<usize>, columns: Range<usize>, sign: T) {
+        for column in columns {
+            for row in rows.start..rows.end.min(column) {
+                let [mirrored] = self.load(column, row);
+                self.store(row, column, [sign * mirrored + T::zero()]);
+            }
+        }
+    }
+
+    /// `N` entries down a column.
+    #[inline(always)]
+    fn load<const N: usize>(&self, row: usize, column: usize) -> [T; N] {
+        let start = self.first + row + (self.first + column) * self.stride;
+        let entries = &self.entries[start..start + N];
+        std::array::from_fn(|i| entries[i])
+    }
+
+    #[inline(always)]
+    fn store<const N: usize>(&mut self, row: usize, column: usize, values: [T; N]) {
+        let start = self.first + row + (self.first + column) * self.stride;
+        self.entries[start..start + N].copy_from_slice(&values);
     }
 
     /// Adds `value` of the joint pair (i, j) to the pair of their coordinates.

@@ -78,8 +78,6 @@ pub(crate) struct Data<T: Real> {
     pub inside_rows: Columns<T, 6>,
     /// A_j again, by rows.
     pub connection_rows: Columns<T, 6>,
-    /// P_j = dIᶜ_j/dq_j; of each joint, filled by whoever needs it.
-    pub inertia_rate: Vec<Inertia<T>>,
 
     // Velocity sweep.
     /// Rate of each joint; `rate_more`: of another motion.
@@ -110,6 +108,7 @@ pub(crate) struct Data<T: Real> {
     pub factor_outside: Vec<CoriolisFactor<T>>,
     pub factor_before: Vec<CoriolisFactor<T>>,
     pub inertia_before: Vec<Inertia<T>>,
+    pub inertia_rate: Vec<Inertia<T>>,
     pub articulated: Vec<ArticulatedInertia<T>>,
 }
 
