@@ -5,8 +5,8 @@ use std::io::{self, BufRead, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use frs::nalgebra::{DMatrix, Matrix3};
-use frs::{Model, Moving, Workspace};
+use frs::nalgebra::DMatrix;
+use frs::{Model, Moving, Shape, Workspace};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::answer::{Key, Value};
@@ -96,8 +96,7 @@ fn open(path: &Path) -> Result<(String, Box<dyn BufRead>), Failure> {
 /// The quantities at a state, or why the state has no answer.
 fn evaluate(work: &mut Workspace, state: &State, keys: &[Key]) -> Result<Vec<Value>, String> {
     let mut shape = work.shape(&state.q);
-    let locked = shape.locked_rotational_inertia().to_matrix();
-    if !is_definite(&locked) {
+    if !is_definite(&shape) {
         return Err(
             "the locked inertia Λ_b is singular in this shape: all mass lies on one line, or a number overflowed; \
                     no locked velocity is determined. Move the joints off this shape or give a link its thickness"
@@ -132,13 +131,11 @@ fn evaluate(work: &mut Workspace, state: &State, keys: &[Key]) -> Result<Vec<Val
 /// Relative size below which a pivot of a factored inertia is rounding: a few times n ε for n of hundreds.
 const SINGULAR_PIVOT: f64 = 1e-14;
 
-/// Whether a rotational inertia is positive definite to working precision.
-fn is_definite(matrix: &Matrix3<f64>) -> bool {
-    matrix.iter().all(|x| x.is_finite())
-        && matrix.cholesky().is_some_and(|factors| {
-            let l = factors.l();
-            (0..3).all(|i| l[(i, i)] * l[(i, i)] > SINGULAR_PIVOT * matrix[(i, i)])
-        })
+/// Whether the locked rotational inertia is positive definite to working precision; false for what is not finite.
+fn is_definite(shape: &Shape) -> bool {
+    let (inertia, inverse_pivots) = (shape.locked_rotational_inertia(), shape.locked_inverse_pivots());
+    let diagonal = [inertia.xx, inertia.yy, inertia.zz];
+    diagonal.iter().zip(&inverse_pivots).all(|(own, inverse)| 1.0 / inverse > SINGULAR_PIVOT * own)
 }
 
 /// The coordinate whose pivot of Λ_q vanishes, if one does.

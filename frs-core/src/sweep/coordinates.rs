@@ -103,8 +103,9 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
             for upper in (0..right).step_by(TILE) {
                 if right + TILE <= size {
                     let lower: [[T; TILE]; TILE] = std::array::from_fn(|c| self.load(right, upper + c));
-                    for c in 0..TILE {
-                        self.store::<TILE>(upper, right + c, std::array::from_fn(|r| sign * lower[r][c] + T::zero()));
+                    for column in 0..TILE {
+                        let values = lower.map(|below| sign * below[column] + T::zero());
+                        self.store(upper, right + column, values);
                     }
                 } else {
                     self.mirror_block(upper..upper + TILE, right..size, sign);
