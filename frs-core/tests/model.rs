@@ -400,3 +400,9 @@ fn numbers_that_only_a_program_can_write_are_problems() {
         ]
     );
 }
+
+#[test]
+fn a_model_is_shared_between_threads() {
+    fn shared<T: Send + Sync>() {}
+    shared::<Model>();
+}

@@ -19,7 +19,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// The local mechanical connection `A_l = Λ_b⁻¹ M_bq` (6×n, base frame): at zero momentum the base moves with
     /// `V₁ = −A_l q̇`.
     ///
-    /// Source: the paper, eq. (13). Units: rad and m per unit of the coordinate.
+    /// Source: the paper; docs/mathematics.md §2. Units: rad and m per unit of the coordinate.
     ///
     /// # Panics
     /// If `out` does not have n columns.

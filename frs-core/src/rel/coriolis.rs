@@ -18,7 +18,7 @@ impl<T: Real> Shape<'_, '_, T> {
 
     /// `B_2(μ) = Σ_k J̃_kᵀ C(M_k; X_k μ) J̃_k` (n×n, skew): `B_2(μ)_ij = −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩`.
     ///
-    /// It depends on the angular part of μ alone. Source: the paper, eq. (19e); docs/mathematics.md §3.
+    /// It depends on the angular part of μ alone. Source: the paper; docs/mathematics.md §2 and §3.4.
     ///
     /// # Panics
     /// If `out` is not n×n.
@@ -29,7 +29,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// `D_μ(q, μ)` ((6+n)×(6+n), skew): the part of the Coriolis terms that is linear in the locked velocity,
     /// `[[−C_b^μ, −S(μ) − ad~_{Λ_bμ} A_l], [S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}, −2 B_2(μ)]]`, `ad~_{Λ_bμ}ᵀ = −ad~_{Λ_bμ}`.
     ///
-    /// Source: the paper, eq. (16), corrected in docs/mathematics.md §5.
+    /// Source: the paper, eq. (16), corrected in docs/corrections.md.
     ///
     /// # Panics
     /// If `out` is not (6+n)×(6+n).
@@ -88,7 +88,7 @@ impl<T: Real> Shape<'_, '_, T> {
 impl<T: Real> Moving<'_, '_, '_, T> {
     /// `Γ'_q(q̇)` (n×n), the Christoffel matrix of Λ_q: `dΛ_q/dt − 2Γ'_q` is skew, `Γ'_q(x) y = Γ'_q(y) x`.
     ///
-    /// `Γ'_q = Σ_k J̃_kᵀ(C(M_k; J̃_k q̇) J̃_k + M_k dJ̃_k/dt)`. Source: the paper, eq. (19d); docs/mathematics.md §3.
+    /// `Γ'_q = Σ_k J̃_kᵀ(C(M_k; J̃_k q̇) J̃_k + M_k dJ̃_k/dt)`. Source: the paper; docs/mathematics.md §2 and §3.5.
     ///
     /// # Panics
     /// If `out` is not n×n.

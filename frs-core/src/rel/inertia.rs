@@ -9,7 +9,7 @@ use crate::sweep::{Shape, Square};
 impl<T: Real> Shape<'_, '_, T> {
     /// The locked inertia `Λ_b = Σ_k X_kᵀ M_k X_k` (6×6, base frame): the robot's inertia with its joints locked.
     ///
-    /// Source: the paper, eq. (12). [`Inertia::to_matrix`] gives the matrix.
+    /// Source: the paper; docs/mathematics.md §2. [`Inertia::to_matrix`] gives the matrix.
     pub fn locked_inertia(&self) -> Inertia<T> {
         let (about_com, com) = (self.data.composite[0], self.com());
         Inertia::from_com(about_com.mass, com, about_com.rotational)
@@ -18,7 +18,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// The shape inertia `Λ_q = Σ_k J̃_kᵀ M_k J̃_k` (n×n, symmetric; kg·m², kg·m, kg), by the complement form.
     ///
     /// `Λ_q(i,j) = A_j·k_i` where i is j or an ancestor of j, `−A_i·h_j` where neither is the other's ancestor. No two
-    /// large numbers cancel, so it stays exact for a base of any lightness. Source: docs/mathematics.md §3.
+    /// large numbers cancel, so it keeps its digits for a base of any lightness. Source: docs/mathematics.md §3.
     ///
     /// # Panics
     /// If `out` is not n×n.

@@ -8,6 +8,7 @@ mod cross;
 mod inertia;
 mod pose;
 mod se3;
+mod six;
 pub mod so3;
 mod stumpff;
 mod symmetric3;

@@ -1,9 +1,8 @@
 //! Twists: velocities of rigid bodies, and columns of Jacobians and connections.
 
-use std::ops::{Add, Mul, Neg, Sub};
-
 use nalgebra::{Matrix6, Vector3, Vector6};
 
+use super::six::six_vector;
 use super::{Wrench, cross_matrix};
 use crate::Real;
 
@@ -18,38 +17,9 @@ pub struct Twist<T: Real> {
     pub linear: Vector3<T>,
 }
 
+six_vector!(Twist, angular, linear);
+
 impl<T: Real> Twist<T> {
-    /// The twist `[angular; linear]`.
-    #[inline(always)]
-    pub fn new(angular: Vector3<T>, linear: Vector3<T>) -> Self {
-        Self { angular, linear }
-    }
-
-    /// The twist 0.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self::new(Vector3::zeros(), Vector3::zeros())
-    }
-
-    /// Reads `[ω; v]`.
-    #[inline(always)]
-    pub fn from_array([a, b, c, d, e, f]: [T; 6]) -> Self {
-        Self::new(Vector3::new(a, b, c), Vector3::new(d, e, f))
-    }
-
-    /// Writes `[ω; v]`.
-    #[inline(always)]
-    pub fn to_array(self) -> [T; 6] {
-        let (w, v) = (self.angular, self.linear);
-        [w.x, w.y, w.z, v.x, v.y, v.z]
-    }
-
-    /// Writes `[ω; v]` as a vector.
-    #[inline(always)]
-    pub fn to_vector(self) -> Vector6<T> {
-        Vector6::from(self.to_array())
-    }
-
     /// The power `⟨h, V⟩ = mᵀω + fᵀv` of a wrench on this twist.
     #[inline(always)]
     pub fn dot(self, wrench: Wrench<T>) -> T {
@@ -97,37 +67,5 @@ impl<T: Real> Twist<T> {
     #[inline(always)]
     pub fn at(self, point: Vector3<T>) -> Self {
         Self::new(self.angular, self.linear + self.angular.cross(&point))
-    }
-}
-
-impl<T: Real> Add for Twist<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.angular + other.angular, self.linear + other.linear)
-    }
-}
-
-impl<T: Real> Sub for Twist<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.angular - other.angular, self.linear - other.linear)
-    }
-}
-
-impl<T: Real> Neg for Twist<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self::new(-self.angular, -self.linear)
-    }
-}
-
-impl<T: Real> Mul<T> for Twist<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, factor: T) -> Self {
-        Self::new(self.angular * factor, self.linear * factor)
     }
 }

@@ -1,10 +1,9 @@
 //! Wrenches: forces on rigid bodies, and momenta.
 
-use std::ops::{Add, AddAssign, Mul, Neg, Sub};
-
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::cross_matrix;
+use super::six::six_vector;
 use crate::Real;
 
 /// A wrench `[m; f]`: moment about the frame's origin, and force. Also a momentum: angular and linear.
@@ -18,38 +17,9 @@ pub struct Wrench<T: Real> {
     pub force: Vector3<T>,
 }
 
+six_vector!(Wrench, moment, force);
+
 impl<T: Real> Wrench<T> {
-    /// The wrench `[moment; force]`.
-    #[inline(always)]
-    pub fn new(moment: Vector3<T>, force: Vector3<T>) -> Self {
-        Self { moment, force }
-    }
-
-    /// The wrench 0.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self::new(Vector3::zeros(), Vector3::zeros())
-    }
-
-    /// Reads `[m; f]`.
-    #[inline(always)]
-    pub fn from_array([a, b, c, d, e, f]: [T; 6]) -> Self {
-        Self::new(Vector3::new(a, b, c), Vector3::new(d, e, f))
-    }
-
-    /// Writes `[m; f]`.
-    #[inline(always)]
-    pub fn to_array(self) -> [T; 6] {
-        let (m, f) = (self.moment, self.force);
-        [m.x, m.y, m.z, f.x, f.y, f.z]
-    }
-
-    /// Writes `[m; f]` as a vector.
-    #[inline(always)]
-    pub fn to_vector(self) -> Vector6<T> {
-        Vector6::from(self.to_array())
-    }
-
     /// The matrix `ad~_h = [[m×, f×], [f×, 0]]`, for which `ad~_h V = ad_Vᵀ h`.
     ///
     /// ```
@@ -71,44 +41,5 @@ impl<T: Real> Wrench<T> {
     #[inline(always)]
     pub fn at(self, point: Vector3<T>) -> Self {
         Self::new(self.moment + self.force.cross(&point), self.force)
-    }
-}
-
-impl<T: Real> Add for Wrench<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.moment + other.moment, self.force + other.force)
-    }
-}
-
-impl<T: Real> AddAssign for Wrench<T> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<T: Real> Sub for Wrench<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.moment - other.moment, self.force - other.force)
-    }
-}
-
-impl<T: Real> Neg for Wrench<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self::new(-self.moment, -self.force)
-    }
-}
-
-impl<T: Real> Mul<T> for Wrench<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, factor: T) -> Self {
-        Self::new(self.moment * factor, self.force * factor)
     }
 }

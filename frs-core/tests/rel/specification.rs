@@ -191,8 +191,13 @@ impl Specification {
 
     /// ξ̇ of Theorem 1.
     pub fn forward_dynamics(&self, mu: &Vector6<f64>, wrench: &Vector6<f64>, tau: &DVector<f64>) -> DVector<f64> {
-        let rest = (self.d_mu(mu) - self.d_qdot()) * self.xi(mu) + self.force(wrench, tau);
-        self.lambda().cholesky().expect("Λ is positive definite").solve(&rest)
+        let driving_force = self.driving_force(mu, wrench, tau);
+        self.lambda().cholesky().expect("Λ is positive definite").solve(&driving_force)
+    }
+
+    /// Λ ξ̇ of Theorem 1.
+    pub fn driving_force(&self, mu: &Vector6<f64>, wrench: &Vector6<f64>, tau: &DVector<f64>) -> DVector<f64> {
+        (self.d_mu(mu) - self.d_qdot()) * self.xi(mu) + self.force(wrench, tau)
     }
 
     /// The condition number of Λ_q, by which forward dynamics multiplies errors.

@@ -17,6 +17,9 @@ const MOST_JOINTS: usize = 12;
 /// A joint's parent is one of this many links before it: trees are deep and branch often.
 const PARENTS: usize = 4;
 
+/// Share of the joints that follow another joint, where they can.
+const FOLLOWERS: f64 = 0.1;
+
 /// Random robots a property is tried on; the environment variable `PROPTEST_CASES` overrides it.
 const CASES: u32 = 256;
 
@@ -46,14 +49,14 @@ pub struct Case {
 
 /// A random tree with a random state.
 pub fn case() -> impl Strategy<Value = Case> {
-    case_with(1..=MOST_JOINTS)
+    case_with(1..=MOST_JOINTS, true)
 }
 
-/// A random tree of as many joints as `joints` says, fixed ones and followers included, with a random state.
-pub fn case_with(joints: impl Into<SizeRange>) -> impl Strategy<Value = Case> {
+/// A random tree of as many joints as `joints` says, fixed ones included, with or without followers, with a random state.
+pub fn case_with(joints: impl Into<SizeRange>, followers: bool) -> impl Strategy<Value = Case> {
     (inertial(), prop::collection::vec(branch(), joints), prop::array::uniform3(six()), pose()).prop_map(
-        |(base, branches, [mu, v1, wrench], pose)| {
-            let robot = robot(base, &branches);
+        move |(base, branches, [mu, v1, wrench], pose)| {
+            let robot = robot(base, &branches, followers);
             let numbers: Vec<_> = branches.iter().flat_map(|branch| branch.numbers).collect();
             let n = dof(&robot);
             let vector = |of: usize| DVector::from_fn(n, |i, _| numbers[i][of]);
@@ -109,7 +112,7 @@ fn branch() -> impl Strategy<Value = Branch> {
         2 => Just(JointKind::Fixed),
         1 => Just(JointKind::Planar),
     ];
-    let mimic = prop::option::weighted(0.15, (any::<Index>(), prop_oneof![-1.5..-0.5, 0.5..1.5], -1.0..1.0));
+    let mimic = prop::option::weighted(FOLLOWERS, (any::<Index>(), prop_oneof![-1.5..-0.5, 0.5..1.5], -1.0..1.0));
     let numbers = prop::array::uniform3(prop::array::uniform5(-1.5..1.5));
     (any::<Index>(), kind, pose(), axis(), inertial(), prop::bool::weighted(0.2), mimic, numbers).prop_map(
         |(parent, kind, origin, axis, inertial, massless, mimic, numbers)| Branch {
@@ -125,7 +128,7 @@ fn branch() -> impl Strategy<Value = Branch> {
     )
 }
 
-fn robot(base: InertialDescription, branches: &[Branch]) -> RobotDescription {
+fn robot(base: InertialDescription, branches: &[Branch], followers: bool) -> RobotDescription {
     let link = |k: usize| if k == 0 { "base".to_owned() } else { format!("link_{k}") };
     let joint = |k: usize| format!("joint_{k}");
     let slender = |branch: &Branch| branch.kind != JointKind::Planar;
@@ -148,12 +151,13 @@ fn robot(base: InertialDescription, branches: &[Branch]) -> RobotDescription {
         let inertial = if massless[number] { InertialDescription::NONE } else { branch.inertial };
         robot.links.push(LinkDescription { name: link(number), inertial });
         let turns_or_slides = matches!(branch.kind, JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic);
-        let mimic =
-            branch.mimic.filter(|_| turns_or_slides && !leaders.is_empty()).map(|(leader, multiplier, offset)| Mimic {
+        let mimic = branch.mimic.filter(|_| followers && turns_or_slides && !leaders.is_empty()).map(
+            |(leader, multiplier, offset)| Mimic {
                 joint: joint(leaders[leader.index(leaders.len())]),
                 multiplier,
                 offset,
-            });
+            },
+        );
         if turns_or_slides {
             leaders.push(number);
         }
