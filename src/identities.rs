@@ -288,7 +288,7 @@ fn contract(curvature: &Curvature, x: &DVector<f64>, y: &DVector<f64>) -> Twist<
     let mut sum = Twist::zero();
     for (i, &x) in x.iter().enumerate() {
         for (j, &y) in y.iter().enumerate() {
-            sum = sum + curvature.get(i, j) * (x * y);
+            sum += curvature.get(i, j) * (x * y);
         }
     }
     sum
