@@ -196,16 +196,16 @@ fn check_state(work: &mut Workspace, dual_work: &mut Workspace<Dual>, state: &St
     worst.equal("dM/dt = C + Cᵀ", &rate.hamel_inertia, &(&hamel_c + hamel_c.transpose()));
     worst.equal("C V without the matrix", &into_matrix(bias.clone()), &into_matrix(&hamel_c * &velocity));
 
-    // ξ = T V with T = [[1, A_l], [0, 1]].
+    // ξ = Θ V with Θ = [[1, A_l], [0, 1]].
     let mut transform = DMatrix::identity(6 + n, 6 + n);
     transform.view_range_mut(..6, 6..).copy_from(&a);
     let mut lambda = square(6 + n);
     lambda.view_range_mut(..6, ..6).copy_from(&lambda_b);
     lambda.view_range_mut(6.., 6..).copy_from(&lambda_q);
-    worst.equal("M = Tᵀ Λ T", &hamel_m, &(transform.transpose() * &lambda * &transform));
+    worst.equal("M = Θᵀ Λ Θ", &hamel_m, &(transform.transpose() * &lambda * &transform));
     let turning = stacked(&rate.connection * &rates, &DVector::zeros(n));
     let rel_bias = transform.transpose() * (&lambda * turning + (&d_qdot - &d_mu) * &xi);
-    worst.equal("C V = Tᵀ(Λ Ṫ V + (D_q̇ − D_μ) ξ)", &into_matrix(bias.clone()), &into_matrix(rel_bias));
+    worst.equal("C V = Θᵀ(Λ Θ̇ V + (D_q̇ − D_μ) ξ)", &into_matrix(bias.clone()), &into_matrix(rel_bias));
     let [by_xi, by_v] = [(&lambda, &xi), (&hamel_m, &velocity)].map(|(m, v)| 0.5 * v.dot(&(m * v)));
     worst.see("½ ξᵀΛξ = ½ VᵀMV = energy", (by_xi - energy).abs().max((by_v - energy).abs()), energy);
 
