@@ -4,9 +4,10 @@
 //! It knows no dynamics.
 //!
 //! *Links* are what the user named; *bodies* are what moves: links joined by fixed joints are one body. Body 0 is the
-//! base, body k > 0 is driven by the joint towards its parent. Bodies are numbered depth first, so the subtree of body k is the contiguous
-//! range `k..end_k` and a parent's number is lower than its children's. Inside the model every joint acts along or about
-//! the z axis of its body's own frame; a link's frame stands in its body's frame at a constant placement.
+//! base, body k > 0 is driven by the joint towards its parent. Bodies are numbered depth first, so the subtree of body k
+//! is the contiguous range `k..end_k` and a parent's number is lower than its children's. Inside the model every joint
+//! acts along or about the z axis of its body's own frame; a link's frame stands in its body's frame at a constant
+//! placement.
 
 mod builder;
 mod description;
