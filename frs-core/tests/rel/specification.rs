@@ -147,12 +147,7 @@ impl Specification {
             k.x.transpose() * (ad(&y).transpose() * k.m * x - ad(&x).transpose() * k.m * y - k.m * ad(&x) * y)
         };
         let momentum: Vector6<f64> = self.links.iter().map(of_link).sum();
-        self.solve_locked(&momentum)
-    }
-
-    /// Λ_b⁻¹ of a momentum.
-    pub fn solve_locked(&self, momentum: &Vector6<f64>) -> Vector6<f64> {
-        self.lambda_b.cholesky().expect("Λ_b is positive definite").solve(momentum)
+        self.lambda_b.cholesky().expect("Λ_b is positive definite").solve(&momentum)
     }
 
     /// The torque S(μ)ᵀμ − A_lᵀ ad~_{Λ_bμ} μ of the locked motion on the joints.
