@@ -4,15 +4,21 @@
 //! [`Model`], allocates nothing after its [`Workspace`] is made, and cannot fail once a [`Model`] exists.
 
 pub mod derivatives;
+mod floating_base;
+pub mod generated;
 mod hamel;
+pub mod lanes;
 pub mod model;
+mod quantity;
 mod real;
 pub mod rel;
 pub mod spatial;
 mod sweep;
 pub mod urdf;
 
+pub use floating_base::{Evaluator, FloatingBase};
 pub use model::Model;
+pub use quantity::{Argument, Quantity};
 pub use real::Real;
 pub use rel::Curvature;
-pub use sweep::{Moving, Shape, Workspace};
+pub use sweep::{Label, Moving, Pass, Shape, Workspace};

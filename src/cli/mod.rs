@@ -3,10 +3,14 @@
 //! Exit codes: 0 ok, 1 a check failed, 2 bad input.
 
 mod answer;
+mod diff;
 mod eval;
+mod generate;
+mod options;
 mod overview;
 mod state;
 mod table;
+mod verify;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -29,6 +33,9 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Eval(eval::Eval),
+    Generate(generate::Generate),
+    Verify(verify::Verify),
+    Diff(diff::Diff),
 }
 
 /// The robot, and how to read it.
@@ -89,6 +96,9 @@ pub fn run() -> ExitCode {
     let result = match Cli::parse().command {
         None => overview::run(),
         Some(Command::Eval(eval)) => eval.run(),
+        Some(Command::Generate(generate)) => generate.run(),
+        Some(Command::Verify(verify)) => verify.run(),
+        Some(Command::Diff(diff)) => diff.run(),
     };
     match result {
         Ok(()) | Err(Failure::OutputClosed) => ExitCode::SUCCESS,

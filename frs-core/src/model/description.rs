@@ -4,8 +4,8 @@ use std::fmt;
 
 use nalgebra::Vector3;
 
-use super::{Model, ModelError, Subject, builder};
-use crate::spatial::{Pose, Symmetric3};
+use super::{Inertial, Model, ModelError, Subject, builder};
+use crate::spatial::Pose;
 
 /// A robot as links and joints; [`build`](Self::build) checks it and makes a [`Model`].
 ///
@@ -50,16 +50,8 @@ pub struct LinkDescription {
     pub inertial: InertialDescription,
 }
 
-/// A mass distribution.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InertialDescription {
-    /// Mass, kg.
-    pub mass: f64,
-    /// Centre of mass in the link's frame, m.
-    pub com: Vector3<f64>,
-    /// Rotational inertia about the centre of mass, axes of the link's frame, kg·m².
-    pub inertia: Symmetric3<f64>,
-}
+/// A link's mass distribution in numbers.
+pub type InertialDescription = Inertial<f64>;
 
 /// A joint: how the child link moves in the parent link.
 #[derive(Clone, Debug)]
@@ -182,15 +174,6 @@ impl RobotDescription {
     pub(crate) fn joint_subject(&self, index: usize) -> Subject {
         Subject::Joint { index, name: self.joints[index].name.clone() }
     }
-}
-
-impl InertialDescription {
-    /// No mass, no inertia.
-    pub const NONE: Self = Self {
-        mass: 0.0,
-        com: Vector3::new(0.0, 0.0, 0.0),
-        inertia: Symmetric3 { xx: 0.0, xy: 0.0, xz: 0.0, yy: 0.0, yz: 0.0, zz: 0.0 },
-    };
 }
 
 impl JointDescription {

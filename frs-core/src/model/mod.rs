@@ -12,12 +12,16 @@
 mod builder;
 mod description;
 mod error;
+mod inertial;
+mod specialise;
 
 pub use description::{
     InertialDescription, JointDescription, JointKind, Limits, LinkDescription, Mimic, RobotDescription,
 };
 pub(crate) use error::Lines;
 pub use error::{ModelError, Part, Place, Problem, Severity, Subject};
+pub use inertial::Inertial;
+pub use specialise::SpecialiseError;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -59,13 +63,13 @@ pub struct Body<T: Real = f64> {
 pub struct Drive<T: Real = f64> {
     /// Column of the coordinate.
     pub coordinate: usize,
-    /// Multiplier; 1 for a joint that is its own coordinate, the mimic multiplier for a follower.
+    /// Multiplier; 1 for a joint that is its own coordinate, the mimic multiplier for a follower, 0 for a held joint.
     pub ratio: T,
-    /// Offset; 0 for a joint that is its own coordinate.
+    /// Offset; 0 for a joint that is its own coordinate, the value of a held joint.
     pub offset: T,
 }
 
-/// A link of the description: a frame that stands still in a body.
+/// A link of the description: a frame that stands still in a body, and what it weighs.
 #[derive(Clone, Debug)]
 pub struct Link<T: Real = f64> {
     /// Name.
@@ -74,6 +78,13 @@ pub struct Link<T: Real = f64> {
     pub body: usize,
     /// Pose of the link's frame in the body's frame.
     pub placement: Pose<T>,
+    /// The link's share of the body's mass; zero for a frame without mass.
+    pub inertial: Inertial<T>,
+    /// Whether the link has mass, which numbers without a value cannot tell.
+    massive: bool,
+    /// Where the link's frame stands in the frame in which the body is weighed: in the root link's for the base, elsewhere
+    /// in the body's own, where it is `placement.translation`.
+    weighed_at: Vector3<T>,
 }
 
 /// A generalised coordinate, one column of every matrix.
@@ -143,7 +154,7 @@ impl<T: Real> Model<T> {
         self.links.iter().position(|link| link.name == name)
     }
 
-    /// Whether some joint follows another one, so that joints and coordinates differ.
+    /// Whether some joint follows another one or is held, so that joints and coordinates differ.
     pub fn has_mimic(&self) -> bool {
         self.has_mimic
     }
@@ -158,8 +169,8 @@ impl<T: Real> Model<T> {
         Self { warnings, ..self }
     }
 
-    /// Where the base frame (the root link's) stands in the base body's own frame, whose origin is the base's centre of
-    /// mass: far-away root frames do not cost accuracy.
+    /// Where the base frame (the root link's) stands in the base body's own frame, whose origin is the centre of mass with
+    /// which the base was built: far-away root frames do not cost accuracy.
     pub(crate) fn root_offset(&self) -> Vector3<T> {
         self.links[0].placement.translation
     }
@@ -168,6 +179,14 @@ impl<T: Real> Model<T> {
     pub fn map<U: Real>(&self, lift: impl Fn(T) -> U) -> Model<U> {
         let vector = |v: &Vector3<T>| Vector3::new(lift(v.x), lift(v.y), lift(v.z));
         let pose = |p: &Pose<T>| Pose::new(Matrix3::from_fn(|r, c| lift(p.rotation[(r, c)])), vector(&p.translation));
+        let symmetric = |m: &Symmetric3<T>| Symmetric3 {
+            xx: lift(m.xx),
+            xy: lift(m.xy),
+            xz: lift(m.xz),
+            yy: lift(m.yy),
+            yz: lift(m.yz),
+            zz: lift(m.zz),
+        };
         Model {
             name: self.name.clone(),
             bodies: self
@@ -185,20 +204,24 @@ impl<T: Real> Model<T> {
                     },
                     mass: lift(body.mass),
                     com: vector(&body.com),
-                    inertia: Symmetric3 {
-                        xx: lift(body.inertia.xx),
-                        xy: lift(body.inertia.xy),
-                        xz: lift(body.inertia.xz),
-                        yy: lift(body.inertia.yy),
-                        yz: lift(body.inertia.yz),
-                        zz: lift(body.inertia.zz),
-                    },
+                    inertia: symmetric(&body.inertia),
                 })
                 .collect(),
             links: self
                 .links
                 .iter()
-                .map(|link| Link { name: link.name.clone(), body: link.body, placement: pose(&link.placement) })
+                .map(|link| Link {
+                    name: link.name.clone(),
+                    body: link.body,
+                    placement: pose(&link.placement),
+                    inertial: Inertial {
+                        mass: lift(link.inertial.mass),
+                        com: vector(&link.inertial.com),
+                        inertia: symmetric(&link.inertial.inertia),
+                    },
+                    massive: link.massive,
+                    weighed_at: vector(&link.weighed_at),
+                })
                 .collect(),
             coordinates: self.coordinates.clone(),
             has_mimic: self.has_mimic,

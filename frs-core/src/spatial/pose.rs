@@ -36,8 +36,12 @@ impl<T: Real> Pose<T> {
     }
 
     /// The pose `(R_z(yaw) R_y(pitch) R_x(roll), p)`, the convention of URDF's `origin`.
-    pub fn from_rpy(translation: Vector3<T>, [roll, pitch, yaw]: [T; 3]) -> Self {
-        let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
+    pub fn from_rpy(translation: Vector3<T>, rpy: [T; 3]) -> Self {
+        Self::from_rpy_sin_cos(translation, rpy.map(T::sin_cos))
+    }
+
+    /// The same from (sin, cos) of roll, pitch and yaw.
+    pub(crate) fn from_rpy_sin_cos(translation: Vector3<T>, [(sr, cr), (sp, cp), (sy, cy)]: [(T, T); 3]) -> Self {
         let rotation = Matrix3::new(
             cy * cp,
             cy * sp * sr - sy * cr,

@@ -39,6 +39,11 @@ impl<T: Real, const R: usize> Columns<T, R> {
         }
     }
 
+    /// The `R` numbers of joint `j`.
+    pub fn get(&self, j: usize) -> [T; R] {
+        std::array::from_fn(|r| self.data[r * self.stride + j])
+    }
+
     /// `out[j] = Σ_r coefficients[r]·self[j][r]` over the first `S` rows, for the joints in `range`.
     #[inline(always)]
     pub fn dot<const S: usize>(&self, coefficients: [T; S], range: Range<usize>, out: &mut [T]) {

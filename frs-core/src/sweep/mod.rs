@@ -11,6 +11,7 @@ mod columns;
 mod composite;
 mod coordinates;
 mod frames;
+mod labels;
 mod newton_euler;
 mod position;
 mod velocity;
@@ -20,6 +21,7 @@ pub(crate) use columns::Columns;
 pub(crate) use composite::{outside_sums, subtree_sums};
 pub(crate) use coordinates::Square;
 pub(crate) use frames::base_matrix;
+pub use labels::{Label, Pass};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 pub(crate) use newton_euler::{newton_euler, project};
 pub(crate) use velocity::free_velocities;
@@ -163,6 +165,11 @@ impl<'m, T: Real> Workspace<'m, T> {
             articulated: vec![ArticulatedInertia::zero(); bodies],
         };
         Self { model, data }
+    }
+
+    /// The model this is memory for.
+    pub fn model(&self) -> &'m Model<T> {
+        self.model
     }
 
     /// The robot at shape `q` (length n; rad for revolute, m for prismatic coordinates): runs the position sweep.

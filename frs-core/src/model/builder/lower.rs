@@ -5,7 +5,11 @@ use nalgebra::{Matrix3, Vector3};
 use super::axis;
 use super::mimic::Following;
 use super::tree::{Tree, Via};
-use crate::model::{Body, Coordinate, Drive, JointDescription, JointKind, Link, Model, Motion, RobotDescription};
+use crate::model::inertial::weigh;
+use crate::model::{
+    Body, Coordinate, Drive, Inertial, JointDescription, JointKind, Link, LinkDescription, Model, Motion,
+    RobotDescription,
+};
 use crate::spatial::{Pose, Symmetric3};
 
 /// A model, and where it came from.
@@ -41,13 +45,21 @@ pub(super) fn lower(robot: &RobotDescription, tree: &Tree, followings: &[Followi
                 at = at * description.origin.inverse();
             }
         }
-        links.push(Link { name: robot.links[step.link].name.clone(), body: number, placement: at });
+        let LinkDescription { name, inertial } = &robot.links[step.link];
+        links.push(Link {
+            name: name.clone(),
+            body: number,
+            placement: at,
+            inertial: *inertial,
+            massive: inertial.mass > 0.0,
+            weighed_at: at.translation,
+        });
     }
     for k in (1..bodies.len()).rev() {
         let parent = bodies[k].parent;
         bodies[parent].end = bodies[parent].end.max(bodies[k].end);
     }
-    weigh(robot, tree, &links, &mut bodies);
+    weigh_bodies(&links, &mut bodies);
     centre_base(&mut bodies, &mut links);
     let coordinates = drive(robot, followings, &drivers, &mut bodies);
     let has_mimic = bodies.len() > coordinates.len() + 1;
@@ -102,29 +114,11 @@ fn moves(joint: &JointDescription, reversed: bool) -> Vec<Move> {
 }
 
 /// Gives each body the masses of its links.
-///
-/// Lever arms are measured from the first link with mass, so that a body with one such link keeps its numbers exactly.
-fn weigh(robot: &RobotDescription, tree: &Tree, links: &[Link], bodies: &mut [Body]) {
-    let inertials = || tree.steps.iter().map(|step| &robot.links[step.link].inertial).zip(links);
-    let mut moments: Vec<Vector3<f64>> = vec![Vector3::zeros(); bodies.len()];
-    for (inertial, link) in inertials().filter(|(inertial, _)| inertial.mass > 0.0) {
-        let com = link.placement.transform(inertial.com);
-        let body = &mut bodies[link.body];
-        if body.mass == 0.0 {
-            body.com = com;
-        }
-        body.mass += inertial.mass;
-        moments[link.body] += (com - body.com) * inertial.mass;
-    }
-    for (body, moment) in bodies.iter_mut().zip(moments).filter(|(body, _)| body.mass > 0.0) {
-        body.com += moment / body.mass;
-    }
-    for (inertial, link) in inertials() {
-        let body = &mut bodies[link.body];
-        let arm = link.placement.transform(inertial.com) - body.com;
-        body.inertia = body.inertia
-            + inertial.inertia.rotated(&link.placement.rotation)
-            + Symmetric3::point_mass(inertial.mass, arm);
+fn weigh_bodies(links: &[Link], bodies: &mut [Body]) {
+    let mut parts: Vec<Vec<&Link>> = vec![Vec::new(); bodies.len()];
+    links.iter().for_each(|link| parts[link.body].push(link));
+    for (body, parts) in bodies.iter_mut().zip(&parts) {
+        Inertial { mass: body.mass, com: body.com, inertia: body.inertia } = weigh(parts);
     }
 }
 

@@ -1,0 +1,119 @@
+//! One place as a Rust expression.
+//!
+//! Parentheses keep the order of operations: Rust reads `a + b + c` and `a * b * c` from the left, and so does this.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::program::Program;
+use crate::record::{Operation, Place};
+use crate::simplify::Precision;
+
+/// How tightly an expression binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// Writes places of a program as expressions.
+pub struct Expressions<'a> {
+    /// The program.
+    pub program: &'a Program,
+    /// How constants are written.
+    pub precision: Precision,
+    /// What a place is called where it has a name.
+    pub names: &'a dyn Fn(Place) -> Option<TokenStream>,
+}
+
+impl Expressions<'_> {
+    /// The expression that computes `place`, even where it has a name.
+    pub fn definition(&self, place: Place) -> TokenStream {
+        self.operation(place).0
+    }
+
+    /// The place as something a method is called on.
+    pub fn angle(&self, place: Place) -> TokenStream {
+        self.operand(place, Binding::Atom)
+    }
+
+    /// `place` plus 0: no −0 leaves a function. Lanes need `lift` around what is no operation.
+    pub fn output(&self, place: Place, lift: impl Fn(TokenStream) -> TokenStream) -> TokenStream {
+        match self.program.graph.operation(place) {
+            Operation::Constant(_) => lift(self.operand(place, Binding::Sum)),
+            Operation::Neg(a) => {
+                let a = self.operand(a, Binding::Product);
+                quote!(0.0 - #a)
+            }
+            _ => {
+                let value = self.operand(place, Binding::Sum);
+                quote!(#value + 0.0)
+            }
+        }
+    }
+
+    /// The place as an operand of something that binds as tightly as `least`.
+    fn operand(&self, place: Place, least: Binding) -> TokenStream {
+        let (tokens, binding) = match (self.names)(place) {
+            Some(name) => (name, Binding::Atom),
+            None => self.operation(place),
+        };
+        if binding < least { quote!((#tokens)) } else { tokens }
+    }
+
+    fn operation(&self, place: Place) -> (TokenStream, Binding) {
+        let at = |place, least| self.operand(place, least);
+        match self.program.graph.operation(place) {
+            Operation::Input(number) => {
+                let (array, index) = self.program.input_of(number);
+                let name = proc_macro2::Ident::new(self.program.inputs[array].name, proc_macro2::Span::call_site());
+                let index = Literal::usize_unsuffixed(index);
+                (quote!(#name[#index]), Binding::Atom)
+            }
+            Operation::Constant(bits) => self.constant(f64::from_bits(bits)),
+            Operation::Add(a, b) => {
+                let (a, b) = (at(a, Binding::Sum), at(b, Binding::Product));
+                (quote!(#a + #b), Binding::Sum)
+            }
+            Operation::Sub(a, b) => {
+                let (a, b) = (at(a, Binding::Sum), at(b, Binding::Product));
+                (quote!(#a - #b), Binding::Sum)
+            }
+            Operation::Mul(a, b) => {
+                let (a, b) = (at(a, Binding::Product), at(b, Binding::Sign));
+                (quote!(#a * #b), Binding::Product)
+            }
+            Operation::Div(a, b) => {
+                let (a, b) = (at(a, Binding::Product), at(b, Binding::Sign));
+                (quote!(#a / #b), Binding::Product)
+            }
+            Operation::Neg(a) => {
+                let a = at(a, Binding::Atom);
+                (quote!(-#a), Binding::Sign)
+            }
+            Operation::Sqrt(a) => {
+                let a = at(a, Binding::Atom);
+                (quote!(#a.sqrt()), Binding::Atom)
+            }
+            Operation::Sin(a) => {
+                let a = at(a, Binding::Atom);
+                (quote!(#a.sin_cos().0), Binding::Atom)
+            }
+            Operation::Cos(a) => {
+                let a = at(a, Binding::Atom);
+                (quote!(#a.sin_cos().1), Binding::Atom)
+            }
+        }
+    }
+
+    /// The shortest literal that reads back to the same bits.
+    fn constant(&self, value: f64) -> (TokenStream, Binding) {
+        let size = match self.precision {
+            Precision::Single => Literal::f32_unsuffixed(value.abs() as f32),
+            Precision::Double => Literal::f64_unsuffixed(value.abs()),
+        };
+        if value < 0.0 { (quote!(-#size), Binding::Sign) } else { (quote!(#size), Binding::Atom) }
+    }
+}

@@ -1,0 +1,149 @@
+//! What makes functions a robot: its name, its coordinates, and the interface it shares with the core.
+
+use frs_core::Quantity;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::emit::{Code, Emitter, ident};
+use crate::name::camel_case;
+use crate::options::Lanes;
+use crate::program::{Function, Output};
+
+impl Emitter<'_> {
+    /// The lines of documentation of the module.
+    pub fn module_documentation(&self) -> Vec<String> {
+        let names = |list: &mut dyn Iterator<Item = &str>| list.collect::<Vec<_>>().join(", ");
+        let model = self.model;
+        vec![
+            format!(
+                " The dynamics of the robot '{}', generated: read it, review its changes, do not edit it.",
+                model.name()
+            ),
+            String::new(),
+            format!(" Coordinates: {}.", names(&mut model.coordinates().iter().map(|c| c.name.as_str()))),
+            format!(
+                " Base frame: link '{}'; six-vectors are angular part first, matrices by columns.",
+                model.links()[0].name
+            ),
+        ]
+    }
+
+    /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it.
+    pub fn robot(&self, core: Option<&TokenStream>, codes: &[Code]) -> TokenStream {
+        let n = Literal::usize_unsuffixed(self.model.dof());
+        let coordinates = self.model.coordinates().iter().map(|coordinate| &coordinate.name);
+        let constants = quote! {
+            /// Number n of coordinates.
+            pub const DOF: usize = #n;
+            /// Names of the coordinates, in the order of the columns.
+            pub const COORDINATES: [&str; DOF] = [#(#coordinates),*];
+        };
+        let Some(core) = core else { return constants };
+        let robot = self.robot_name(codes);
+        let number = self.number();
+        let lanes = (self.options.lanes != Lanes::One).then(|| quote!(use #core::lanes::#number;));
+        let (fields, payload) = match self.options.payload {
+            Some(_) => {
+                let doc = " The payload: mass, centre of mass, rotational inertia about it (xx, xy, xz, yy, yz, zz), in its link's frame.";
+                (quote!({ #[doc = #doc] pub payload: [#number; 10] }), true)
+            }
+            None => (quote!(;), false),
+        };
+        let functions: Vec<&Function> =
+            self.program.functions.iter().filter(|function| !function.specialised).collect();
+        let known = functions.iter().map(|function| quantity(function.quantity));
+        let known =
+            if functions.is_empty() { quote!(false) } else { quote!(matches!(quantity, #(Quantity::#known)|*)) };
+        let unknown = functions.is_empty().then(|| quote!(let _ = quantity;));
+        let calls = functions.iter().map(|function| self.call(function, payload));
+        let used: Vec<_> = self.conversions(&functions);
+        let uses = (!used.is_empty()).then(|| quote!(use #core::generated::{#(#used),*};));
+        quote! {
+            #lanes
+            use #core::{FloatingBase, Quantity};
+            #uses
+            #constants
+            /// The robot, as one that answers quantities.
+            #[derive(Clone, Copy, Debug)]
+            pub struct #robot #fields
+            impl FloatingBase<#number> for #robot {
+                fn dof(&self) -> usize {
+                    DOF
+                }
+                fn answers(&self, quantity: Quantity) -> bool {
+                    #unknown
+                    #known
+                }
+                fn answer(&mut self, quantity: Quantity, inputs: &[&[#number]], outputs: &mut [&mut [#number]]) {
+                    match (quantity, inputs, outputs) {
+                        #(#calls)*
+                        _ => #core::generated::refuse(quantity, self.answers(quantity)),
+                    }
+                }
+            }
+        }
+    }
+
+    /// The arm that answers a quantity.
+    fn call(&self, function: &Function, payload: bool) -> TokenStream {
+        let name = ident(&self.function_name(function.quantity));
+        let inputs: Vec<_> = function
+            .inputs
+            .iter()
+            .map(|&array| self.program.inputs[array].name)
+            .filter(|&name| name != "payload")
+            .map(ident)
+            .collect();
+        let outputs: Vec<_> = function.outputs.iter().map(|output| ident(output.name)).collect();
+        // An input and an output may share a name.
+        let outputs: Vec<_> = outputs
+            .iter()
+            .map(|name| if inputs.contains(name) { ident(&format!("{name}_out")) } else { name.clone() })
+            .collect();
+        let conversions = function.outputs.iter().zip(&outputs).map(|(output, name)| {
+            let by = ident(conversion(output));
+            quote!(#by(#name))
+        });
+        let quantity = quantity(function.quantity);
+        let payload = payload.then(|| quote!(&self.payload,));
+        quote! {
+            (Quantity::#quantity, [#(#inputs),*], [#(#outputs),*]) => self::#name(#payload #(array(#inputs),)* #(#conversions),*),
+        }
+    }
+
+    /// The conversions that calls use.
+    fn conversions(&self, functions: &[&Function]) -> Vec<proc_macro2::Ident> {
+        let mut names: Vec<&str> =
+            functions.iter().flat_map(|function| function.outputs.iter().map(conversion)).collect();
+        if !functions.is_empty() {
+            names.push("array");
+        }
+        names.sort_unstable();
+        names.dedup();
+        names.into_iter().map(ident).collect()
+    }
+}
+
+/// The function that makes the output's type from a slice.
+fn conversion(output: &Output) -> &'static str {
+    match (output.shape, output.layers) {
+        ([1, 1], 1) => "number_mut",
+        ([_, 1], 1) => "array_mut",
+        (_, 1) => "columns_mut",
+        _ => "layers_mut",
+    }
+}
+
+/// The quantity as a pattern.
+fn quantity(quantity: Quantity) -> TokenStream {
+    match quantity {
+        Quantity::Kinematics(link) => {
+            let link = Literal::usize_unsuffixed(link);
+            quote!(Kinematics(#link))
+        }
+        _ => {
+            let name = ident(&camel_case(quantity.name()));
+            quote!(#name)
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! What to generate: every choice changes what is emitted, never the bits of what remains.
+
+use frs_core::{Model, Quantity};
+
+use crate::error::GenerateError;
+use crate::simplify::Precision;
+
+/// What to generate for a robot. The default is everything, over `f64`, standing on `frs-core`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Options {
+    /// The quantities; `None` for all that the other options leave.
+    pub outputs: Option<Vec<Quantity>>,
+    /// Links whose [`Quantity::Kinematics`] is generated; `None` for the links at the ends of the chains.
+    pub links: Option<Vec<String>>,
+    /// What is known about the momentum.
+    pub momentum: Momentum,
+    /// Whether the robot is out of gravity: `gravity` is then no input, and no operation deals with it.
+    pub without_gravity: bool,
+    /// Coordinates that are held, and their values (rad, m).
+    pub locked: Vec<(String, f64)>,
+    /// A link whose mass, centre of mass and rotational inertia stay inputs.
+    pub payload: Option<String>,
+    /// `f64` or `f32`.
+    pub precision: Precision,
+    /// How many states are evaluated at once: 1, or the lanes of a SIMD type.
+    pub lanes: Lanes,
+    /// Whether the text stands alone, without `frs-core`.
+    pub standalone: bool,
+}
+
+/// What is known about the momentum of a robot.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Momentum {
+    /// It is zero and stays so: μ is no input, only the shape has dynamics.
+    Zero,
+    /// It is conserved: no wrench acts, and of the accelerations only those of the shape are computed.
+    Conserved,
+    /// Anything may drive it.
+    #[default]
+    Driven,
+}
+
+/// States evaluated at once.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lanes {
+    /// One state, plain numbers.
+    #[default]
+    One,
+    /// Four states.
+    Four,
+    /// Eight states.
+    Eight,
+}
+
+impl Lanes {
+    /// How many.
+    pub fn count(self) -> usize {
+        match self {
+            Self::One => 1,
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+}
+
+impl Options {
+    /// Whether `quantity` still says something under these options; else, why not.
+    pub(crate) fn leaves(&self, quantity: Quantity) -> Result<(), &'static str> {
+        match (self.momentum, quantity) {
+            (
+                Momentum::Zero,
+                Quantity::DMu
+                | Quantity::B2
+                | Quantity::Matrices
+                | Quantity::CouplingTorque
+                | Quantity::DMuXi
+                | Quantity::Momentum,
+            ) => Err("it vanishes with the momentum"),
+            (Momentum::Zero | Momentum::Conserved, Quantity::InverseDynamics) => {
+                Err("it asks for the wrench that changes the momentum")
+            }
+            (Momentum::Zero, Quantity::HamelBias) => Err("it depends on a base twist that the momentum determines"),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the input called `name` is zero under these options.
+    pub(crate) fn vanishes(&self, name: &str) -> bool {
+        match name {
+            "mu" => self.momentum == Momentum::Zero,
+            "base_wrench" => self.momentum != Momentum::Driven,
+            "gravity" => self.without_gravity || self.momentum != Momentum::Driven,
+            _ => false,
+        }
+    }
+
+    /// Whether the options fit together, whatever the robot.
+    pub(crate) fn check(&self) -> Result<(), GenerateError> {
+        match (self.precision, self.lanes) {
+            (Precision::Single, Lanes::Four) => Err(GenerateError::Lanes { lanes: 4, element: "f32" }),
+            _ => Ok(()),
+        }
+    }
+
+    /// `model` with the held coordinates held.
+    ///
+    /// # Errors
+    /// If a coordinate is unknown, held twice, or the last free one.
+    pub fn specialise(&self, model: &Model) -> Result<Model, GenerateError> {
+        if self.locked.is_empty() {
+            return Ok(model.clone());
+        }
+        let held: Vec<(&str, f64)> = self.locked.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        Ok(model.lock(&held)?)
+    }
+}

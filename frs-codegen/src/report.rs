@@ -1,0 +1,93 @@
+//! How much a function computes.
+
+use std::fmt;
+use std::ops::AddAssign;
+
+use frs_core::Quantity;
+
+use crate::program::Input;
+use crate::record::Operation;
+
+/// What one generated function does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FunctionReport {
+    /// Its name.
+    pub name: String,
+    /// What it computes.
+    pub quantity: Quantity,
+    /// What it reads, in the order of its arguments.
+    pub inputs: Vec<Input>,
+    /// What it writes, in the order of its arguments: name, rows and columns, how many such matrices.
+    pub outputs: Vec<(&'static str, [usize; 2], usize)>,
+    /// What a call performs, the sections it stands on included.
+    pub counts: Counts,
+    /// Predicted machine code of a call, bytes.
+    pub code_bytes: usize,
+}
+
+/// Operations by kind. Signs are free: they are part of another instruction, or flip one bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Sines and cosines, each.
+    pub sin_cos: usize,
+}
+
+impl Counts {
+    /// All additions, multiplications, divisions and roots: floating-point operations without sines and cosines.
+    pub fn flops(&self) -> usize {
+        self.add + self.mul + self.div + self.sqrt
+    }
+
+    /// Counts one operation.
+    pub fn count(&mut self, operation: Operation) {
+        match operation {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Neg(_) => {}
+            Operation::Add(..) | Operation::Sub(..) => self.add += 1,
+            Operation::Mul(..) => self.mul += 1,
+            Operation::Div(..) => self.div += 1,
+            Operation::Sqrt(_) => self.sqrt += 1,
+            Operation::Sin(_) | Operation::Cos(_) => self.sin_cos += 1,
+        }
+    }
+
+    /// Bytes of machine code that one lane of these operations takes, loads and stores included.
+    ///
+    /// Measured on the functions of six robots (docs/generated.md): a scalar instruction with its share of moves to and from
+    /// memory takes about nine bytes.
+    pub fn code_bytes(&self) -> usize {
+        9 * self.flops() + 24 * self.sin_cos
+    }
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.add += other.add;
+        self.mul += other.mul;
+        self.div += other.div;
+        self.sqrt += other.sqrt;
+        self.sin_cos += other.sin_cos;
+    }
+}
+
+impl fmt::Display for Counts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} operations: {} + −, {} ×", self.flops(), self.add, self.mul)?;
+        for (count, sign) in [(self.div, "÷"), (self.sqrt, "√")] {
+            if count > 0 {
+                write!(f, ", {count} {sign}")?;
+            }
+        }
+        if self.sin_cos > 0 {
+            write!(f, "; {} sin cos", self.sin_cos / 2)?;
+        }
+        Ok(())
+    }
+}

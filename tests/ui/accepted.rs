@@ -1,0 +1,27 @@
+//! Both forms, and every key.
+
+frs::frs_model!("arm.urdf");
+frs::frs_model!(
+    /// The arm without its freedom.
+    pub(crate) mod held = "arm.urdf",
+    root = "upper",
+    outputs(inertia, forward_dynamics, kinematics),
+    links("hull", "camera"),
+    momentum = conserved,
+    gravity = off,
+    lock("elbow" = -1.2),
+    payload = "camera",
+    lanes = 8,
+    scalar = f32,
+    lenient = true,
+);
+
+use frs::lanes::F32x8;
+
+fn main() {
+    assert_eq!((arm::COORDINATES, held::COORDINATES), (["shoulder", "elbow"], ["shoulder"]));
+    let zero = F32x8::splat(0.0);
+    let (mut pose, mut jacobian) = ([[zero; 3]; 4], [zero; 6]);
+    held::kinematics_camera(&[zero; 10], &[zero], &mut pose, &mut jacobian);
+    assert!(pose[0][0].to_array()[7] != 0.0);
+}

@@ -1,0 +1,3 @@
+frs::frs_model!();
+
+fn main() {}

@@ -1,0 +1,3 @@
+frs::frs_model!(arm = "arm.urdf");
+
+fn main() {}
