@@ -121,7 +121,7 @@ fn a_robot_does_not_differ_from_itself() {
 
 #[test]
 fn another_mass_changes_constants_alone() {
-    // Neither number is a power of the other's neutral elements: nothing is folded away.
+    // No product with either mass is folded away, as one with 1 would be.
     let (light, heavy) = (
         changed("light.urdf", "<mass value=\"0.75\"/>", "<mass value=\"0.7\"/>"),
         changed("heavy.urdf", "<mass value=\"0.75\"/>", "<mass value=\"0.91\"/>"),

@@ -188,8 +188,18 @@ impl Emitter<'_> {
         let start = match &block.purpose {
             Purpose::Pass(pass) => pass_words(*pass).0.to_owned(),
             Purpose::Shared(functions) => {
-                let names: Vec<_> = functions.iter().map(|&function| self.name(function)).collect();
-                format!("common_{}", names.join("_"))
+                let alike = |other: &Block| match &other.purpose {
+                    Purpose::Shared(others) => {
+                        others != functions && (others[0], others.len()) == (functions[0], functions.len())
+                    }
+                    _ => false,
+                };
+                if functions.len() > 3 && !self.schedule.blocks.iter().any(alike) {
+                    format!("common_{}_and_{}_more", self.name(functions[0]), functions.len() - 1)
+                } else {
+                    let names: Vec<_> = functions.iter().map(|&function| self.name(function)).collect();
+                    format!("common_{}", names.join("_"))
+                }
             }
             Purpose::Function(function) => format!("{}_itself", self.name(*function)),
         };

@@ -12,8 +12,8 @@ use frs_core::Pass;
 use crate::program::{Function, Program};
 use crate::record::{Operation, Place};
 
-/// Operations up to which a block stays whole: about 32 KiB of machine code, the instruction cache, beyond which
-/// straight-line code gains nothing from standing together.
+/// Operations up to which a block stays whole: about 48 KiB of machine code. Beyond the instruction cache (32 KiB), straight-line
+/// code gains nothing from standing together.
 const WHOLE: usize = 4000;
 
 /// Operations of the parts of a longer block: compile time then grows with the length of the code and no faster.

@@ -2,9 +2,13 @@
 //!
 //! Coordinates: joint_1, joint_2, joint_3.
 //! Base frame: link 'base'; six-vectors are angular part first, matrices by columns.
-#![allow(clippy::approx_constant, clippy::excessive_precision, clippy::too_many_arguments)]
-use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
+#![allow(
+    clippy::approx_constant,
+    clippy::excessive_precision,
+    clippy::too_many_arguments
+)]
 use ::frs_core::{FloatingBase, Quantity};
+use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
 /// Number n of coordinates.
 pub const DOF: usize = 3;
 /// Names of the coordinates, in the order of the columns.
@@ -18,45 +22,60 @@ impl FloatingBase<f64> for Chaser {
     }
     fn answers(&self, quantity: Quantity) -> bool {
         matches!(
-            quantity,
-            Quantity::Inertia
-                | Quantity::DMu
-                | Quantity::B2
-                | Quantity::Matrices
-                | Quantity::DQdot
-                | Quantity::CouplingTorque
-                | Quantity::DMuXi
-                | Quantity::DQdotXi
-                | Quantity::HamelBias
-                | Quantity::Curvature
-                | Quantity::Momentum
-                | Quantity::BaseTwist
-                | Quantity::KineticEnergy
-                | Quantity::ForwardDynamics
-                | Quantity::InverseDynamics
-                | Quantity::Kinematics(4)
+            quantity, Quantity::Inertia | Quantity::DMu | Quantity::B2 |
+            Quantity::Matrices | Quantity::DQdot | Quantity::CouplingTorque |
+            Quantity::DMuXi | Quantity::DQdotXi | Quantity::HamelBias |
+            Quantity::Curvature | Quantity::Momentum | Quantity::BaseTwist |
+            Quantity::KineticEnergy | Quantity::ForwardDynamics |
+            Quantity::InverseDynamics | Quantity::Kinematics(4)
         )
     }
-    fn answer(&mut self, quantity: Quantity, inputs: &[&[f64]], outputs: &mut [&mut [f64]]) {
+    fn answer(
+        &mut self,
+        quantity: Quantity,
+        inputs: &[&[f64]],
+        outputs: &mut [&mut [f64]],
+    ) {
         match (quantity, inputs, outputs) {
-            (Quantity::Inertia, [q], [locked_inertia, connection, shape_inertia]) => self::inertia(
-                array(q),
-                columns_mut(locked_inertia),
-                columns_mut(connection),
-                columns_mut(shape_inertia),
-            ),
-            (Quantity::DMu, [q, mu], [d_mu]) => self::d_mu(array(q), array(mu), columns_mut(d_mu)),
-            (Quantity::B2, [q, mu], [b2]) => self::b2(array(q), array(mu), columns_mut(b2)),
-            (Quantity::Matrices, [q, mu], [locked_inertia, connection, shape_inertia, d_mu, b2]) => self::matrices(
-                array(q),
-                array(mu),
-                columns_mut(locked_inertia),
-                columns_mut(connection),
-                columns_mut(shape_inertia),
-                columns_mut(d_mu),
-                columns_mut(b2),
-            ),
-            (Quantity::DQdot, [q, qd], [d_qdot]) => self::d_qdot(array(q), array(qd), columns_mut(d_qdot)),
+            (Quantity::Inertia, [q], [locked_inertia, connection, shape_inertia]) => {
+                self::inertia(
+                    array(q),
+                    columns_mut(locked_inertia),
+                    columns_mut(connection),
+                    columns_mut(shape_inertia),
+                )
+            }
+            (Quantity::DMu, [q, mu], [d_mu]) => {
+                self::d_mu(array(q), array(mu), columns_mut(d_mu))
+            }
+            (Quantity::B2, [q, mu], [b2]) => {
+                self::b2(array(q), array(mu), columns_mut(b2))
+            }
+            (
+                Quantity::Matrices,
+                [q,
+                mu,
+                ],
+                [locked_inertia,
+                connection,
+                shape_inertia,
+                d_mu,
+                b2,
+                ],
+            ) => {
+                self::matrices(
+                    array(q),
+                    array(mu),
+                    columns_mut(locked_inertia),
+                    columns_mut(connection),
+                    columns_mut(shape_inertia),
+                    columns_mut(d_mu),
+                    columns_mut(b2),
+                )
+            }
+            (Quantity::DQdot, [q, qd], [d_qdot]) => {
+                self::d_qdot(array(q), array(qd), columns_mut(d_qdot))
+            }
             (Quantity::CouplingTorque, [q, mu], [coupling_torque]) => {
                 self::coupling_torque(array(q), array(mu), array_mut(coupling_torque))
             }
@@ -67,40 +86,85 @@ impl FloatingBase<f64> for Chaser {
                 self::d_qdot_xi(array(q), array(qd), array(mu), array_mut(d_qdot_xi))
             }
             (Quantity::HamelBias, [q, qd, base_twist], [hamel_bias]) => {
-                self::hamel_bias(array(q), array(qd), array(base_twist), array_mut(hamel_bias))
+                self::hamel_bias(
+                    array(q),
+                    array(qd),
+                    array(base_twist),
+                    array_mut(hamel_bias),
+                )
             }
             (Quantity::Curvature, [q], [curvature, com]) => {
                 self::curvature(array(q), layers_mut(curvature), array_mut(com))
             }
             (Quantity::Momentum, [q, mu], [body_momentum, centroidal_momentum]) => {
-                self::momentum(array(q), array(mu), array_mut(body_momentum), array_mut(centroidal_momentum))
+                self::momentum(
+                    array(q),
+                    array(mu),
+                    array_mut(body_momentum),
+                    array_mut(centroidal_momentum),
+                )
             }
             (Quantity::BaseTwist, [q, qd, mu], [base_twist]) => {
                 self::base_twist(array(q), array(qd), array(mu), array_mut(base_twist))
             }
             (Quantity::KineticEnergy, [q, qd, mu], [kinetic_energy]) => {
-                self::kinetic_energy(array(q), array(qd), array(mu), number_mut(kinetic_energy))
+                self::kinetic_energy(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    number_mut(kinetic_energy),
+                )
             }
-            (Quantity::ForwardDynamics, [q, qd, mu, gravity, base_wrench, tau], [xi_dot]) => self::forward_dynamics(
-                array(q),
-                array(qd),
-                array(mu),
-                array(gravity),
-                array(base_wrench),
-                array(tau),
-                array_mut(xi_dot),
-            ),
-            (Quantity::InverseDynamics, [q, qd, mu, gravity, xi_dot], [base_wrench, tau]) => self::inverse_dynamics(
-                array(q),
-                array(qd),
-                array(mu),
-                array(gravity),
-                array(xi_dot),
-                array_mut(base_wrench),
-                array_mut(tau),
-            ),
+            (
+                Quantity::ForwardDynamics,
+                [q,
+                qd,
+                mu,
+                gravity,
+                base_wrench,
+                tau,
+                ],
+                [xi_dot,
+                ],
+            ) => {
+                self::forward_dynamics(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    array(gravity),
+                    array(base_wrench),
+                    array(tau),
+                    array_mut(xi_dot),
+                )
+            }
+            (
+                Quantity::InverseDynamics,
+                [q,
+                qd,
+                mu,
+                gravity,
+                xi_dot,
+                ],
+                [base_wrench,
+                tau,
+                ],
+            ) => {
+                self::inverse_dynamics(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    array(gravity),
+                    array(xi_dot),
+                    array_mut(base_wrench),
+                    array_mut(tau),
+                )
+            }
             (Quantity::Kinematics(4), [q], [pose, generalized_jacobian]) => {
-                self::kinematics_link_3(array(q), columns_mut(pose), columns_mut(generalized_jacobian))
+                self::kinematics_link_3(
+                    array(q),
+                    columns_mut(pose),
+                    columns_mut(generalized_jacobian),
+                )
             }
             _ => ::frs_core::generated::refuse(quantity, self.answers(quantity)),
         }
@@ -152,11 +216,15 @@ fn poses(q: &[f64; 3]) -> Poses {
     let origin_link_3_z_0 = 0.8011904761904762 + cos_joint_2 * 0.75;
     let (sin_joint_3, cos_joint_3) = q[2].sin_cos();
     // link_3
-    let minus_rotation_link_3_xx = minus_rotation_link_2_xx * cos_joint_3 + minus_rotation_link_2_xy * sin_joint_3;
-    let rotation_link_3_yx = rotation_link_2_yx * cos_joint_3 + rotation_link_2_yy * sin_joint_3;
+    let minus_rotation_link_3_xx = minus_rotation_link_2_xx * cos_joint_3
+        + minus_rotation_link_2_xy * sin_joint_3;
+    let rotation_link_3_yx = rotation_link_2_yx * cos_joint_3
+        + rotation_link_2_yy * sin_joint_3;
     let rotation_link_3_zx = sin_joint_2 * sin_joint_3 - cos_joint_2 * cos_joint_3;
-    let rotation_link_3_xy = minus_rotation_link_2_xx * sin_joint_3 - minus_rotation_link_2_xy * cos_joint_3;
-    let rotation_link_3_yy = rotation_link_2_yy * cos_joint_3 - rotation_link_2_yx * sin_joint_3;
+    let rotation_link_3_xy = minus_rotation_link_2_xx * sin_joint_3
+        - minus_rotation_link_2_xy * cos_joint_3;
+    let rotation_link_3_yy = rotation_link_2_yy * cos_joint_3
+        - rotation_link_2_yx * sin_joint_3;
     let rotation_link_3_zy = sin_joint_2 * cos_joint_3 + cos_joint_2 * sin_joint_3;
     let com_x_0 = minus_rotation_link_2_xx * 0.375;
     let origin_base_y_0 = rotation_link_2_yx * 0.375;
@@ -166,8 +234,10 @@ fn poses(q: &[f64; 3]) -> Poses {
     let com_z_3 = origin_link_3_z_0 - rotation_link_3_zx * 0.375;
     let com_x = (com_x_0 * 10.0 + com_x_2 * 10.0) * 0.007692307692307693;
     // base
-    let origin_base_y = (origin_base_y_0 * 10.0 + origin_base_y_2 * 10.0) * 0.007692307692307693;
-    let com_z = (3.5059523809523805 + com_z_1 * 10.0 + com_z_3 * 10.0) * 0.007692307692307693;
+    let origin_base_y = (origin_base_y_0 * 10.0 + origin_base_y_2 * 10.0)
+        * 0.007692307692307693;
+    let com_z = (3.5059523809523805 + com_z_1 * 10.0 + com_z_3 * 10.0)
+        * 0.007692307692307693;
     // link_2
     let origin_link_2_z = 0.8011904761904762 - com_z;
     // link_3
@@ -307,7 +377,8 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_hz_0 = 0.7011904761904761 - poses.com_z;
     let inertia_link_1_xy_0 = 0.05 * poses.cos_joint_1;
     let inertia_link_1_xy_2 = 0.05 * poses.sin_joint_1;
-    let inertia_link_1_xx_0 = inertia_link_1_xy_0 * poses.cos_joint_1 + inertia_link_1_xy_2 * poses.sin_joint_1;
+    let inertia_link_1_xx_0 = inertia_link_1_xy_0 * poses.cos_joint_1
+        + inertia_link_1_xy_2 * poses.sin_joint_1;
     // link_1
     let minus_inertia_link_1_hx = poses.com_x * 5.0;
     let inertia_link_1_hy = poses.origin_base_y * 5.0;
@@ -317,10 +388,13 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_xx_2 = inertia_link_1_hz * inertia_link_1_hz_0;
     let inertia_link_1_xz = minus_inertia_link_1_hx * inertia_link_1_hz_0;
     let minus_inertia_link_1_yz = inertia_link_1_hy * inertia_link_1_hz_0;
-    let inertia_link_1_xx = inertia_link_1_xx_0 + (inertia_link_1_xx_1 + inertia_link_1_xx_2);
-    let inertia_link_1_xy = inertia_link_1_xy_0 * poses.sin_joint_1 - inertia_link_1_xy_2 * poses.cos_joint_1
+    let inertia_link_1_xx = inertia_link_1_xx_0
+        + (inertia_link_1_xx_1 + inertia_link_1_xx_2);
+    let inertia_link_1_xy = inertia_link_1_xy_0 * poses.sin_joint_1
+        - inertia_link_1_xy_2 * poses.cos_joint_1
         + minus_inertia_link_1_hx * poses.origin_base_y;
-    let inertia_link_1_yy = inertia_link_1_xx_0 + (inertia_link_1_yy_1 + inertia_link_1_xx_2);
+    let inertia_link_1_yy = inertia_link_1_xx_0
+        + (inertia_link_1_yy_1 + inertia_link_1_xx_2);
     let inertia_link_1_zz = 0.05 + (inertia_link_1_yy_1 + inertia_link_1_xx_1);
     let inertia_link_2_hx_0 = poses.com_x_0 - poses.com_x;
     let inertia_link_2_hy_0 = poses.origin_base_y - poses.origin_base_y_0;
@@ -341,18 +415,17 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_2_xx_5 = inertia_link_2_hy * inertia_link_2_hy_0;
     let inertia_link_2_xx_6 = inertia_link_2_hz * inertia_link_2_hz_0;
     let inertia_link_2_xx = inertia_link_2_xx_0 * poses.minus_rotation_link_2_xx
-        + inertia_link_2_xx_2 * poses.minus_rotation_link_2_xy
-        + inertia_link_2_xx_4
+        + inertia_link_2_xx_2 * poses.minus_rotation_link_2_xy + inertia_link_2_xx_4
         + (inertia_link_2_xx_5 + inertia_link_2_xx_6);
     let inertia_link_2_xy = inertia_link_2_xy_0
-        - (inertia_link_2_xx_0 * poses.rotation_link_2_yx + inertia_link_2_xx_2 * poses.rotation_link_2_yy)
+        - (inertia_link_2_xx_0 * poses.rotation_link_2_yx
+            + inertia_link_2_xx_2 * poses.rotation_link_2_yy)
         - inertia_link_2_hx * inertia_link_2_hy_0;
     let inertia_link_2_xz = inertia_link_2_xx_0 * poses.cos_joint_2
         - inertia_link_2_xx_2 * poses.sin_joint_2
         - inertia_link_2_hx * inertia_link_2_hz_0;
     let inertia_link_2_yy = inertia_link_2_yy_0 * poses.rotation_link_2_yx
-        + inertia_link_2_yy_2 * poses.rotation_link_2_yy
-        + inertia_link_2_yy_4
+        + inertia_link_2_yy_2 * poses.rotation_link_2_yy + inertia_link_2_yy_4
         + (inertia_link_2_yy_5 + inertia_link_2_xx_6);
     let inertia_link_2_yz = inertia_link_2_yy_2 * poses.sin_joint_2
         - inertia_link_2_yy_0 * poses.cos_joint_2
@@ -375,19 +448,16 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_3_xx_5 = inertia_link_3_hy * inertia_link_3_hy_0;
     let inertia_link_3_xx_6 = inertia_link_3_hz * inertia_link_3_hz_0;
     let inertia_link_3_xx = inertia_link_3_xx_0 * poses.minus_rotation_link_3_xx
-        + inertia_link_3_xx_2 * poses.rotation_link_3_xy
-        + inertia_link_2_xx_4
+        + inertia_link_3_xx_2 * poses.rotation_link_3_xy + inertia_link_2_xx_4
         + (inertia_link_3_xx_5 + inertia_link_3_xx_6);
     let inertia_link_3_xy = inertia_link_3_xx_2 * poses.rotation_link_3_yy
-        - inertia_link_3_xx_0 * poses.rotation_link_3_yx
-        + inertia_link_2_xy_0
+        - inertia_link_3_xx_0 * poses.rotation_link_3_yx + inertia_link_2_xy_0
         - inertia_link_3_hx * inertia_link_3_hy_0;
     let inertia_link_3_xz = inertia_link_3_xx_2 * poses.rotation_link_3_zy
         - inertia_link_3_xx_0 * poses.rotation_link_3_zx
         - inertia_link_3_hx * inertia_link_3_hz_0;
     let inertia_link_3_yy = inertia_link_3_yy_0 * poses.rotation_link_3_yx
-        + inertia_link_3_yy_2 * poses.rotation_link_3_yy
-        + inertia_link_2_yy_4
+        + inertia_link_3_yy_2 * poses.rotation_link_3_yy + inertia_link_2_yy_4
         + (inertia_link_3_yy_5 + inertia_link_3_xx_6);
     let inertia_link_3_yz = inertia_link_3_yy_0 * poses.rotation_link_3_zx
         + inertia_link_3_yy_2 * poses.rotation_link_3_zy
@@ -425,12 +495,13 @@ fn inertias(poses: &Poses) -> Inertias {
     let locked_inverse_pivot_x = 1.0 / composite_base_xx;
     let locked_inverse_pivot_y_2 = composite_base_xy * locked_inverse_pivot_x;
     let locked_inverse_pivot_z_2 = composite_base_xz * locked_inverse_pivot_x;
-    let locked_inverse_pivot_y = 1.0 / (composite_base_yy - locked_inverse_pivot_y_2 * composite_base_xy);
-    let locked_inverse_pivot_z_5 = composite_base_yz - locked_inverse_pivot_z_2 * composite_base_xy;
+    let locked_inverse_pivot_y = 1.0
+        / (composite_base_yy - locked_inverse_pivot_y_2 * composite_base_xy);
+    let locked_inverse_pivot_z_5 = composite_base_yz
+        - locked_inverse_pivot_z_2 * composite_base_xy;
     let locked_inverse_pivot_z_4 = locked_inverse_pivot_z_5 * locked_inverse_pivot_y;
     let locked_inverse_pivot_z = 1.0
-        / (composite_base_zz
-            - locked_inverse_pivot_z_2 * composite_base_xz
+        / (composite_base_zz - locked_inverse_pivot_z_2 * composite_base_xz
             - locked_inverse_pivot_z_4 * locked_inverse_pivot_z_5);
     let inside_joint_1_mz_1_0 = composite_link_1_hx * poses.com_x;
     let inside_joint_1_mz_1_1 = composite_link_1_hy * poses.origin_base_y;
@@ -444,7 +515,8 @@ fn inertias(poses: &Poses) -> Inertias {
     let inside_joint_3_mz_0_1 = inertia_link_3_yz * poses.sin_joint_1;
     let inside_joint_3_fx_0 = poses.sin_joint_1 * inertia_link_3_hz;
     let inside_joint_3_fy_1 = poses.cos_joint_1 * inertia_link_3_hz;
-    let inside_joint_3_fz_1 = poses.cos_joint_1 * inertia_link_3_hy - poses.sin_joint_1 * inertia_link_3_hx;
+    let inside_joint_3_fz_1 = poses.cos_joint_1 * inertia_link_3_hy
+        - poses.sin_joint_1 * inertia_link_3_hx;
     Inertias {
         minus_inertia_base_hx,
         inertia_base_hy,
@@ -553,14 +625,18 @@ struct Complements {
 #[inline(never)]
 fn complements(inertias: &Inertias) -> Complements {
     // link_2
-    let minus_complement_link_2_hx = inertias.minus_inertia_link_1_hx + inertias.minus_inertia_base_hx;
+    let minus_complement_link_2_hx = inertias.minus_inertia_link_1_hx
+        + inertias.minus_inertia_base_hx;
     let complement_link_2_hy = inertias.inertia_link_1_hy + inertias.inertia_base_hy;
-    let complement_link_2_hz = inertias.inertia_link_1_hz - inertias.minus_inertia_base_hz;
+    let complement_link_2_hz = inertias.inertia_link_1_hz
+        - inertias.minus_inertia_base_hz;
     let complement_link_2_xx = inertias.inertia_link_1_xx + inertias.inertia_base_xx;
     let complement_link_2_xy = inertias.inertia_link_1_xy + inertias.inertia_base_xy;
-    let complement_link_2_xz = inertias.inertia_link_1_xz - inertias.minus_inertia_base_xz;
+    let complement_link_2_xz = inertias.inertia_link_1_xz
+        - inertias.minus_inertia_base_xz;
     let complement_link_2_yy = inertias.inertia_link_1_yy + inertias.inertia_base_yy;
-    let complement_link_2_yz = inertias.inertia_base_yz - inertias.minus_inertia_link_1_yz;
+    let complement_link_2_yz = inertias.inertia_base_yz
+        - inertias.minus_inertia_link_1_yz;
     let complement_link_2_zz = inertias.inertia_link_1_zz + inertias.inertia_base_zz;
     // link_3
     let complement_link_3_hx = inertias.inertia_link_2_hx - minus_complement_link_2_hx;
@@ -650,13 +726,16 @@ struct Screws {
 #[inline(never)]
 fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     // joint_1
-    let inside_joint_1_mx = inertias.composite_link_1_xz - inertias.composite_link_1_hz * poses.com_x;
-    let inside_joint_1_my = inertias.composite_link_1_yz + inertias.composite_link_1_hz * poses.origin_base_y;
-    let inside_joint_1_mz =
-        inertias.composite_link_1_zz + (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
+    let inside_joint_1_mx = inertias.composite_link_1_xz
+        - inertias.composite_link_1_hz * poses.com_x;
+    let inside_joint_1_my = inertias.composite_link_1_yz
+        + inertias.composite_link_1_hz * poses.origin_base_y;
+    let inside_joint_1_mz = inertias.composite_link_1_zz
+        + (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
     let inside_joint_1_fx = poses.origin_base_y * 25.0 - inertias.composite_link_1_hy;
     let inside_joint_1_fy = poses.com_x * 25.0 + inertias.composite_link_1_hx;
-    let connection_joint_1_wz_4 = inside_joint_1_my - inertias.locked_inverse_pivot_y_2 * inside_joint_1_mx;
+    let connection_joint_1_wz_4 = inside_joint_1_my
+        - inertias.locked_inverse_pivot_y_2 * inside_joint_1_mx;
     let connection_joint_1_wz = (inside_joint_1_mz
         - inertias.locked_inverse_pivot_z_2 * inside_joint_1_mx
         - inertias.locked_inverse_pivot_z_4 * connection_joint_1_wz_4)
@@ -671,26 +750,30 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     // joint_2
     let minus_screw_joint_2_vx = poses.origin_link_2_z * poses.sin_joint_1;
     let screw_joint_2_vy = poses.origin_link_2_z * poses.cos_joint_1;
-    let minus_screw_joint_2_vz = poses.com_x * poses.sin_joint_1 + poses.origin_base_y * poses.cos_joint_1;
+    let minus_screw_joint_2_vz = poses.com_x * poses.sin_joint_1
+        + poses.origin_base_y * poses.cos_joint_1;
     let inside_joint_2_mx_3 = inertias.composite_link_2_hy * minus_screw_joint_2_vz;
     let inside_joint_2_mx_4 = inertias.composite_link_2_hz * screw_joint_2_vy;
     let inside_joint_2_my_4 = inertias.composite_link_2_hz * minus_screw_joint_2_vx;
     let inside_joint_2_my_3 = inertias.composite_link_2_hx * minus_screw_joint_2_vz;
     let inside_joint_2_mz_2 = inertias.composite_link_2_hx * screw_joint_2_vy;
     let inside_joint_2_mz_3 = inertias.composite_link_2_hy * minus_screw_joint_2_vx;
-    let inside_joint_2_mx = inertias.composite_link_2_xx * poses.cos_joint_1 + inertias.inside_joint_2_mx_0_1
-        - (inside_joint_2_mx_3 + inside_joint_2_mx_4);
+    let inside_joint_2_mx = inertias.composite_link_2_xx * poses.cos_joint_1
+        + inertias.inside_joint_2_mx_0_1 - (inside_joint_2_mx_3 + inside_joint_2_mx_4);
     let inside_joint_2_my = inertias.inside_joint_2_my_0_0
         + inertias.composite_link_2_yy * poses.sin_joint_1
         + (inside_joint_2_my_3 - inside_joint_2_my_4);
-    let inside_joint_2_mz =
-        inertias.inside_joint_2_mz_0_0 + inertias.inside_joint_2_mz_0_1 + (inside_joint_2_mz_2 + inside_joint_2_mz_3);
-    let inside_joint_2_fx = poses.sin_joint_1 * inertias.composite_link_2_hz - minus_screw_joint_2_vx * 20.0;
-    let inside_joint_2_fy = screw_joint_2_vy * 20.0 - poses.cos_joint_1 * inertias.composite_link_2_hz;
+    let inside_joint_2_mz = inertias.inside_joint_2_mz_0_0
+        + inertias.inside_joint_2_mz_0_1 + (inside_joint_2_mz_2 + inside_joint_2_mz_3);
+    let inside_joint_2_fx = poses.sin_joint_1 * inertias.composite_link_2_hz
+        - minus_screw_joint_2_vx * 20.0;
+    let inside_joint_2_fy = screw_joint_2_vy * 20.0
+        - poses.cos_joint_1 * inertias.composite_link_2_hz;
     let inside_joint_2_fz = poses.cos_joint_1 * inertias.composite_link_2_hy
         - poses.sin_joint_1 * inertias.composite_link_2_hx
         - minus_screw_joint_2_vz * 20.0;
-    let connection_joint_2_wz_4 = inside_joint_2_my - inertias.locked_inverse_pivot_y_2 * inside_joint_2_mx;
+    let connection_joint_2_wz_4 = inside_joint_2_my
+        - inertias.locked_inverse_pivot_y_2 * inside_joint_2_mx;
     let connection_joint_2_wz = (inside_joint_2_mz
         - inertias.locked_inverse_pivot_z_2 * inside_joint_2_mx
         - inertias.locked_inverse_pivot_z_4 * connection_joint_2_wz_4)
@@ -706,7 +789,8 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     // joint_3
     let minus_screw_joint_3_vx = poses.origin_link_3_z * poses.sin_joint_1;
     let screw_joint_3_vy = poses.origin_link_3_z * poses.cos_joint_1;
-    let screw_joint_3_vz = poses.origin_link_3_x * poses.sin_joint_1 - poses.origin_link_3_y * poses.cos_joint_1;
+    let screw_joint_3_vz = poses.origin_link_3_x * poses.sin_joint_1
+        - poses.origin_link_3_y * poses.cos_joint_1;
     let inside_joint_3_mx_3 = inertias.inertia_link_3_hy * screw_joint_3_vz;
     let inside_joint_3_mx_4 = inertias.inertia_link_3_hz * screw_joint_3_vy;
     let inside_joint_3_my_3 = inertias.inertia_link_3_hz * minus_screw_joint_3_vx;
@@ -714,16 +798,17 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     let inside_joint_3_mz_2 = inertias.inertia_link_3_hx * screw_joint_3_vy;
     let inside_joint_3_mz_3 = inertias.inertia_link_3_hy * minus_screw_joint_3_vx;
     let inside_joint_3_mx = inertias.inertia_link_3_xx * poses.cos_joint_1
-        + inertias.inside_joint_3_mx_0_1
-        + (inside_joint_3_mx_3 - inside_joint_3_mx_4);
-    let inside_joint_3_my = inertias.inside_joint_3_my_0_0 + inertias.inertia_link_3_yy * poses.sin_joint_1
+        + inertias.inside_joint_3_mx_0_1 + (inside_joint_3_mx_3 - inside_joint_3_mx_4);
+    let inside_joint_3_my = inertias.inside_joint_3_my_0_0
+        + inertias.inertia_link_3_yy * poses.sin_joint_1
         - (inside_joint_3_my_3 + inside_joint_3_my_4);
-    let inside_joint_3_mz =
-        inertias.inside_joint_3_mz_0_0 + inertias.inside_joint_3_mz_0_1 + (inside_joint_3_mz_2 + inside_joint_3_mz_3);
+    let inside_joint_3_mz = inertias.inside_joint_3_mz_0_0
+        + inertias.inside_joint_3_mz_0_1 + (inside_joint_3_mz_2 + inside_joint_3_mz_3);
     let inside_joint_3_fx = inertias.inside_joint_3_fx_0 - minus_screw_joint_3_vx * 10.0;
     let inside_joint_3_fy = screw_joint_3_vy * 10.0 - inertias.inside_joint_3_fy_1;
     let inside_joint_3_fz = screw_joint_3_vz * 10.0 + inertias.inside_joint_3_fz_1;
-    let connection_joint_3_wz_4 = inside_joint_3_my - inertias.locked_inverse_pivot_y_2 * inside_joint_3_mx;
+    let connection_joint_3_wz_4 = inside_joint_3_my
+        - inertias.locked_inverse_pivot_y_2 * inside_joint_3_mx;
     let connection_joint_3_wz = (inside_joint_3_mz
         - inertias.locked_inverse_pivot_z_2 * inside_joint_3_mx
         - inertias.locked_inverse_pivot_z_4 * connection_joint_3_wz_4)
@@ -809,10 +894,17 @@ struct Outside {
 }
 /// Momenta Iᵒ_j s_j of the screws outside the subtrees.
 #[inline(never)]
-fn outside(poses: &Poses, inertias: &Inertias, complements: &Complements, screws: &Screws) -> Outside {
+fn outside(
+    poses: &Poses,
+    inertias: &Inertias,
+    complements: &Complements,
+    screws: &Screws,
+) -> Outside {
     // joint_1
-    let outside_joint_1_mx = inertias.minus_inertia_base_hz * poses.com_x - inertias.minus_inertia_base_xz;
-    let outside_joint_1_my = inertias.inertia_base_yz - inertias.minus_inertia_base_hz * poses.origin_base_y;
+    let outside_joint_1_mx = inertias.minus_inertia_base_hz * poses.com_x
+        - inertias.minus_inertia_base_xz;
+    let outside_joint_1_my = inertias.inertia_base_yz
+        - inertias.minus_inertia_base_hz * poses.origin_base_y;
     let outside_joint_1_mz = inertias.inertia_base_zz - inertias.inertia_base_zz_1;
     // joint_2
     let outside_joint_2_mx = complements.complement_link_2_xx * poses.cos_joint_1
@@ -827,9 +919,10 @@ fn outside(poses: &Poses, inertias: &Inertias, complements: &Complements, screws
         + complements.complement_link_2_yz * poses.sin_joint_1
         + (complements.complement_link_2_hy * screws.minus_screw_joint_2_vx
             - complements.minus_complement_link_2_hx * screws.screw_joint_2_vy);
-    let outside_joint_2_fx =
-        poses.sin_joint_1 * complements.complement_link_2_hz - screws.minus_screw_joint_2_vx * 110.0;
-    let outside_joint_2_fy = screws.screw_joint_2_vy * 110.0 - poses.cos_joint_1 * complements.complement_link_2_hz;
+    let outside_joint_2_fx = poses.sin_joint_1 * complements.complement_link_2_hz
+        - screws.minus_screw_joint_2_vx * 110.0;
+    let outside_joint_2_fy = screws.screw_joint_2_vy * 110.0
+        - poses.cos_joint_1 * complements.complement_link_2_hz;
     let outside_joint_2_fz = poses.cos_joint_1 * complements.complement_link_2_hy
         + poses.sin_joint_1 * complements.minus_complement_link_2_hx
         - screws.minus_screw_joint_2_vz * 110.0;
@@ -846,11 +939,13 @@ fn outside(poses: &Poses, inertias: &Inertias, complements: &Complements, screws
         + complements.complement_link_3_yz * poses.sin_joint_1
         + (complements.complement_link_3_hx * screws.screw_joint_3_vy
             + complements.complement_link_3_hy * screws.minus_screw_joint_3_vx);
-    let outside_joint_3_fx =
-        poses.sin_joint_1 * complements.complement_link_3_hz - screws.minus_screw_joint_3_vx * 120.0;
-    let outside_joint_3_fy = screws.screw_joint_3_vy * 120.0 - poses.cos_joint_1 * complements.complement_link_3_hz;
+    let outside_joint_3_fx = poses.sin_joint_1 * complements.complement_link_3_hz
+        - screws.minus_screw_joint_3_vx * 120.0;
+    let outside_joint_3_fy = screws.screw_joint_3_vy * 120.0
+        - poses.cos_joint_1 * complements.complement_link_3_hz;
     let outside_joint_3_fz = screws.screw_joint_3_vz * 120.0
-        + (poses.cos_joint_1 * complements.complement_link_3_hy - poses.sin_joint_1 * complements.complement_link_3_hx);
+        + (poses.cos_joint_1 * complements.complement_link_3_hy
+            - poses.sin_joint_1 * complements.complement_link_3_hx);
     Outside {
         outside_joint_1_mx,
         outside_joint_1_my,
@@ -890,8 +985,8 @@ struct Reactions {
 /// How each joint moves its own subtree at zero momentum.
 #[inline(never)]
 fn reactions(inertias: &Inertias, outside: &Outside) -> Reactions {
-    let reaction_joint_1_wz_4 =
-        outside.outside_joint_1_my - inertias.locked_inverse_pivot_y_2 * outside.outside_joint_1_mx;
+    let reaction_joint_1_wz_4 = outside.outside_joint_1_my
+        - inertias.locked_inverse_pivot_y_2 * outside.outside_joint_1_mx;
     // joint_1
     let reaction_joint_1_wz = (outside.outside_joint_1_mz
         - inertias.locked_inverse_pivot_z_2 * outside.outside_joint_1_mx
@@ -899,11 +994,12 @@ fn reactions(inertias: &Inertias, outside: &Outside) -> Reactions {
         * inertias.locked_inverse_pivot_z;
     let reaction_joint_1_wy = reaction_joint_1_wz_4 * inertias.locked_inverse_pivot_y
         - inertias.locked_inverse_pivot_z_4 * reaction_joint_1_wz;
-    let reaction_joint_1_wx = outside.outside_joint_1_mx * inertias.locked_inverse_pivot_x
+    let reaction_joint_1_wx = outside.outside_joint_1_mx
+        * inertias.locked_inverse_pivot_x
         - inertias.locked_inverse_pivot_y_2 * reaction_joint_1_wy
         - inertias.locked_inverse_pivot_z_2 * reaction_joint_1_wz;
-    let reaction_joint_2_wz_4 =
-        outside.outside_joint_2_my - inertias.locked_inverse_pivot_y_2 * outside.outside_joint_2_mx;
+    let reaction_joint_2_wz_4 = outside.outside_joint_2_my
+        - inertias.locked_inverse_pivot_y_2 * outside.outside_joint_2_mx;
     // joint_2
     let reaction_joint_2_wz = (outside.outside_joint_2_mz
         - inertias.locked_inverse_pivot_z_2 * outside.outside_joint_2_mx
@@ -911,14 +1007,15 @@ fn reactions(inertias: &Inertias, outside: &Outside) -> Reactions {
         * inertias.locked_inverse_pivot_z;
     let reaction_joint_2_wy = reaction_joint_2_wz_4 * inertias.locked_inverse_pivot_y
         - inertias.locked_inverse_pivot_z_4 * reaction_joint_2_wz;
-    let reaction_joint_2_wx = outside.outside_joint_2_mx * inertias.locked_inverse_pivot_x
+    let reaction_joint_2_wx = outside.outside_joint_2_mx
+        * inertias.locked_inverse_pivot_x
         - inertias.locked_inverse_pivot_y_2 * reaction_joint_2_wy
         - inertias.locked_inverse_pivot_z_2 * reaction_joint_2_wz;
     let reaction_joint_2_vx = outside.outside_joint_2_fx * 0.007692307692307693;
     let reaction_joint_2_vy = outside.outside_joint_2_fy * 0.007692307692307693;
     let reaction_joint_2_vz = outside.outside_joint_2_fz * 0.007692307692307693;
-    let reaction_joint_3_wz_4 =
-        outside.outside_joint_3_my - inertias.locked_inverse_pivot_y_2 * outside.outside_joint_3_mx;
+    let reaction_joint_3_wz_4 = outside.outside_joint_3_my
+        - inertias.locked_inverse_pivot_y_2 * outside.outside_joint_3_mx;
     // joint_3
     let reaction_joint_3_wz = (outside.outside_joint_3_mz
         - inertias.locked_inverse_pivot_z_2 * outside.outside_joint_3_mx
@@ -926,7 +1023,8 @@ fn reactions(inertias: &Inertias, outside: &Outside) -> Reactions {
         * inertias.locked_inverse_pivot_z;
     let reaction_joint_3_wy = reaction_joint_3_wz_4 * inertias.locked_inverse_pivot_y
         - inertias.locked_inverse_pivot_z_4 * reaction_joint_3_wz;
-    let reaction_joint_3_wx = outside.outside_joint_3_mx * inertias.locked_inverse_pivot_x
+    let reaction_joint_3_wx = outside.outside_joint_3_mx
+        * inertias.locked_inverse_pivot_x
         - inertias.locked_inverse_pivot_y_2 * reaction_joint_3_wy
         - inertias.locked_inverse_pivot_z_2 * reaction_joint_3_wz;
     let reaction_joint_3_vx = outside.outside_joint_3_fx * 0.007692307692307693;
@@ -977,21 +1075,17 @@ struct Velocities {
 fn velocities(qd: &[f64; 3], poses: &Poses, screws: &Screws) -> Velocities {
     // base
     let minus_velocity_base_wx = screws.connection_joint_1_wx * qd[0]
-        + screws.connection_joint_2_wx * qd[1]
-        + screws.connection_joint_3_wx * qd[2];
+        + screws.connection_joint_2_wx * qd[1] + screws.connection_joint_3_wx * qd[2];
     let minus_velocity_base_wy = screws.connection_joint_1_wy * qd[0]
-        + screws.connection_joint_2_wy * qd[1]
-        + screws.connection_joint_3_wy * qd[2];
+        + screws.connection_joint_2_wy * qd[1] + screws.connection_joint_3_wy * qd[2];
     let minus_velocity_base_wz = screws.connection_joint_1_wz * qd[0]
-        + screws.connection_joint_2_wz * qd[1]
-        + screws.connection_joint_3_wz * qd[2];
+        + screws.connection_joint_2_wz * qd[1] + screws.connection_joint_3_wz * qd[2];
     let minus_velocity_base_vx = screws.connection_joint_1_vx * qd[0]
-        + screws.connection_joint_2_vx * qd[1]
-        + screws.connection_joint_3_vx * qd[2];
+        + screws.connection_joint_2_vx * qd[1] + screws.connection_joint_3_vx * qd[2];
     let minus_velocity_base_vy = screws.connection_joint_1_vy * qd[0]
-        + screws.connection_joint_2_vy * qd[1]
-        + screws.connection_joint_3_vy * qd[2];
-    let minus_velocity_base_vz = screws.connection_joint_2_vz * qd[1] + screws.connection_joint_3_vz * qd[2];
+        + screws.connection_joint_2_vy * qd[1] + screws.connection_joint_3_vy * qd[2];
+    let minus_velocity_base_vz = screws.connection_joint_2_vz * qd[1]
+        + screws.connection_joint_3_vz * qd[2];
     // link_1
     let velocity_link_1_wz = qd[0] - minus_velocity_base_wz;
     let velocity_link_1_vx = poses.origin_base_y * qd[0] - minus_velocity_base_vx;
@@ -1001,7 +1095,8 @@ fn velocities(qd: &[f64; 3], poses: &Poses, screws: &Screws) -> Velocities {
     let velocity_link_2_wy = poses.sin_joint_1 * qd[1] - minus_velocity_base_wy;
     let velocity_link_2_vx = velocity_link_1_vx - screws.minus_screw_joint_2_vx * qd[1];
     let velocity_link_2_vy = velocity_link_1_vy + screws.screw_joint_2_vy * qd[1];
-    let minus_velocity_link_2_vz = minus_velocity_base_vz + screws.minus_screw_joint_2_vz * qd[1];
+    let minus_velocity_link_2_vz = minus_velocity_base_vz
+        + screws.minus_screw_joint_2_vz * qd[1];
     // link_3
     let velocity_link_3_wx = velocity_link_2_wx + poses.cos_joint_1 * qd[2];
     let velocity_link_3_wy = velocity_link_2_wy + poses.sin_joint_1 * qd[2];
@@ -1046,100 +1141,126 @@ fn common_d_mu_b2(
     screws: &Screws,
     reactions: &Reactions,
 ) -> CommonDMuB2 {
-    let wrench_base_my_2_1 =
-        (inertias.composite_link_1_xx + inertias.composite_link_1_yy + inertias.composite_link_1_zz) * 0.5;
+    let wrench_base_my_2_1 = (inertias.composite_link_1_xx + inertias.composite_link_1_yy
+        + inertias.composite_link_1_zz) * 0.5;
     let wrench_base_my_2 = mu[0] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xx * mu[0]
-            + inertias.composite_link_1_xy * mu[1]
+        - (inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1]
             + inertias.composite_link_1_xz * mu[2]);
     let wrench_base_mx_0 = mu[1] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xy * mu[0]
-            + inertias.composite_link_1_yy * mu[1]
+        - (inertias.composite_link_1_xy * mu[0] + inertias.composite_link_1_yy * mu[1]
             + inertias.composite_link_1_yz * mu[2]);
     let wrench_base_mx_2 = mu[2] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xz * mu[0]
-            + inertias.composite_link_1_yz * mu[1]
+        - (inertias.composite_link_1_xz * mu[0] + inertias.composite_link_1_yz * mu[1]
             + inertias.composite_link_1_zz * mu[2]);
-    let minus_wrench_base_fy_1 = inertias.composite_link_1_hy * reactions.reaction_joint_1_wz
+    let minus_wrench_base_fy_1 = inertias.composite_link_1_hy
+        * reactions.reaction_joint_1_wz
         - inertias.composite_link_1_hz * reactions.reaction_joint_1_wy;
-    let minus_wrench_base_fx_3 = inertias.composite_link_1_hz * reactions.reaction_joint_1_wx
+    let minus_wrench_base_fx_3 = inertias.composite_link_1_hz
+        * reactions.reaction_joint_1_wx
         - inertias.composite_link_1_hx * reactions.reaction_joint_1_wz;
-    let minus_wrench_base_fx_1 = inertias.composite_link_1_hx * reactions.reaction_joint_1_wy
+    let minus_wrench_base_fx_1 = inertias.composite_link_1_hx
+        * reactions.reaction_joint_1_wy
         - inertias.composite_link_1_hy * reactions.reaction_joint_1_wx;
     let wrench_base_my_9 = mu[2] * screws.connection_joint_1_vy;
     let wrench_base_mx_11 = mu[2] * screws.connection_joint_1_vx;
-    let wrench_base_mx_9 = mu[0] * screws.connection_joint_1_vy - mu[1] * screws.connection_joint_1_vx;
-    let wrench_base_my_6_1 = (inertias.inertia_base_xx + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
+    let wrench_base_mx_9 = mu[0] * screws.connection_joint_1_vy
+        - mu[1] * screws.connection_joint_1_vx;
+    let wrench_base_my_6_1 = (inertias.inertia_base_xx + inertias.inertia_base_yy
+        + inertias.inertia_base_zz) * 0.5;
     let wrench_base_my_6 = mu[0] * wrench_base_my_6_1
         - (inertias.inertia_base_xx * mu[0] + inertias.inertia_base_xy * mu[1]
             - inertias.minus_inertia_base_xz * mu[2]);
     let wrench_base_mx_4 = mu[1] * wrench_base_my_6_1
-        - (inertias.inertia_base_xy * mu[0] + inertias.inertia_base_yy * mu[1] + inertias.inertia_base_yz * mu[2]);
+        - (inertias.inertia_base_xy * mu[0] + inertias.inertia_base_yy * mu[1]
+            + inertias.inertia_base_yz * mu[2]);
     let wrench_base_mx_6 = mu[2] * wrench_base_my_6_1
         - (inertias.inertia_base_yz * mu[1] - inertias.minus_inertia_base_xz * mu[0]
             + inertias.inertia_base_zz * mu[2]);
     let minus_wrench_base_fy_7 = inertias.inertia_base_hy * screws.connection_joint_1_wz
         + inertias.minus_inertia_base_hz * screws.connection_joint_1_wy;
-    let minus_wrench_base_fx_7 = inertias.minus_inertia_base_hx * screws.connection_joint_1_wz
+    let minus_wrench_base_fx_7 = inertias.minus_inertia_base_hx
+        * screws.connection_joint_1_wz
         - inertias.minus_inertia_base_hz * screws.connection_joint_1_wx;
-    let minus_wrench_base_fx_5 = inertias.minus_inertia_base_hx * screws.connection_joint_1_wy
+    let minus_wrench_base_fx_5 = inertias.minus_inertia_base_hx
+        * screws.connection_joint_1_wy
         + inertias.inertia_base_hy * screws.connection_joint_1_wx;
     let wrench_base_mx = wrench_base_mx_0 * reactions.reaction_joint_1_wz
         - wrench_base_mx_2 * reactions.reaction_joint_1_wy
-        - (wrench_base_mx_4 * screws.connection_joint_1_wz - wrench_base_mx_6 * screws.connection_joint_1_wy
-            + (inertias.inertia_base_hy * wrench_base_mx_9 + inertias.minus_inertia_base_hz * wrench_base_mx_11));
+        - (wrench_base_mx_4 * screws.connection_joint_1_wz
+            - wrench_base_mx_6 * screws.connection_joint_1_wy
+            + (inertias.inertia_base_hy * wrench_base_mx_9
+                + inertias.minus_inertia_base_hz * wrench_base_mx_11));
     let wrench_base_my = wrench_base_mx_2 * reactions.reaction_joint_1_wx
         - wrench_base_my_2 * reactions.reaction_joint_1_wz
-        - (wrench_base_mx_6 * screws.connection_joint_1_wx - wrench_base_my_6 * screws.connection_joint_1_wz
-            + (inertias.minus_inertia_base_hz * wrench_base_my_9 + inertias.minus_inertia_base_hx * wrench_base_mx_9));
+        - (wrench_base_mx_6 * screws.connection_joint_1_wx
+            - wrench_base_my_6 * screws.connection_joint_1_wz
+            + (inertias.minus_inertia_base_hz * wrench_base_my_9
+                + inertias.minus_inertia_base_hx * wrench_base_mx_9));
     let wrench_base_mz = wrench_base_my_2 * reactions.reaction_joint_1_wy
         - wrench_base_mx_0 * reactions.reaction_joint_1_wx
-        - (wrench_base_my_6 * screws.connection_joint_1_wy - wrench_base_mx_4 * screws.connection_joint_1_wx
-            + (inertias.inertia_base_hy * wrench_base_my_9 - inertias.minus_inertia_base_hx * wrench_base_mx_11));
-    let minus_wrench_base_fx = mu[1] * minus_wrench_base_fx_1 - mu[2] * minus_wrench_base_fx_3
-        + (mu[1] * minus_wrench_base_fx_5 + mu[2] * minus_wrench_base_fx_7 - wrench_base_my_9 * 105.0);
-    let minus_wrench_base_fy = mu[2] * minus_wrench_base_fy_1 - mu[0] * minus_wrench_base_fx_1
-        + (wrench_base_mx_11 * 105.0 - (mu[2] * minus_wrench_base_fy_7 + mu[0] * minus_wrench_base_fx_5));
-    let minus_wrench_base_fz = mu[0] * minus_wrench_base_fx_3 - mu[1] * minus_wrench_base_fy_1
-        + (wrench_base_mx_9 * 105.0 - (mu[0] * minus_wrench_base_fx_7 - mu[1] * minus_wrench_base_fy_7));
-    let six_joint_2_my_3 = mu[1] * screws.minus_screw_joint_2_vz + mu[2] * screws.screw_joint_2_vy;
-    let six_joint_2_mx_3 = mu[0] * screws.minus_screw_joint_2_vz - mu[2] * screws.minus_screw_joint_2_vx;
-    let six_joint_2_mx_1 = mu[0] * screws.screw_joint_2_vy + mu[1] * screws.minus_screw_joint_2_vx;
-    let six_joint_2_mz_0_1 =
-        (inertias.composite_link_2_xx + inertias.composite_link_2_yy + inertias.composite_link_2_zz) * 0.5;
+        - (wrench_base_my_6 * screws.connection_joint_1_wy
+            - wrench_base_mx_4 * screws.connection_joint_1_wx
+            + (inertias.inertia_base_hy * wrench_base_my_9
+                - inertias.minus_inertia_base_hx * wrench_base_mx_11));
+    let minus_wrench_base_fx = mu[1] * minus_wrench_base_fx_1
+        - mu[2] * minus_wrench_base_fx_3
+        + (mu[1] * minus_wrench_base_fx_5 + mu[2] * minus_wrench_base_fx_7
+            - wrench_base_my_9 * 105.0);
+    let minus_wrench_base_fy = mu[2] * minus_wrench_base_fy_1
+        - mu[0] * minus_wrench_base_fx_1
+        + (wrench_base_mx_11 * 105.0
+            - (mu[2] * minus_wrench_base_fy_7 + mu[0] * minus_wrench_base_fx_5));
+    let minus_wrench_base_fz = mu[0] * minus_wrench_base_fx_3
+        - mu[1] * minus_wrench_base_fy_1
+        + (wrench_base_mx_9 * 105.0
+            - (mu[0] * minus_wrench_base_fx_7 - mu[1] * minus_wrench_base_fy_7));
+    let six_joint_2_my_3 = mu[1] * screws.minus_screw_joint_2_vz
+        + mu[2] * screws.screw_joint_2_vy;
+    let six_joint_2_mx_3 = mu[0] * screws.minus_screw_joint_2_vz
+        - mu[2] * screws.minus_screw_joint_2_vx;
+    let six_joint_2_mx_1 = mu[0] * screws.screw_joint_2_vy
+        + mu[1] * screws.minus_screw_joint_2_vx;
+    let six_joint_2_mz_0_1 = (inertias.composite_link_2_xx + inertias.composite_link_2_yy
+        + inertias.composite_link_2_zz) * 0.5;
     let six_joint_2_mz_0 = mu[0] * six_joint_2_mz_0_1
-        - (inertias.composite_link_2_xx * mu[0]
-            + inertias.composite_link_2_xy * mu[1]
+        - (inertias.composite_link_2_xx * mu[0] + inertias.composite_link_2_xy * mu[1]
             + inertias.composite_link_2_xz * mu[2]);
     let six_joint_2_mz_2 = mu[1] * six_joint_2_mz_0_1
-        - (inertias.composite_link_2_xy * mu[0]
-            + inertias.composite_link_2_yy * mu[1]
+        - (inertias.composite_link_2_xy * mu[0] + inertias.composite_link_2_yy * mu[1]
             + inertias.composite_link_2_yz * mu[2]);
     let six_joint_2_mx_4 = mu[2] * six_joint_2_mz_0_1
-        - (inertias.composite_link_2_xz * mu[0]
-            + inertias.composite_link_2_yz * mu[1]
+        - (inertias.composite_link_2_xz * mu[0] + inertias.composite_link_2_yz * mu[1]
             + inertias.composite_link_2_zz * mu[2]);
     let six_joint_2_mx = inertias.composite_link_2_hy * six_joint_2_mx_1
         - inertias.composite_link_2_hz * six_joint_2_mx_3
         - six_joint_2_mx_4 * poses.sin_joint_1;
     let six_joint_2_my = six_joint_2_mx_4 * poses.cos_joint_1
-        - (inertias.composite_link_2_hz * six_joint_2_my_3 + inertias.composite_link_2_hx * six_joint_2_mx_1);
-    let six_joint_2_mz = six_joint_2_mz_0 * poses.sin_joint_1 - six_joint_2_mz_2 * poses.cos_joint_1
-        + (inertias.composite_link_2_hx * six_joint_2_mx_3 + inertias.composite_link_2_hy * six_joint_2_my_3);
-    let wrench_link_1_my_5 = mu[1] * reactions.reaction_joint_2_vz - mu[2] * reactions.reaction_joint_2_vy;
-    let wrench_link_1_mx_7 = mu[2] * reactions.reaction_joint_2_vx - mu[0] * reactions.reaction_joint_2_vz;
-    let wrench_link_1_mx_5 = mu[0] * reactions.reaction_joint_2_vy - mu[1] * reactions.reaction_joint_2_vx;
+        - (inertias.composite_link_2_hz * six_joint_2_my_3
+            + inertias.composite_link_2_hx * six_joint_2_mx_1);
+    let six_joint_2_mz = six_joint_2_mz_0 * poses.sin_joint_1
+        - six_joint_2_mz_2 * poses.cos_joint_1
+        + (inertias.composite_link_2_hx * six_joint_2_mx_3
+            + inertias.composite_link_2_hy * six_joint_2_my_3);
+    let wrench_link_1_my_5 = mu[1] * reactions.reaction_joint_2_vz
+        - mu[2] * reactions.reaction_joint_2_vy;
+    let wrench_link_1_mx_7 = mu[2] * reactions.reaction_joint_2_vx
+        - mu[0] * reactions.reaction_joint_2_vz;
+    let wrench_link_1_mx_5 = mu[0] * reactions.reaction_joint_2_vy
+        - mu[1] * reactions.reaction_joint_2_vx;
     let wrench_link_1_fy_3 = inertias.composite_link_2_hy * reactions.reaction_joint_2_wz
         - inertias.composite_link_2_hz * reactions.reaction_joint_2_wy;
     let wrench_link_1_fx_5 = inertias.composite_link_2_hz * reactions.reaction_joint_2_wx
         - inertias.composite_link_2_hx * reactions.reaction_joint_2_wz;
     let wrench_link_1_fx_3 = inertias.composite_link_2_hx * reactions.reaction_joint_2_wy
         - inertias.composite_link_2_hy * reactions.reaction_joint_2_wx;
-    let wrench_link_1_my_13 = mu[1] * screws.connection_joint_2_vz - mu[2] * screws.connection_joint_2_vy;
-    let wrench_link_1_mx_15 = mu[2] * screws.connection_joint_2_vx - mu[0] * screws.connection_joint_2_vz;
-    let wrench_link_1_mx_13 = mu[0] * screws.connection_joint_2_vy - mu[1] * screws.connection_joint_2_vx;
-    let wrench_link_1_my_10_1 =
-        (complements.complement_link_2_xx + complements.complement_link_2_yy + complements.complement_link_2_zz) * 0.5;
+    let wrench_link_1_my_13 = mu[1] * screws.connection_joint_2_vz
+        - mu[2] * screws.connection_joint_2_vy;
+    let wrench_link_1_mx_15 = mu[2] * screws.connection_joint_2_vx
+        - mu[0] * screws.connection_joint_2_vz;
+    let wrench_link_1_mx_13 = mu[0] * screws.connection_joint_2_vy
+        - mu[1] * screws.connection_joint_2_vx;
+    let wrench_link_1_my_10_1 = (complements.complement_link_2_xx
+        + complements.complement_link_2_yy + complements.complement_link_2_zz) * 0.5;
     let wrench_link_1_my_10 = mu[0] * wrench_link_1_my_10_1
         - (complements.complement_link_2_xx * mu[0]
             + complements.complement_link_2_xy * mu[1]
@@ -1152,70 +1273,82 @@ fn common_d_mu_b2(
         - (complements.complement_link_2_xz * mu[0]
             + complements.complement_link_2_yz * mu[1]
             + complements.complement_link_2_zz * mu[2]);
-    let wrench_link_1_fy_9 = complements.complement_link_2_hy * screws.connection_joint_2_wz
+    let wrench_link_1_fy_9 = complements.complement_link_2_hy
+        * screws.connection_joint_2_wz
         - complements.complement_link_2_hz * screws.connection_joint_2_wy;
-    let wrench_link_1_fx_11 = complements.complement_link_2_hz * screws.connection_joint_2_wx
+    let wrench_link_1_fx_11 = complements.complement_link_2_hz
+        * screws.connection_joint_2_wx
         + complements.minus_complement_link_2_hx * screws.connection_joint_2_wz;
-    let wrench_link_1_fx_9 = complements.minus_complement_link_2_hx * screws.connection_joint_2_wy
+    let wrench_link_1_fx_9 = complements.minus_complement_link_2_hx
+        * screws.connection_joint_2_wy
         + complements.complement_link_2_hy * screws.connection_joint_2_wx;
     let wrench_link_1_mx = six_joint_2_mz_2 * reactions.reaction_joint_2_wz
         - six_joint_2_mx_4 * reactions.reaction_joint_2_wy
-        + (inertias.composite_link_2_hy * wrench_link_1_mx_5 - inertias.composite_link_2_hz * wrench_link_1_mx_7)
-        - (wrench_link_1_mx_8 * screws.connection_joint_2_wz - wrench_link_1_mx_10 * screws.connection_joint_2_wy
+        + (inertias.composite_link_2_hy * wrench_link_1_mx_5
+            - inertias.composite_link_2_hz * wrench_link_1_mx_7)
+        - (wrench_link_1_mx_8 * screws.connection_joint_2_wz
+            - wrench_link_1_mx_10 * screws.connection_joint_2_wy
             + (complements.complement_link_2_hy * wrench_link_1_mx_13
                 - complements.complement_link_2_hz * wrench_link_1_mx_15));
     let wrench_link_1_my = six_joint_2_mx_4 * reactions.reaction_joint_2_wx
         - six_joint_2_mz_0 * reactions.reaction_joint_2_wz
-        + (inertias.composite_link_2_hz * wrench_link_1_my_5 - inertias.composite_link_2_hx * wrench_link_1_mx_5)
-        - (wrench_link_1_mx_10 * screws.connection_joint_2_wx - wrench_link_1_my_10 * screws.connection_joint_2_wz
+        + (inertias.composite_link_2_hz * wrench_link_1_my_5
+            - inertias.composite_link_2_hx * wrench_link_1_mx_5)
+        - (wrench_link_1_mx_10 * screws.connection_joint_2_wx
+            - wrench_link_1_my_10 * screws.connection_joint_2_wz
             + (complements.complement_link_2_hz * wrench_link_1_my_13
                 + complements.minus_complement_link_2_hx * wrench_link_1_mx_13));
     let wrench_link_1_mz = six_joint_2_mz_0 * reactions.reaction_joint_2_wy
         - six_joint_2_mz_2 * reactions.reaction_joint_2_wx
-        + (inertias.composite_link_2_hx * wrench_link_1_mx_7 - inertias.composite_link_2_hy * wrench_link_1_my_5)
+        + (inertias.composite_link_2_hx * wrench_link_1_mx_7
+            - inertias.composite_link_2_hy * wrench_link_1_my_5)
         - (wrench_link_1_my_10 * screws.connection_joint_2_wy
             - wrench_link_1_mx_8 * screws.connection_joint_2_wx
             - (complements.minus_complement_link_2_hx * wrench_link_1_mx_15
                 + complements.complement_link_2_hy * wrench_link_1_my_13));
     let wrench_link_1_fx = wrench_link_1_my_5 * 20.0
         - (mu[1] * wrench_link_1_fx_3 - mu[2] * wrench_link_1_fx_5)
-        - (wrench_link_1_my_13 * 110.0 + (mu[1] * wrench_link_1_fx_9 + mu[2] * wrench_link_1_fx_11));
+        - (wrench_link_1_my_13 * 110.0
+            + (mu[1] * wrench_link_1_fx_9 + mu[2] * wrench_link_1_fx_11));
     let wrench_link_1_fy = wrench_link_1_mx_7 * 20.0
         - (mu[2] * wrench_link_1_fy_3 - mu[0] * wrench_link_1_fx_3)
-        - (wrench_link_1_mx_15 * 110.0 - (mu[2] * wrench_link_1_fy_9 + mu[0] * wrench_link_1_fx_9));
+        - (wrench_link_1_mx_15 * 110.0
+            - (mu[2] * wrench_link_1_fy_9 + mu[0] * wrench_link_1_fx_9));
     let wrench_link_1_fz = wrench_link_1_mx_5 * 20.0
         - (mu[0] * wrench_link_1_fx_5 - mu[1] * wrench_link_1_fy_3)
-        - (wrench_link_1_mx_13 * 110.0 - (mu[0] * wrench_link_1_fx_11 - mu[1] * wrench_link_1_fy_9));
-    let six_joint_3_my_3 = mu[1] * screws.screw_joint_3_vz - mu[2] * screws.screw_joint_3_vy;
-    let six_joint_3_mx_3 = mu[2] * screws.minus_screw_joint_3_vx + mu[0] * screws.screw_joint_3_vz;
-    let six_joint_3_mx_1 = mu[0] * screws.screw_joint_3_vy + mu[1] * screws.minus_screw_joint_3_vx;
-    let six_joint_3_mz_10 =
-        (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy + inertias.inertia_link_3_zz) * 0.5;
+        - (wrench_link_1_mx_13 * 110.0
+            - (mu[0] * wrench_link_1_fx_11 - mu[1] * wrench_link_1_fy_9));
+    let six_joint_3_my_3 = mu[1] * screws.screw_joint_3_vz
+        - mu[2] * screws.screw_joint_3_vy;
+    let six_joint_3_mx_3 = mu[2] * screws.minus_screw_joint_3_vx
+        + mu[0] * screws.screw_joint_3_vz;
+    let six_joint_3_mx_1 = mu[0] * screws.screw_joint_3_vy
+        + mu[1] * screws.minus_screw_joint_3_vx;
+    let six_joint_3_mz_10 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
+        + inertias.inertia_link_3_zz) * 0.5;
     let six_joint_3_mx_4 = mu[2] * six_joint_3_mz_10
-        - (inertias.inertia_link_3_xz * mu[0]
-            + inertias.inertia_link_3_yz * mu[1]
+        - (inertias.inertia_link_3_xz * mu[0] + inertias.inertia_link_3_yz * mu[1]
             + inertias.inertia_link_3_zz * mu[2]);
-    let six_joint_3_mx = inertias.inertia_link_3_hy * six_joint_3_mx_1 + inertias.inertia_link_3_hz * six_joint_3_mx_3
+    let six_joint_3_mx = inertias.inertia_link_3_hy * six_joint_3_mx_1
+        + inertias.inertia_link_3_hz * six_joint_3_mx_3
         - six_joint_3_mx_4 * poses.sin_joint_1;
     let six_joint_3_my = six_joint_3_mx_4 * poses.cos_joint_1
-        + (inertias.inertia_link_3_hz * six_joint_3_my_3 - inertias.inertia_link_3_hx * six_joint_3_mx_1);
+        + (inertias.inertia_link_3_hz * six_joint_3_my_3
+            - inertias.inertia_link_3_hx * six_joint_3_mx_1);
     let six_joint_3_mz = (mu[0] * six_joint_3_mz_10
-        - (inertias.inertia_link_3_xx * mu[0]
-            + inertias.inertia_link_3_xy * mu[1]
-            + inertias.inertia_link_3_xz * mu[2]))
-        * poses.sin_joint_1
+        - (inertias.inertia_link_3_xx * mu[0] + inertias.inertia_link_3_xy * mu[1]
+            + inertias.inertia_link_3_xz * mu[2])) * poses.sin_joint_1
         - (mu[1] * six_joint_3_mz_10
-            - (inertias.inertia_link_3_xy * mu[0]
-                + inertias.inertia_link_3_yy * mu[1]
-                + inertias.inertia_link_3_yz * mu[2]))
-            * poses.cos_joint_1
-        - (inertias.inertia_link_3_hx * six_joint_3_mx_3 + inertias.inertia_link_3_hy * six_joint_3_my_3);
-    let six_joint_3_fx =
-        six_joint_3_my_3 * 10.0 + (mu[1] * inertias.inside_joint_3_fz_1 + mu[2] * inertias.inside_joint_3_fy_1);
-    let minus_six_joint_3_fy =
-        six_joint_3_mx_3 * 10.0 + (mu[0] * inertias.inside_joint_3_fz_1 - mu[2] * inertias.inside_joint_3_fx_0);
-    let six_joint_3_fz =
-        six_joint_3_mx_1 * 10.0 - (mu[0] * inertias.inside_joint_3_fy_1 + mu[1] * inertias.inside_joint_3_fx_0);
+            - (inertias.inertia_link_3_xy * mu[0] + inertias.inertia_link_3_yy * mu[1]
+                + inertias.inertia_link_3_yz * mu[2])) * poses.cos_joint_1
+        - (inertias.inertia_link_3_hx * six_joint_3_mx_3
+            + inertias.inertia_link_3_hy * six_joint_3_my_3);
+    let six_joint_3_fx = six_joint_3_my_3 * 10.0
+        + (mu[1] * inertias.inside_joint_3_fz_1 + mu[2] * inertias.inside_joint_3_fy_1);
+    let minus_six_joint_3_fy = six_joint_3_mx_3 * 10.0
+        + (mu[0] * inertias.inside_joint_3_fz_1 - mu[2] * inertias.inside_joint_3_fx_0);
+    let six_joint_3_fz = six_joint_3_mx_1 * 10.0
+        - (mu[0] * inertias.inside_joint_3_fy_1 + mu[1] * inertias.inside_joint_3_fx_0);
     let b2_0_1 = reactions.reaction_joint_1_wx * six_joint_2_mx
         + reactions.reaction_joint_1_wy * six_joint_2_my
         + reactions.reaction_joint_1_wz * six_joint_2_mz
@@ -1246,7 +1379,11 @@ fn common_d_mu_b2(
         + wrench_link_1_fx * screws.connection_joint_3_vx
         + wrench_link_1_fy * screws.connection_joint_3_vy
         + wrench_link_1_fz * screws.connection_joint_3_vz;
-    CommonDMuB2 { b2_0_1, b2_0_2, b2_1_2 }
+    CommonDMuB2 {
+        b2_0_1,
+        b2_0_2,
+        b2_1_2,
+    }
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
 struct CommonCouplingTorqueDMuXi {
@@ -1265,88 +1402,95 @@ fn common_coupling_torque_d_mu_xi(
     reactions: &Reactions,
 ) -> CommonCouplingTorqueDMuXi {
     let coupling_torque_0_21_7_2 = poses.com_z + 0.023809523809523808;
-    let coupling_torque_0_21_7 = mu[3] + (mu[1] * coupling_torque_0_21_7_2 + mu[2] * poses.origin_base_y);
-    let coupling_torque_0_19_9 = mu[4] + (mu[2] * poses.com_x - mu[0] * coupling_torque_0_21_7_2);
-    let coupling_torque_0_19_7 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let coupling_torque_0_21_7 = mu[3]
+        + (mu[1] * coupling_torque_0_21_7_2 + mu[2] * poses.origin_base_y);
+    let coupling_torque_0_19_9 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * coupling_torque_0_21_7_2);
+    let coupling_torque_0_19_7 = mu[5]
+        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let coupling_torque_0_19 = inertias.composite_link_1_xx * mu[0]
-        + inertias.composite_link_1_xy * mu[1]
-        + inertias.composite_link_1_xz * mu[2]
+        + inertias.composite_link_1_xy * mu[1] + inertias.composite_link_1_xz * mu[2]
         + (inertias.composite_link_1_hy * coupling_torque_0_19_7
             - inertias.composite_link_1_hz * coupling_torque_0_19_9);
     let coupling_torque_0_21 = inertias.composite_link_1_xy * mu[0]
-        + inertias.composite_link_1_yy * mu[1]
-        + inertias.composite_link_1_yz * mu[2]
+        + inertias.composite_link_1_yy * mu[1] + inertias.composite_link_1_yz * mu[2]
         + (inertias.composite_link_1_hz * coupling_torque_0_21_7
             - inertias.composite_link_1_hx * coupling_torque_0_19_7);
     let coupling_torque_0_10 = inertias.composite_link_1_xz * mu[0]
-        + inertias.composite_link_1_yz * mu[1]
-        + inertias.composite_link_1_zz * mu[2]
+        + inertias.composite_link_1_yz * mu[1] + inertias.composite_link_1_zz * mu[2]
         + (inertias.composite_link_1_hx * coupling_torque_0_19_9
             - inertias.composite_link_1_hy * coupling_torque_0_21_7);
-    let coupling_torque_0_23 =
-        coupling_torque_0_21_7 * 25.0 + (mu[1] * inertias.composite_link_1_hz - mu[2] * inertias.composite_link_1_hy);
-    let coupling_torque_0_25 =
-        coupling_torque_0_19_9 * 25.0 + (mu[2] * inertias.composite_link_1_hx - mu[0] * inertias.composite_link_1_hz);
-    let coupling_torque_0_14 =
-        coupling_torque_0_19_7 * 25.0 + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx);
-    let coupling_torque_0_46 = inertias.inertia_base_xx * mu[0] + inertias.inertia_base_xy * mu[1]
-        - inertias.minus_inertia_base_xz * mu[2]
-        + (inertias.inertia_base_hy * coupling_torque_0_19_7 + inertias.minus_inertia_base_hz * coupling_torque_0_19_9);
+    let coupling_torque_0_23 = coupling_torque_0_21_7 * 25.0
+        + (mu[1] * inertias.composite_link_1_hz - mu[2] * inertias.composite_link_1_hy);
+    let coupling_torque_0_25 = coupling_torque_0_19_9 * 25.0
+        + (mu[2] * inertias.composite_link_1_hx - mu[0] * inertias.composite_link_1_hz);
+    let coupling_torque_0_14 = coupling_torque_0_19_7 * 25.0
+        + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx);
+    let coupling_torque_0_46 = inertias.inertia_base_xx * mu[0]
+        + inertias.inertia_base_xy * mu[1] - inertias.minus_inertia_base_xz * mu[2]
+        + (inertias.inertia_base_hy * coupling_torque_0_19_7
+            + inertias.minus_inertia_base_hz * coupling_torque_0_19_9);
     let coupling_torque_0_48 = inertias.inertia_base_xy * mu[0]
-        + inertias.inertia_base_yy * mu[1]
-        + inertias.inertia_base_yz * mu[2]
+        + inertias.inertia_base_yy * mu[1] + inertias.inertia_base_yz * mu[2]
         + (inertias.minus_inertia_base_hx * coupling_torque_0_19_7
             - inertias.minus_inertia_base_hz * coupling_torque_0_21_7);
-    let coupling_torque_0_37 = inertias.inertia_base_yz * mu[1] - inertias.minus_inertia_base_xz * mu[0]
-        + inertias.inertia_base_zz * mu[2]
-        - (inertias.minus_inertia_base_hx * coupling_torque_0_19_9 + inertias.inertia_base_hy * coupling_torque_0_21_7);
-    let coupling_torque_0_62 =
-        coupling_torque_0_21_7 * 105.0 - (mu[1] * inertias.minus_inertia_base_hz + mu[2] * inertias.inertia_base_hy);
+    let coupling_torque_0_37 = inertias.inertia_base_yz * mu[1]
+        - inertias.minus_inertia_base_xz * mu[0] + inertias.inertia_base_zz * mu[2]
+        - (inertias.minus_inertia_base_hx * coupling_torque_0_19_9
+            + inertias.inertia_base_hy * coupling_torque_0_21_7);
+    let coupling_torque_0_62 = coupling_torque_0_21_7 * 105.0
+        - (mu[1] * inertias.minus_inertia_base_hz + mu[2] * inertias.inertia_base_hy);
     let coupling_torque_0_55 = coupling_torque_0_19_9 * 105.0
-        + (mu[0] * inertias.minus_inertia_base_hz - mu[2] * inertias.minus_inertia_base_hx);
-    let coupling_torque_0_60 =
-        coupling_torque_0_19_7 * 105.0 + (mu[0] * inertias.inertia_base_hy + mu[1] * inertias.minus_inertia_base_hx);
+        + (mu[0] * inertias.minus_inertia_base_hz
+            - mu[2] * inertias.minus_inertia_base_hx);
+    let coupling_torque_0_60 = coupling_torque_0_19_7 * 105.0
+        + (mu[0] * inertias.inertia_base_hy + mu[1] * inertias.minus_inertia_base_hx);
     let coupling_torque_0 = reactions.reaction_joint_1_wx
         * (coupling_torque_0_21 * mu[2] - coupling_torque_0_10 * mu[1]
-            + (coupling_torque_0_25 * coupling_torque_0_19_7 - coupling_torque_0_14 * coupling_torque_0_19_9))
+            + (coupling_torque_0_25 * coupling_torque_0_19_7
+                - coupling_torque_0_14 * coupling_torque_0_19_9))
         + reactions.reaction_joint_1_wy
             * (coupling_torque_0_10 * mu[0] - coupling_torque_0_19 * mu[2]
-                + (coupling_torque_0_14 * coupling_torque_0_21_7 - coupling_torque_0_23 * coupling_torque_0_19_7))
+                + (coupling_torque_0_14 * coupling_torque_0_21_7
+                    - coupling_torque_0_23 * coupling_torque_0_19_7))
         + reactions.reaction_joint_1_wz
             * (coupling_torque_0_19 * mu[1] - coupling_torque_0_21 * mu[0]
-                + (coupling_torque_0_23 * coupling_torque_0_19_9 - coupling_torque_0_25 * coupling_torque_0_21_7))
+                + (coupling_torque_0_23 * coupling_torque_0_19_9
+                    - coupling_torque_0_25 * coupling_torque_0_21_7))
         - (screws.connection_joint_1_wx
             * (coupling_torque_0_48 * mu[2] - coupling_torque_0_37 * mu[1]
-                + (coupling_torque_0_55 * coupling_torque_0_19_7 - coupling_torque_0_60 * coupling_torque_0_19_9))
+                + (coupling_torque_0_55 * coupling_torque_0_19_7
+                    - coupling_torque_0_60 * coupling_torque_0_19_9))
             + screws.connection_joint_1_wy
                 * (coupling_torque_0_37 * mu[0] - coupling_torque_0_46 * mu[2]
-                    + (coupling_torque_0_60 * coupling_torque_0_21_7 - coupling_torque_0_62 * coupling_torque_0_19_7))
+                    + (coupling_torque_0_60 * coupling_torque_0_21_7
+                        - coupling_torque_0_62 * coupling_torque_0_19_7))
             + screws.connection_joint_1_wz
                 * (coupling_torque_0_46 * mu[1] - coupling_torque_0_48 * mu[0]
-                    + (coupling_torque_0_62 * coupling_torque_0_19_9 - coupling_torque_0_55 * coupling_torque_0_21_7))
-            + screws.connection_joint_1_vx * (coupling_torque_0_55 * mu[2] - coupling_torque_0_60 * mu[1])
-            + screws.connection_joint_1_vy * (coupling_torque_0_60 * mu[0] - coupling_torque_0_62 * mu[2]));
+                    + (coupling_torque_0_62 * coupling_torque_0_19_9
+                        - coupling_torque_0_55 * coupling_torque_0_21_7))
+            + screws.connection_joint_1_vx
+                * (coupling_torque_0_55 * mu[2] - coupling_torque_0_60 * mu[1])
+            + screws.connection_joint_1_vy
+                * (coupling_torque_0_60 * mu[0] - coupling_torque_0_62 * mu[2]));
     let coupling_torque_1_19 = inertias.composite_link_2_xx * mu[0]
-        + inertias.composite_link_2_xy * mu[1]
-        + inertias.composite_link_2_xz * mu[2]
+        + inertias.composite_link_2_xy * mu[1] + inertias.composite_link_2_xz * mu[2]
         + (inertias.composite_link_2_hy * coupling_torque_0_19_7
             - inertias.composite_link_2_hz * coupling_torque_0_19_9);
     let coupling_torque_1_21 = inertias.composite_link_2_xy * mu[0]
-        + inertias.composite_link_2_yy * mu[1]
-        + inertias.composite_link_2_yz * mu[2]
+        + inertias.composite_link_2_yy * mu[1] + inertias.composite_link_2_yz * mu[2]
         + (inertias.composite_link_2_hz * coupling_torque_0_21_7
             - inertias.composite_link_2_hx * coupling_torque_0_19_7);
     let coupling_torque_1_10 = inertias.composite_link_2_xz * mu[0]
-        + inertias.composite_link_2_yz * mu[1]
-        + inertias.composite_link_2_zz * mu[2]
+        + inertias.composite_link_2_yz * mu[1] + inertias.composite_link_2_zz * mu[2]
         + (inertias.composite_link_2_hx * coupling_torque_0_19_9
             - inertias.composite_link_2_hy * coupling_torque_0_21_7);
-    let coupling_torque_1_38 =
-        coupling_torque_0_21_7 * 20.0 + (mu[1] * inertias.composite_link_2_hz - mu[2] * inertias.composite_link_2_hy);
-    let coupling_torque_1_40 =
-        coupling_torque_0_19_9 * 20.0 + (mu[2] * inertias.composite_link_2_hx - mu[0] * inertias.composite_link_2_hz);
-    let coupling_torque_1_33 =
-        coupling_torque_0_19_7 * 20.0 + (mu[0] * inertias.composite_link_2_hy - mu[1] * inertias.composite_link_2_hx);
+    let coupling_torque_1_38 = coupling_torque_0_21_7 * 20.0
+        + (mu[1] * inertias.composite_link_2_hz - mu[2] * inertias.composite_link_2_hy);
+    let coupling_torque_1_40 = coupling_torque_0_19_9 * 20.0
+        + (mu[2] * inertias.composite_link_2_hx - mu[0] * inertias.composite_link_2_hz);
+    let coupling_torque_1_33 = coupling_torque_0_19_7 * 20.0
+        + (mu[0] * inertias.composite_link_2_hy - mu[1] * inertias.composite_link_2_hx);
     let coupling_torque_1_61 = complements.complement_link_2_xx * mu[0]
         + complements.complement_link_2_xy * mu[1]
         + complements.complement_link_2_xz * mu[2]
@@ -1363,53 +1507,68 @@ fn common_coupling_torque_d_mu_xi(
         - (complements.minus_complement_link_2_hx * coupling_torque_0_19_9
             + complements.complement_link_2_hy * coupling_torque_0_21_7);
     let coupling_torque_1_80 = coupling_torque_0_21_7 * 110.0
-        + (mu[1] * complements.complement_link_2_hz - mu[2] * complements.complement_link_2_hy);
+        + (mu[1] * complements.complement_link_2_hz
+            - mu[2] * complements.complement_link_2_hy);
     let coupling_torque_1_82 = coupling_torque_0_19_9 * 110.0
-        - (mu[2] * complements.minus_complement_link_2_hx + mu[0] * complements.complement_link_2_hz);
+        - (mu[2] * complements.minus_complement_link_2_hx
+            + mu[0] * complements.complement_link_2_hz);
     let coupling_torque_1_75 = coupling_torque_0_19_7 * 110.0
-        + (mu[0] * complements.complement_link_2_hy + mu[1] * complements.minus_complement_link_2_hx);
+        + (mu[0] * complements.complement_link_2_hy
+            + mu[1] * complements.minus_complement_link_2_hx);
     let coupling_torque_1 = reactions.reaction_joint_2_wx
         * (coupling_torque_1_21 * mu[2] - coupling_torque_1_10 * mu[1]
-            + (coupling_torque_1_40 * coupling_torque_0_19_7 - coupling_torque_1_33 * coupling_torque_0_19_9))
+            + (coupling_torque_1_40 * coupling_torque_0_19_7
+                - coupling_torque_1_33 * coupling_torque_0_19_9))
         + reactions.reaction_joint_2_wy
             * (coupling_torque_1_10 * mu[0] - coupling_torque_1_19 * mu[2]
-                + (coupling_torque_1_33 * coupling_torque_0_21_7 - coupling_torque_1_38 * coupling_torque_0_19_7))
+                + (coupling_torque_1_33 * coupling_torque_0_21_7
+                    - coupling_torque_1_38 * coupling_torque_0_19_7))
         + reactions.reaction_joint_2_wz
             * (coupling_torque_1_19 * mu[1] - coupling_torque_1_21 * mu[0]
-                + (coupling_torque_1_38 * coupling_torque_0_19_9 - coupling_torque_1_40 * coupling_torque_0_21_7))
-        + reactions.reaction_joint_2_vx * (coupling_torque_1_40 * mu[2] - coupling_torque_1_33 * mu[1])
-        + reactions.reaction_joint_2_vy * (coupling_torque_1_33 * mu[0] - coupling_torque_1_38 * mu[2])
-        + reactions.reaction_joint_2_vz * (coupling_torque_1_38 * mu[1] - coupling_torque_1_40 * mu[0])
+                + (coupling_torque_1_38 * coupling_torque_0_19_9
+                    - coupling_torque_1_40 * coupling_torque_0_21_7))
+        + reactions.reaction_joint_2_vx
+            * (coupling_torque_1_40 * mu[2] - coupling_torque_1_33 * mu[1])
+        + reactions.reaction_joint_2_vy
+            * (coupling_torque_1_33 * mu[0] - coupling_torque_1_38 * mu[2])
+        + reactions.reaction_joint_2_vz
+            * (coupling_torque_1_38 * mu[1] - coupling_torque_1_40 * mu[0])
         - (screws.connection_joint_2_wx
             * (coupling_torque_1_63 * mu[2] - coupling_torque_1_52 * mu[1]
-                + (coupling_torque_1_82 * coupling_torque_0_19_7 - coupling_torque_1_75 * coupling_torque_0_19_9))
+                + (coupling_torque_1_82 * coupling_torque_0_19_7
+                    - coupling_torque_1_75 * coupling_torque_0_19_9))
             + screws.connection_joint_2_wy
                 * (coupling_torque_1_52 * mu[0] - coupling_torque_1_61 * mu[2]
-                    + (coupling_torque_1_75 * coupling_torque_0_21_7 - coupling_torque_1_80 * coupling_torque_0_19_7))
+                    + (coupling_torque_1_75 * coupling_torque_0_21_7
+                        - coupling_torque_1_80 * coupling_torque_0_19_7))
             + screws.connection_joint_2_wz
                 * (coupling_torque_1_61 * mu[1] - coupling_torque_1_63 * mu[0]
-                    + (coupling_torque_1_80 * coupling_torque_0_19_9 - coupling_torque_1_82 * coupling_torque_0_21_7))
-            + screws.connection_joint_2_vx * (coupling_torque_1_82 * mu[2] - coupling_torque_1_75 * mu[1])
-            + screws.connection_joint_2_vy * (coupling_torque_1_75 * mu[0] - coupling_torque_1_80 * mu[2])
-            + screws.connection_joint_2_vz * (coupling_torque_1_80 * mu[1] - coupling_torque_1_82 * mu[0]));
+                    + (coupling_torque_1_80 * coupling_torque_0_19_9
+                        - coupling_torque_1_82 * coupling_torque_0_21_7))
+            + screws.connection_joint_2_vx
+                * (coupling_torque_1_82 * mu[2] - coupling_torque_1_75 * mu[1])
+            + screws.connection_joint_2_vy
+                * (coupling_torque_1_75 * mu[0] - coupling_torque_1_80 * mu[2])
+            + screws.connection_joint_2_vz
+                * (coupling_torque_1_80 * mu[1] - coupling_torque_1_82 * mu[0]));
     let coupling_torque_2_19 = inertias.inertia_link_3_xx * mu[0]
-        + inertias.inertia_link_3_xy * mu[1]
-        + inertias.inertia_link_3_xz * mu[2]
-        + (inertias.inertia_link_3_hy * coupling_torque_0_19_7 - inertias.inertia_link_3_hz * coupling_torque_0_19_9);
+        + inertias.inertia_link_3_xy * mu[1] + inertias.inertia_link_3_xz * mu[2]
+        + (inertias.inertia_link_3_hy * coupling_torque_0_19_7
+            - inertias.inertia_link_3_hz * coupling_torque_0_19_9);
     let coupling_torque_2_21 = inertias.inertia_link_3_xy * mu[0]
-        + inertias.inertia_link_3_yy * mu[1]
-        + inertias.inertia_link_3_yz * mu[2]
-        + (inertias.inertia_link_3_hz * coupling_torque_0_21_7 - inertias.inertia_link_3_hx * coupling_torque_0_19_7);
+        + inertias.inertia_link_3_yy * mu[1] + inertias.inertia_link_3_yz * mu[2]
+        + (inertias.inertia_link_3_hz * coupling_torque_0_21_7
+            - inertias.inertia_link_3_hx * coupling_torque_0_19_7);
     let coupling_torque_2_10 = inertias.inertia_link_3_xz * mu[0]
-        + inertias.inertia_link_3_yz * mu[1]
-        + inertias.inertia_link_3_zz * mu[2]
-        + (inertias.inertia_link_3_hx * coupling_torque_0_19_9 - inertias.inertia_link_3_hy * coupling_torque_0_21_7);
-    let coupling_torque_2_38 =
-        coupling_torque_0_21_7 * 10.0 + (mu[1] * inertias.inertia_link_3_hz - mu[2] * inertias.inertia_link_3_hy);
-    let coupling_torque_2_40 =
-        coupling_torque_0_19_9 * 10.0 + (mu[2] * inertias.inertia_link_3_hx - mu[0] * inertias.inertia_link_3_hz);
-    let coupling_torque_2_33 =
-        coupling_torque_0_19_7 * 10.0 + (mu[0] * inertias.inertia_link_3_hy - mu[1] * inertias.inertia_link_3_hx);
+        + inertias.inertia_link_3_yz * mu[1] + inertias.inertia_link_3_zz * mu[2]
+        + (inertias.inertia_link_3_hx * coupling_torque_0_19_9
+            - inertias.inertia_link_3_hy * coupling_torque_0_21_7);
+    let coupling_torque_2_38 = coupling_torque_0_21_7 * 10.0
+        + (mu[1] * inertias.inertia_link_3_hz - mu[2] * inertias.inertia_link_3_hy);
+    let coupling_torque_2_40 = coupling_torque_0_19_9 * 10.0
+        + (mu[2] * inertias.inertia_link_3_hx - mu[0] * inertias.inertia_link_3_hz);
+    let coupling_torque_2_33 = coupling_torque_0_19_7 * 10.0
+        + (mu[0] * inertias.inertia_link_3_hy - mu[1] * inertias.inertia_link_3_hx);
     let coupling_torque_2_61 = complements.complement_link_3_xx * mu[0]
         + complements.complement_link_3_xy * mu[1]
         + complements.complement_link_3_xz * mu[2]
@@ -1426,36 +1585,55 @@ fn common_coupling_torque_d_mu_xi(
         + (complements.complement_link_3_hx * coupling_torque_0_19_9
             - complements.complement_link_3_hy * coupling_torque_0_21_7);
     let coupling_torque_2_80 = coupling_torque_0_21_7 * 120.0
-        + (mu[1] * complements.complement_link_3_hz - mu[2] * complements.complement_link_3_hy);
+        + (mu[1] * complements.complement_link_3_hz
+            - mu[2] * complements.complement_link_3_hy);
     let coupling_torque_2_82 = coupling_torque_0_19_9 * 120.0
-        + (mu[2] * complements.complement_link_3_hx - mu[0] * complements.complement_link_3_hz);
+        + (mu[2] * complements.complement_link_3_hx
+            - mu[0] * complements.complement_link_3_hz);
     let coupling_torque_2_75 = coupling_torque_0_19_7 * 120.0
-        + (mu[0] * complements.complement_link_3_hy - mu[1] * complements.complement_link_3_hx);
+        + (mu[0] * complements.complement_link_3_hy
+            - mu[1] * complements.complement_link_3_hx);
     let coupling_torque_2 = reactions.reaction_joint_3_wx
         * (coupling_torque_2_21 * mu[2] - coupling_torque_2_10 * mu[1]
-            + (coupling_torque_2_40 * coupling_torque_0_19_7 - coupling_torque_2_33 * coupling_torque_0_19_9))
+            + (coupling_torque_2_40 * coupling_torque_0_19_7
+                - coupling_torque_2_33 * coupling_torque_0_19_9))
         + reactions.reaction_joint_3_wy
             * (coupling_torque_2_10 * mu[0] - coupling_torque_2_19 * mu[2]
-                + (coupling_torque_2_33 * coupling_torque_0_21_7 - coupling_torque_2_38 * coupling_torque_0_19_7))
+                + (coupling_torque_2_33 * coupling_torque_0_21_7
+                    - coupling_torque_2_38 * coupling_torque_0_19_7))
         + reactions.reaction_joint_3_wz
             * (coupling_torque_2_19 * mu[1] - coupling_torque_2_21 * mu[0]
-                + (coupling_torque_2_38 * coupling_torque_0_19_9 - coupling_torque_2_40 * coupling_torque_0_21_7))
-        + reactions.reaction_joint_3_vx * (coupling_torque_2_40 * mu[2] - coupling_torque_2_33 * mu[1])
-        + reactions.reaction_joint_3_vy * (coupling_torque_2_33 * mu[0] - coupling_torque_2_38 * mu[2])
-        + reactions.reaction_joint_3_vz * (coupling_torque_2_38 * mu[1] - coupling_torque_2_40 * mu[0])
+                + (coupling_torque_2_38 * coupling_torque_0_19_9
+                    - coupling_torque_2_40 * coupling_torque_0_21_7))
+        + reactions.reaction_joint_3_vx
+            * (coupling_torque_2_40 * mu[2] - coupling_torque_2_33 * mu[1])
+        + reactions.reaction_joint_3_vy
+            * (coupling_torque_2_33 * mu[0] - coupling_torque_2_38 * mu[2])
+        + reactions.reaction_joint_3_vz
+            * (coupling_torque_2_38 * mu[1] - coupling_torque_2_40 * mu[0])
         - (screws.connection_joint_3_wx
             * (coupling_torque_2_63 * mu[2] - coupling_torque_2_52 * mu[1]
-                + (coupling_torque_2_82 * coupling_torque_0_19_7 - coupling_torque_2_75 * coupling_torque_0_19_9))
+                + (coupling_torque_2_82 * coupling_torque_0_19_7
+                    - coupling_torque_2_75 * coupling_torque_0_19_9))
             + screws.connection_joint_3_wy
                 * (coupling_torque_2_52 * mu[0] - coupling_torque_2_61 * mu[2]
-                    + (coupling_torque_2_75 * coupling_torque_0_21_7 - coupling_torque_2_80 * coupling_torque_0_19_7))
+                    + (coupling_torque_2_75 * coupling_torque_0_21_7
+                        - coupling_torque_2_80 * coupling_torque_0_19_7))
             + screws.connection_joint_3_wz
                 * (coupling_torque_2_61 * mu[1] - coupling_torque_2_63 * mu[0]
-                    + (coupling_torque_2_80 * coupling_torque_0_19_9 - coupling_torque_2_82 * coupling_torque_0_21_7))
-            + screws.connection_joint_3_vx * (coupling_torque_2_82 * mu[2] - coupling_torque_2_75 * mu[1])
-            + screws.connection_joint_3_vy * (coupling_torque_2_75 * mu[0] - coupling_torque_2_80 * mu[2])
-            + screws.connection_joint_3_vz * (coupling_torque_2_80 * mu[1] - coupling_torque_2_82 * mu[0]));
-    CommonCouplingTorqueDMuXi { coupling_torque_0, coupling_torque_1, coupling_torque_2 }
+                    + (coupling_torque_2_80 * coupling_torque_0_19_9
+                        - coupling_torque_2_82 * coupling_torque_0_21_7))
+            + screws.connection_joint_3_vx
+                * (coupling_torque_2_82 * mu[2] - coupling_torque_2_75 * mu[1])
+            + screws.connection_joint_3_vy
+                * (coupling_torque_2_75 * mu[0] - coupling_torque_2_80 * mu[2])
+            + screws.connection_joint_3_vz
+                * (coupling_torque_2_80 * mu[1] - coupling_torque_2_82 * mu[0]));
+    CommonCouplingTorqueDMuXi {
+        coupling_torque_0,
+        coupling_torque_1,
+        coupling_torque_2,
+    }
 }
 /// What `forward_dynamics`, `inverse_dynamics` have in common.
 struct CommonForwardDynamicsInverseDynamics {
@@ -1512,19 +1690,26 @@ fn common_forward_dynamics_inverse_dynamics(
     velocities: &Velocities,
 ) -> CommonForwardDynamicsInverseDynamics {
     let wrench_base_mx_1_0_0_9_0_2 = poses.com_z + 0.023809523809523808;
-    let wrench_base_mx_1_0_0_9_0 = mu[3] + (mu[1] * wrench_base_mx_1_0_0_9_0_2 + mu[2] * poses.origin_base_y);
-    let wrench_base_my_1_0_2_9_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * wrench_base_mx_1_0_0_9_0_2);
-    let wrench_base_my_1_0_2_7_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let wrench_base_mx_1_0_0_9_0 = mu[3]
+        + (mu[1] * wrench_base_mx_1_0_0_9_0_2 + mu[2] * poses.origin_base_y);
+    let wrench_base_my_1_0_2_9_0 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * wrench_base_mx_1_0_0_9_0_2);
+    let wrench_base_my_1_0_2_7_0 = mu[5]
+        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let wrench_base_my_1_0_2_1 = mu[0] - velocities.minus_velocity_base_wx;
     let wrench_base_my_1_0_2_3 = mu[1] - velocities.minus_velocity_base_wy;
     let wrench_base_my_1_0_2_5 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_mx_1_0_0_9 = wrench_base_mx_1_0_0_9_0 - velocities.minus_velocity_base_vx;
-    let wrench_base_my_1_0_2_9 = wrench_base_my_1_0_2_9_0 - velocities.minus_velocity_base_vy;
-    let wrench_base_my_1_0_2_7 = wrench_base_my_1_0_2_7_0 - velocities.minus_velocity_base_vz;
+    let wrench_base_mx_1_0_0_9 = wrench_base_mx_1_0_0_9_0
+        - velocities.minus_velocity_base_vx;
+    let wrench_base_my_1_0_2_9 = wrench_base_my_1_0_2_9_0
+        - velocities.minus_velocity_base_vy;
+    let wrench_base_my_1_0_2_7 = wrench_base_my_1_0_2_7_0
+        - velocities.minus_velocity_base_vz;
     let wrench_base_my_1_0_2 = inertias.inertia_base_xx * wrench_base_my_1_0_2_1
         + inertias.inertia_base_xy * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_5
-        + (inertias.inertia_base_hy * wrench_base_my_1_0_2_7 + inertias.minus_inertia_base_hz * wrench_base_my_1_0_2_9);
+        + (inertias.inertia_base_hy * wrench_base_my_1_0_2_7
+            + inertias.minus_inertia_base_hz * wrench_base_my_1_0_2_9);
     let wrench_base_mx_1_0_0 = inertias.inertia_base_xy * wrench_base_my_1_0_2_1
         + inertias.inertia_base_yy * wrench_base_my_1_0_2_3
         + inertias.inertia_base_yz * wrench_base_my_1_0_2_5
@@ -1533,36 +1718,45 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_base_mx_1_0_2 = inertias.inertia_base_yz * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_1
         + inertias.inertia_base_zz * wrench_base_my_1_0_2_5
-        - (inertias.minus_inertia_base_hx * wrench_base_my_1_0_2_9 + inertias.inertia_base_hy * wrench_base_mx_1_0_0_9);
+        - (inertias.minus_inertia_base_hx * wrench_base_my_1_0_2_9
+            + inertias.inertia_base_hy * wrench_base_mx_1_0_0_9);
     let wrench_base_my_1_0_6 = wrench_base_mx_1_0_0_9 * 105.0
-        - (wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hz + wrench_base_my_1_0_2_5 * inertias.inertia_base_hy);
+        - (wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hz
+            + wrench_base_my_1_0_2_5 * inertias.inertia_base_hy);
     let wrench_base_mx_1_0_4 = wrench_base_my_1_0_2_9 * 105.0
         + (wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hz
             - wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hx);
     let wrench_base_mx_1_0_6 = wrench_base_my_1_0_2_7 * 105.0
-        + (wrench_base_my_1_0_2_1 * inertias.inertia_base_hy + wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx);
+        + (wrench_base_my_1_0_2_1 * inertias.inertia_base_hy
+            + wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx);
     let wrench_base_mx_1_0 = wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_5
         - wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_3
-        + (wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_7 - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_9);
+        + (wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_7
+            - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_9);
     let wrench_base_my_1_0 = wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_1
         - wrench_base_my_1_0_2 * wrench_base_my_1_0_2_5
-        + (wrench_base_mx_1_0_6 * wrench_base_mx_1_0_0_9 - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_7);
+        + (wrench_base_mx_1_0_6 * wrench_base_mx_1_0_0_9
+            - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_7);
     let wrench_base_mz_1_0 = wrench_base_my_1_0_2 * wrench_base_my_1_0_2_3
         - wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_1
-        + (wrench_base_my_1_0_6 * wrench_base_my_1_0_2_9 - wrench_base_mx_1_0_4 * wrench_base_mx_1_0_0_9);
-    let wrench_base_fx_1_0 =
-        wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_5 - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_3;
-    let wrench_base_fy_1_0 =
-        wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1 - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_5;
-    let wrench_base_fz_1_0 =
-        wrench_base_my_1_0_6 * wrench_base_my_1_0_2_3 - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1;
+        + (wrench_base_my_1_0_6 * wrench_base_my_1_0_2_9
+            - wrench_base_mx_1_0_4 * wrench_base_mx_1_0_0_9);
+    let wrench_base_fx_1_0 = wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_5
+        - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_3;
+    let wrench_base_fy_1_0 = wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1
+        - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_5;
+    let wrench_base_fz_1_0 = wrench_base_my_1_0_6 * wrench_base_my_1_0_2_3
+        - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1;
     let minus_wrench_link_3_mx_1 = velocities.velocity_link_1_wz + mu[2];
-    let wrench_link_1_mx_1_0_7 = velocities.velocity_link_1_vx + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_1_my_1_2_9 = velocities.velocity_link_1_vy + wrench_base_my_1_0_2_9_0;
+    let wrench_link_1_mx_1_0_7 = velocities.velocity_link_1_vx
+        + wrench_base_mx_1_0_0_9_0;
+    let wrench_link_1_my_1_2_9 = velocities.velocity_link_1_vy
+        + wrench_base_my_1_0_2_9_0;
     let wrench_link_1_my_1_2 = inertias.inertia_link_1_xx * wrench_base_my_1_0_2_1
         + inertias.inertia_link_1_xy * wrench_base_my_1_0_2_3
         + inertias.inertia_link_1_xz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_1_hy * wrench_base_my_1_0_2_7 - inertias.inertia_link_1_hz * wrench_link_1_my_1_2_9);
+        + (inertias.inertia_link_1_hy * wrench_base_my_1_0_2_7
+            - inertias.inertia_link_1_hz * wrench_link_1_my_1_2_9);
     let wrench_link_1_mx_1_0 = inertias.inertia_link_1_xy * wrench_base_my_1_0_2_1
         + inertias.inertia_link_1_yy * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_link_1_yz * minus_wrench_link_3_mx_1
@@ -1574,7 +1768,8 @@ fn common_forward_dynamics_inverse_dynamics(
         - (inertias.minus_inertia_link_1_hx * wrench_link_1_my_1_2_9
             + inertias.inertia_link_1_hy * wrench_link_1_mx_1_0_7);
     let wrench_link_1_my_1_6 = wrench_link_1_mx_1_0_7 * 5.0
-        + (wrench_base_my_1_0_2_3 * inertias.inertia_link_1_hz - minus_wrench_link_3_mx_1 * inertias.inertia_link_1_hy);
+        + (wrench_base_my_1_0_2_3 * inertias.inertia_link_1_hz
+            - minus_wrench_link_3_mx_1 * inertias.inertia_link_1_hy);
     let wrench_link_1_mx_1_4 = wrench_link_1_my_1_2_9 * 5.0
         - (minus_wrench_link_3_mx_1 * inertias.minus_inertia_link_1_hx
             + wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hz);
@@ -1583,62 +1778,80 @@ fn common_forward_dynamics_inverse_dynamics(
             + wrench_base_my_1_0_2_3 * inertias.minus_inertia_link_1_hx);
     let wrench_link_1_mx_1 = wrench_link_1_mx_1_0 * minus_wrench_link_3_mx_1
         - wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_3
-        + (wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_7 - wrench_link_1_mx_1_6 * wrench_link_1_my_1_2_9);
+        + (wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_7
+            - wrench_link_1_mx_1_6 * wrench_link_1_my_1_2_9);
     let wrench_link_1_my_1 = wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_1
         - wrench_link_1_my_1_2 * minus_wrench_link_3_mx_1
-        + (wrench_link_1_mx_1_6 * wrench_link_1_mx_1_0_7 - wrench_link_1_my_1_6 * wrench_base_my_1_0_2_7);
+        + (wrench_link_1_mx_1_6 * wrench_link_1_mx_1_0_7
+            - wrench_link_1_my_1_6 * wrench_base_my_1_0_2_7);
     let wrench_link_1_mz_1 = wrench_link_1_my_1_2 * wrench_base_my_1_0_2_3
         - wrench_link_1_mx_1_0 * wrench_base_my_1_0_2_1
-        + (wrench_link_1_my_1_6 * wrench_link_1_my_1_2_9 - wrench_link_1_mx_1_4 * wrench_link_1_mx_1_0_7);
-    let wrench_link_1_fx_1 =
-        wrench_link_1_mx_1_4 * minus_wrench_link_3_mx_1 - wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_3;
-    let wrench_link_1_fy_1 =
-        wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_1 - wrench_link_1_my_1_6 * minus_wrench_link_3_mx_1;
-    let wrench_link_1_fz_1 =
-        wrench_link_1_my_1_6 * wrench_base_my_1_0_2_3 - wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_1;
+        + (wrench_link_1_my_1_6 * wrench_link_1_my_1_2_9
+            - wrench_link_1_mx_1_4 * wrench_link_1_mx_1_0_7);
+    let wrench_link_1_fx_1 = wrench_link_1_mx_1_4 * minus_wrench_link_3_mx_1
+        - wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_3;
+    let wrench_link_1_fy_1 = wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_1
+        - wrench_link_1_my_1_6 * minus_wrench_link_3_mx_1;
+    let wrench_link_1_fz_1 = wrench_link_1_my_1_6 * wrench_base_my_1_0_2_3
+        - wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_1;
     let wrench_link_2_my_1_2_1 = velocities.velocity_link_2_wx + mu[0];
     let wrench_link_2_my_1_2_3 = velocities.velocity_link_2_wy + mu[1];
-    let wrench_link_2_mx_1_0_7 = velocities.velocity_link_2_vx + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_2_my_1_2_9 = velocities.velocity_link_2_vy + wrench_base_my_1_0_2_9_0;
-    let wrench_link_2_my_1_2_7 = wrench_base_my_1_0_2_7_0 - velocities.minus_velocity_link_2_vz;
+    let wrench_link_2_mx_1_0_7 = velocities.velocity_link_2_vx
+        + wrench_base_mx_1_0_0_9_0;
+    let wrench_link_2_my_1_2_9 = velocities.velocity_link_2_vy
+        + wrench_base_my_1_0_2_9_0;
+    let wrench_link_2_my_1_2_7 = wrench_base_my_1_0_2_7_0
+        - velocities.minus_velocity_link_2_vz;
     let wrench_link_2_my_1_2 = inertias.inertia_link_2_xx * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_xy * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_xz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_2_hy * wrench_link_2_my_1_2_7 - inertias.inertia_link_2_hz * wrench_link_2_my_1_2_9);
+        + (inertias.inertia_link_2_hy * wrench_link_2_my_1_2_7
+            - inertias.inertia_link_2_hz * wrench_link_2_my_1_2_9);
     let wrench_link_2_mx_1_0 = inertias.inertia_link_2_xy * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_yy * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_yz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_2_hz * wrench_link_2_mx_1_0_7 - inertias.inertia_link_2_hx * wrench_link_2_my_1_2_7);
+        + (inertias.inertia_link_2_hz * wrench_link_2_mx_1_0_7
+            - inertias.inertia_link_2_hx * wrench_link_2_my_1_2_7);
     let wrench_link_2_mx_1_2 = inertias.inertia_link_2_xz * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_yz * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_zz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_2_hx * wrench_link_2_my_1_2_9 - inertias.inertia_link_2_hy * wrench_link_2_mx_1_0_7);
+        + (inertias.inertia_link_2_hx * wrench_link_2_my_1_2_9
+            - inertias.inertia_link_2_hy * wrench_link_2_mx_1_0_7);
     let wrench_link_2_my_1_6 = wrench_link_2_mx_1_0_7 * 10.0
-        + (wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hz - minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hy);
+        + (wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hz
+            - minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hy);
     let wrench_link_2_mx_1_4 = wrench_link_2_my_1_2_9 * 10.0
-        + (minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hx - wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hz);
+        + (minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hx
+            - wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hz);
     let wrench_link_2_mx_1_6 = wrench_link_2_my_1_2_7 * 10.0
-        + (wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hy - wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hx);
+        + (wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hy
+            - wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hx);
     let wrench_link_2_mx_1 = wrench_link_2_mx_1_0 * minus_wrench_link_3_mx_1
         - wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_3
-        + (wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_7 - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_9);
+        + (wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_7
+            - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_9);
     let wrench_link_2_my_1 = wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_1
         - wrench_link_2_my_1_2 * minus_wrench_link_3_mx_1
-        + (wrench_link_2_mx_1_6 * wrench_link_2_mx_1_0_7 - wrench_link_2_my_1_6 * wrench_link_2_my_1_2_7);
+        + (wrench_link_2_mx_1_6 * wrench_link_2_mx_1_0_7
+            - wrench_link_2_my_1_6 * wrench_link_2_my_1_2_7);
     let wrench_link_2_mz_1 = wrench_link_2_my_1_2 * wrench_link_2_my_1_2_3
         - wrench_link_2_mx_1_0 * wrench_link_2_my_1_2_1
-        + (wrench_link_2_my_1_6 * wrench_link_2_my_1_2_9 - wrench_link_2_mx_1_4 * wrench_link_2_mx_1_0_7);
-    let wrench_link_2_fx_1 =
-        wrench_link_2_mx_1_4 * minus_wrench_link_3_mx_1 - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_3;
-    let wrench_link_2_fy_1 =
-        wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_1 - wrench_link_2_my_1_6 * minus_wrench_link_3_mx_1;
-    let wrench_link_2_fz_1 =
-        wrench_link_2_my_1_6 * wrench_link_2_my_1_2_3 - wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_1;
+        + (wrench_link_2_my_1_6 * wrench_link_2_my_1_2_9
+            - wrench_link_2_mx_1_4 * wrench_link_2_mx_1_0_7);
+    let wrench_link_2_fx_1 = wrench_link_2_mx_1_4 * minus_wrench_link_3_mx_1
+        - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_3;
+    let wrench_link_2_fy_1 = wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_1
+        - wrench_link_2_my_1_6 * minus_wrench_link_3_mx_1;
+    let wrench_link_2_fz_1 = wrench_link_2_my_1_6 * wrench_link_2_my_1_2_3
+        - wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_1;
     let minus_wrench_link_3_my_1 = velocities.velocity_link_3_wx + mu[0];
     let minus_wrench_link_3_mx_3 = velocities.velocity_link_3_wy + mu[1];
-    let minus_wrench_link_3_my_5 = velocities.velocity_link_3_vx + wrench_base_mx_1_0_0_9_0;
-    let minus_wrench_link_3_mx_7 = velocities.velocity_link_3_vy + wrench_base_my_1_0_2_9_0;
-    let minus_wrench_link_3_mx_5 = velocities.velocity_link_3_vz + wrench_base_my_1_0_2_7_0;
+    let minus_wrench_link_3_my_5 = velocities.velocity_link_3_vx
+        + wrench_base_mx_1_0_0_9_0;
+    let minus_wrench_link_3_mx_7 = velocities.velocity_link_3_vy
+        + wrench_base_my_1_0_2_9_0;
+    let minus_wrench_link_3_mx_5 = velocities.velocity_link_3_vz
+        + wrench_base_my_1_0_2_7_0;
     let minus_wrench_link_3_my_2 = inertias.inertia_link_3_xx * minus_wrench_link_3_my_1
         + inertias.inertia_link_3_xy * minus_wrench_link_3_mx_3
         + inertias.inertia_link_3_xz * minus_wrench_link_3_mx_1
@@ -1665,60 +1878,63 @@ fn common_forward_dynamics_inverse_dynamics(
             - minus_wrench_link_3_mx_3 * inertias.inertia_link_3_hx);
     let minus_wrench_link_3_mx = minus_wrench_link_3_mx_0 * minus_wrench_link_3_mx_1
         - minus_wrench_link_3_mx_2 * minus_wrench_link_3_mx_3
-        + (minus_wrench_link_3_mx_4 * minus_wrench_link_3_mx_5 - minus_wrench_link_3_mx_6 * minus_wrench_link_3_mx_7);
+        + (minus_wrench_link_3_mx_4 * minus_wrench_link_3_mx_5
+            - minus_wrench_link_3_mx_6 * minus_wrench_link_3_mx_7);
     let minus_wrench_link_3_my = minus_wrench_link_3_mx_2 * minus_wrench_link_3_my_1
         - minus_wrench_link_3_my_2 * minus_wrench_link_3_mx_1
-        + (minus_wrench_link_3_mx_6 * minus_wrench_link_3_my_5 - minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_5);
+        + (minus_wrench_link_3_mx_6 * minus_wrench_link_3_my_5
+            - minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_5);
     let minus_wrench_link_3_mz = minus_wrench_link_3_my_2 * minus_wrench_link_3_mx_3
         - minus_wrench_link_3_mx_0 * minus_wrench_link_3_my_1
-        + (minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_7 - minus_wrench_link_3_mx_4 * minus_wrench_link_3_my_5);
-    let minus_wrench_link_3_fx =
-        minus_wrench_link_3_mx_4 * minus_wrench_link_3_mx_1 - minus_wrench_link_3_mx_6 * minus_wrench_link_3_mx_3;
-    let minus_wrench_link_3_fy =
-        minus_wrench_link_3_mx_6 * minus_wrench_link_3_my_1 - minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_1;
-    let minus_wrench_link_3_fz =
-        minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_3 - minus_wrench_link_3_mx_4 * minus_wrench_link_3_my_1;
+        + (minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_7
+            - minus_wrench_link_3_mx_4 * minus_wrench_link_3_my_5);
+    let minus_wrench_link_3_fx = minus_wrench_link_3_mx_4 * minus_wrench_link_3_mx_1
+        - minus_wrench_link_3_mx_6 * minus_wrench_link_3_mx_3;
+    let minus_wrench_link_3_fy = minus_wrench_link_3_mx_6 * minus_wrench_link_3_my_1
+        - minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_1;
+    let minus_wrench_link_3_fz = minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_3
+        - minus_wrench_link_3_mx_4 * minus_wrench_link_3_my_1;
     let wrench_link_2_mx_0_0_0_0_0_1_1_0 = minus_wrench_link_3_mx_1 * poses.sin_joint_1;
     let wrench_link_2_mx_0_0_0_0_0_0_1_0 = minus_wrench_link_3_mx_1 * poses.cos_joint_1;
     let wrench_link_2_mx_0_0_0_0_0_1_1 = wrench_link_2_mx_0_0_0_0_0_1_1_0 * qd[2];
     let wrench_link_2_mx_0_0_0_0_0_0_1 = wrench_link_2_mx_0_0_0_0_0_0_1_0 * qd[2];
-    let wrench_link_2_mx_0_0_0_0_1_1 =
-        (minus_wrench_link_3_my_1 * poses.sin_joint_1 - minus_wrench_link_3_mx_3 * poses.cos_joint_1) * qd[2];
-    let wrench_link_2_my_0_0_0_1_0_1 = (minus_wrench_link_3_mx_3 * screws.screw_joint_3_vz
-        - minus_wrench_link_3_mx_1 * screws.screw_joint_3_vy
-        - minus_wrench_link_3_mx_5 * poses.sin_joint_1)
-        * qd[2];
+    let wrench_link_2_mx_0_0_0_0_1_1 = (minus_wrench_link_3_my_1 * poses.sin_joint_1
+        - minus_wrench_link_3_mx_3 * poses.cos_joint_1) * qd[2];
+    let wrench_link_2_my_0_0_0_1_0_1 = (minus_wrench_link_3_mx_3
+        * screws.screw_joint_3_vz - minus_wrench_link_3_mx_1 * screws.screw_joint_3_vy
+        - minus_wrench_link_3_mx_5 * poses.sin_joint_1) * qd[2];
     let wrench_link_2_mx_0_0_0_1_1_1 = (minus_wrench_link_3_mx_5 * poses.cos_joint_1
         - (minus_wrench_link_3_mx_1 * screws.minus_screw_joint_3_vx
-            + minus_wrench_link_3_my_1 * screws.screw_joint_3_vz))
-        * qd[2];
-    let wrench_link_2_mx_0_0_0_1_0_1 = (minus_wrench_link_3_my_1 * screws.screw_joint_3_vy
+            + minus_wrench_link_3_my_1 * screws.screw_joint_3_vz)) * qd[2];
+    let wrench_link_2_mx_0_0_0_1_0_1 = (minus_wrench_link_3_my_1
+        * screws.screw_joint_3_vy
         + minus_wrench_link_3_mx_3 * screws.minus_screw_joint_3_vx
-        + (minus_wrench_link_3_my_5 * poses.sin_joint_1 - minus_wrench_link_3_mx_7 * poses.cos_joint_1))
-        * qd[2];
+        + (minus_wrench_link_3_my_5 * poses.sin_joint_1
+            - minus_wrench_link_3_mx_7 * poses.cos_joint_1)) * qd[2];
     let wrench_link_1_mx_0_0_1_0_0_1_1 = wrench_link_2_mx_0_0_0_0_0_1_1_0 * qd[1];
     let wrench_link_1_mx_0_0_1_0_0_0_1 = wrench_link_2_mx_0_0_0_0_0_0_1_0 * qd[1];
-    let wrench_link_1_mx_0_0_1_0_1_1 =
-        (wrench_link_2_my_1_2_1 * poses.sin_joint_1 - wrench_link_2_my_1_2_3 * poses.cos_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_1_1_0_1 = (wrench_link_2_my_1_2_3 * screws.minus_screw_joint_2_vz
+    let wrench_link_1_mx_0_0_1_0_1_1 = (wrench_link_2_my_1_2_1 * poses.sin_joint_1
+        - wrench_link_2_my_1_2_3 * poses.cos_joint_1) * qd[1];
+    let wrench_link_1_mx_0_0_1_1_1_0_1 = (wrench_link_2_my_1_2_3
+        * screws.minus_screw_joint_2_vz
         + minus_wrench_link_3_mx_1 * screws.screw_joint_2_vy
-        + wrench_link_2_my_1_2_7 * poses.sin_joint_1)
-        * qd[1];
-    let wrench_link_1_mx_0_0_1_1_1_1_1 = (wrench_link_2_my_1_2_1 * screws.minus_screw_joint_2_vz
+        + wrench_link_2_my_1_2_7 * poses.sin_joint_1) * qd[1];
+    let wrench_link_1_mx_0_0_1_1_1_1_1 = (wrench_link_2_my_1_2_1
+        * screws.minus_screw_joint_2_vz
         - minus_wrench_link_3_mx_1 * screws.minus_screw_joint_2_vx
-        + wrench_link_2_my_1_2_7 * poses.cos_joint_1)
-        * qd[1];
+        + wrench_link_2_my_1_2_7 * poses.cos_joint_1) * qd[1];
     let wrench_link_1_mx_0_0_1_1_0_1 = (wrench_link_2_my_1_2_1 * screws.screw_joint_2_vy
         + wrench_link_2_my_1_2_3 * screws.minus_screw_joint_2_vx
-        + (wrench_link_2_mx_1_0_7 * poses.sin_joint_1 - wrench_link_2_my_1_2_9 * poses.cos_joint_1))
-        * qd[1];
+        + (wrench_link_2_mx_1_0_7 * poses.sin_joint_1
+            - wrench_link_2_my_1_2_9 * poses.cos_joint_1)) * qd[1];
     let wrench_base_mx_0_0_1_0_0_1 = wrench_base_my_1_0_2_3 * qd[0];
     let wrench_base_mx_0_0_1_0_1_1 = wrench_base_my_1_0_2_1 * qd[0];
-    let wrench_base_mx_0_0_1_1_1_1_1 = (wrench_link_1_my_1_2_9 - minus_wrench_link_3_mx_1 * poses.com_x) * qd[0];
-    let wrench_base_mx_0_0_1_1_1_0_1 =
-        (minus_wrench_link_3_mx_1 * poses.origin_base_y - wrench_link_1_mx_1_0_7) * qd[0];
-    let wrench_base_mx_0_0_1_1_0_1 =
-        (wrench_base_my_1_0_2_1 * poses.com_x - wrench_base_my_1_0_2_3 * poses.origin_base_y) * qd[0];
+    let wrench_base_mx_0_0_1_1_1_1_1 = (wrench_link_1_my_1_2_9
+        - minus_wrench_link_3_mx_1 * poses.com_x) * qd[0];
+    let wrench_base_mx_0_0_1_1_1_0_1 = (minus_wrench_link_3_mx_1 * poses.origin_base_y
+        - wrench_link_1_mx_1_0_7) * qd[0];
+    let wrench_base_mx_0_0_1_1_0_1 = (wrench_base_my_1_0_2_1 * poses.com_x
+        - wrench_base_my_1_0_2_3 * poses.origin_base_y) * qd[0];
     CommonForwardDynamicsInverseDynamics {
         wrench_base_mx_1_0,
         wrench_base_my_1_0,
@@ -1780,11 +1996,14 @@ fn inertia_itself(
     let locked_inertia_0_0_1 = locked_inertia_0_0_1_0 * poses.origin_base_y;
     let locked_inertia_0_0_2 = locked_inertia_0_0_2_0 * locked_inertia_0_0_2_0_0;
     // Λ_b column 0
-    locked_inertia[0][0] = inertias.composite_base_xx + (locked_inertia_0_0_1 + locked_inertia_0_0_2) + 0.0;
+    locked_inertia[0][0] = inertias.composite_base_xx
+        + (locked_inertia_0_0_1 + locked_inertia_0_0_2) + 0.0;
     let locked_inertia_1_0_1 = poses.com_x * 130.0;
-    let locked_inertia_1_0 = inertias.composite_base_xy + locked_inertia_1_0_1 * poses.origin_base_y;
+    let locked_inertia_1_0 = inertias.composite_base_xy
+        + locked_inertia_1_0_1 * poses.origin_base_y;
     locked_inertia[0][1] = locked_inertia_1_0 + 0.0;
-    let locked_inertia_2_0 = inertias.composite_base_xz - locked_inertia_1_0_1 * locked_inertia_0_0_2_0_0;
+    let locked_inertia_2_0 = inertias.composite_base_xz
+        - locked_inertia_1_0_1 * locked_inertia_0_0_2_0_0;
     locked_inertia[0][2] = locked_inertia_2_0 + 0.0;
     locked_inertia[0][3] = 0.0;
     locked_inertia[0][4] = 0.0 - locked_inertia_0_0_2_0;
@@ -1792,8 +2011,10 @@ fn inertia_itself(
     // Λ_b column 1
     locked_inertia[1][0] = locked_inertia_1_0 + 0.0;
     let locked_inertia_1_1_1 = locked_inertia_1_0_1 * poses.com_x;
-    locked_inertia[1][1] = inertias.composite_base_yy + (locked_inertia_1_1_1 + locked_inertia_0_0_2) + 0.0;
-    let locked_inertia_2_1 = inertias.composite_base_yz + locked_inertia_0_0_1_0 * locked_inertia_0_0_2_0_0;
+    locked_inertia[1][1] = inertias.composite_base_yy
+        + (locked_inertia_1_1_1 + locked_inertia_0_0_2) + 0.0;
+    let locked_inertia_2_1 = inertias.composite_base_yz
+        + locked_inertia_0_0_1_0 * locked_inertia_0_0_2_0_0;
     locked_inertia[1][2] = locked_inertia_2_1 + 0.0;
     locked_inertia[1][3] = locked_inertia_0_0_2_0 + 0.0;
     locked_inertia[1][4] = 0.0;
@@ -1801,7 +2022,8 @@ fn inertia_itself(
     // Λ_b column 2
     locked_inertia[2][0] = locked_inertia_2_0 + 0.0;
     locked_inertia[2][1] = locked_inertia_2_1 + 0.0;
-    locked_inertia[2][2] = inertias.composite_base_zz + (locked_inertia_1_1_1 + locked_inertia_0_0_1) + 0.0;
+    locked_inertia[2][2] = inertias.composite_base_zz
+        + (locked_inertia_1_1_1 + locked_inertia_0_0_1) + 0.0;
     locked_inertia[2][3] = locked_inertia_0_0_1_0 + 0.0;
     locked_inertia[2][4] = locked_inertia_1_0_1 + 0.0;
     locked_inertia[2][5] = 0.0;
@@ -1832,46 +2054,42 @@ fn inertia_itself(
     connection[0][2] = screws.connection_joint_1_wz + 0.0;
     connection[0][3] = screws.connection_joint_1_vx
         - (screws.connection_joint_1_wy * locked_inertia_0_0_2_0_0
-            + screws.connection_joint_1_wz * poses.origin_base_y)
-        + 0.0;
+            + screws.connection_joint_1_wz * poses.origin_base_y) + 0.0;
     connection[0][4] = screws.connection_joint_1_vy
-        + (screws.connection_joint_1_wx * locked_inertia_0_0_2_0_0 - screws.connection_joint_1_wz * poses.com_x)
-        + 0.0;
-    connection[0][5] =
-        screws.connection_joint_1_wx * poses.origin_base_y + screws.connection_joint_1_wy * poses.com_x + 0.0;
+        + (screws.connection_joint_1_wx * locked_inertia_0_0_2_0_0
+            - screws.connection_joint_1_wz * poses.com_x) + 0.0;
+    connection[0][5] = screws.connection_joint_1_wx * poses.origin_base_y
+        + screws.connection_joint_1_wy * poses.com_x + 0.0;
     // A_l column joint_2
     connection[1][0] = screws.connection_joint_2_wx + 0.0;
     connection[1][1] = screws.connection_joint_2_wy + 0.0;
     connection[1][2] = screws.connection_joint_2_wz + 0.0;
     connection[1][3] = screws.connection_joint_2_vx
         - (screws.connection_joint_2_wy * locked_inertia_0_0_2_0_0
-            + screws.connection_joint_2_wz * poses.origin_base_y)
-        + 0.0;
+            + screws.connection_joint_2_wz * poses.origin_base_y) + 0.0;
     connection[1][4] = screws.connection_joint_2_vy
-        + (screws.connection_joint_2_wx * locked_inertia_0_0_2_0_0 - screws.connection_joint_2_wz * poses.com_x)
-        + 0.0;
+        + (screws.connection_joint_2_wx * locked_inertia_0_0_2_0_0
+            - screws.connection_joint_2_wz * poses.com_x) + 0.0;
     connection[1][5] = screws.connection_joint_2_vz
-        + (screws.connection_joint_2_wx * poses.origin_base_y + screws.connection_joint_2_wy * poses.com_x)
-        + 0.0;
+        + (screws.connection_joint_2_wx * poses.origin_base_y
+            + screws.connection_joint_2_wy * poses.com_x) + 0.0;
     // A_l column joint_3
     connection[2][0] = screws.connection_joint_3_wx + 0.0;
     connection[2][1] = screws.connection_joint_3_wy + 0.0;
     connection[2][2] = screws.connection_joint_3_wz + 0.0;
     connection[2][3] = screws.connection_joint_3_vx
         - (screws.connection_joint_3_wy * locked_inertia_0_0_2_0_0
-            + screws.connection_joint_3_wz * poses.origin_base_y)
-        + 0.0;
+            + screws.connection_joint_3_wz * poses.origin_base_y) + 0.0;
     connection[2][4] = screws.connection_joint_3_vy
-        + (screws.connection_joint_3_wx * locked_inertia_0_0_2_0_0 - screws.connection_joint_3_wz * poses.com_x)
-        + 0.0;
+        + (screws.connection_joint_3_wx * locked_inertia_0_0_2_0_0
+            - screws.connection_joint_3_wz * poses.com_x) + 0.0;
     connection[2][5] = screws.connection_joint_3_vz
-        + (screws.connection_joint_3_wx * poses.origin_base_y + screws.connection_joint_3_wy * poses.com_x)
-        + 0.0;
+        + (screws.connection_joint_3_wx * poses.origin_base_y
+            + screws.connection_joint_3_wy * poses.com_x) + 0.0;
     // Λ_q column joint_1
     shape_inertia[0][0] = outside.outside_joint_1_mx * screws.connection_joint_1_wx
         + outside.outside_joint_1_my * screws.connection_joint_1_wy
-        + outside.outside_joint_1_mz * screws.connection_joint_1_wz
-        + 0.0;
+        + outside.outside_joint_1_mz * screws.connection_joint_1_wz + 0.0;
     let shape_inertia_1_0 = outside.outside_joint_1_mx * screws.connection_joint_2_wx
         + outside.outside_joint_1_my * screws.connection_joint_2_wy
         + outside.outside_joint_1_mz * screws.connection_joint_2_wz;
@@ -1887,8 +2105,7 @@ fn inertia_itself(
         + outside.outside_joint_2_mz * screws.connection_joint_2_wz
         + outside.outside_joint_2_fx * screws.connection_joint_2_vx
         + outside.outside_joint_2_fy * screws.connection_joint_2_vy
-        + outside.outside_joint_2_fz * screws.connection_joint_2_vz
-        + 0.0;
+        + outside.outside_joint_2_fz * screws.connection_joint_2_vz + 0.0;
     let shape_inertia_2_1 = outside.outside_joint_2_mx * screws.connection_joint_3_wx
         + outside.outside_joint_2_my * screws.connection_joint_3_wy
         + outside.outside_joint_2_mz * screws.connection_joint_3_wz
@@ -1904,8 +2121,7 @@ fn inertia_itself(
         + outside.outside_joint_3_mz * screws.connection_joint_3_wz
         + outside.outside_joint_3_fx * screws.connection_joint_3_vx
         + outside.outside_joint_3_fy * screws.connection_joint_3_vy
-        + outside.outside_joint_3_fz * screws.connection_joint_3_vz
-        + 0.0;
+        + outside.outside_joint_3_fz * screws.connection_joint_3_vz + 0.0;
 }
 /// What only `d_mu` computes.
 #[inline(never)]
@@ -1923,20 +2139,23 @@ fn d_mu_itself(
     let d_mu_0_0_3 = d_mu_0_0_1_0 * poses.origin_base_y;
     // D_μ column 0
     d_mu[0][0] = 0.0 - (poses.origin_base_y * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_0_0_3);
-    let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy + inertias.composite_base_zz) * 0.5;
-    let d_mu_1_0_0_2 =
-        inertias.composite_base_xz * mu[0] + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
+        + inertias.composite_base_zz) * 0.5;
+    let d_mu_1_0_0_2 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - d_mu_1_0_0_2;
     let d_mu_1_0_4_1_0 = mu[2] * 130.0;
     let d_mu_1_0_4_0_0 = mu[1] * 130.0;
     let d_mu_1_0_4_1 = d_mu_1_0_4_1_0 * d_mu_0_0_1_1;
     let d_mu_1_0_4_0 = d_mu_1_0_4_0_0 * poses.origin_base_y;
     let d_mu_1_0_4 = d_mu_1_0_4_0 - d_mu_1_0_4_1;
-    d_mu[0][1] = 0.0 - (d_mu_1_0_0 + (poses.com_x * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_1_0_4));
-    let d_mu_2_0_4_2 =
-        inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    d_mu[0][1] = 0.0
+        - (d_mu_1_0_0 + (poses.com_x * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_1_0_4));
+    let d_mu_2_0_4_2 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
     let d_mu_2_0_4 = mu[1] * d_mu_1_0_0_1 - d_mu_2_0_4_2;
-    d_mu[0][2] = 0.0 - (poses.com_x * d_mu_0_0_3 - poses.origin_base_y * d_mu_1_0_4 - d_mu_2_0_4);
+    d_mu[0][2] = 0.0
+        - (poses.com_x * d_mu_0_0_3 - poses.origin_base_y * d_mu_1_0_4 - d_mu_2_0_4);
     d_mu[0][3] = d_mu_1_0_4 + 0.0;
     d_mu[0][4] = 0.0 - d_mu_0_0_3;
     d_mu[0][5] = d_mu_0_0_1 + 0.0;
@@ -1953,13 +2172,15 @@ fn d_mu_itself(
     let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
     let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
-    let d_mu_6_0_3 = inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
+    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
     let d_mu_6_0_15 = d_mu_6_0_15_0 * screws.inside_joint_1_fx
-        + (d_mu_6_0_15_2 * screws.connection_joint_1_wx - d_mu_6_0_15_4 * screws.connection_joint_1_wz);
-    let d_mu_6_0_17 = d_mu_6_0_17_0 * screws.inside_joint_1_fy - d_mu_6_0_17_2 * screws.inside_joint_1_fx
-        + (d_mu_6_0_15_4 * screws.connection_joint_1_wy - d_mu_6_0_17_6 * screws.connection_joint_1_wx);
+        + (d_mu_6_0_15_2 * screws.connection_joint_1_wx
+            - d_mu_6_0_15_4 * screws.connection_joint_1_wz);
+    let d_mu_6_0_17 = d_mu_6_0_17_0 * screws.inside_joint_1_fy
+        - d_mu_6_0_17_2 * screws.inside_joint_1_fx
+        + (d_mu_6_0_15_4 * screws.connection_joint_1_wy
+            - d_mu_6_0_17_6 * screws.connection_joint_1_wx);
     let d_mu_6_0 = (d_mu_6_0_0 - d_mu_6_0_1) * d_mu_6_0_17_0 + d_mu_6_0_3 * d_mu_6_0_17_2
         - screws.inside_joint_1_my * d_mu_6_0_15_0
         + screws.inside_joint_1_fy * d_mu_6_0_8
@@ -1974,22 +2195,28 @@ fn d_mu_itself(
     let d_mu_7_0_3_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
     let d_mu_7_0_2 = d_mu_7_0_2_1 + d_mu_7_0_2_1;
     let d_mu_7_0_3 = d_mu_7_0_3_1 + d_mu_7_0_3_1;
-    let d_mu_7_0_5 = inertias.inside_joint_2_mz_0_1
-        - inertias.inside_joint_2_mz_0_0
+    let d_mu_7_0_5 = inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
         - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3);
     let d_mu_7_0_7 = poses.sin_joint_1 * inertias.composite_link_2_zz
-        + (inertias.inside_joint_2_my_0_0 - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
         + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
-    let d_mu_7_0_21 = d_mu_6_0_15_0 * screws.inside_joint_2_fx - d_mu_6_0_17_0 * screws.inside_joint_2_fz
-        + (d_mu_6_0_15_2 * screws.connection_joint_2_wx - d_mu_6_0_15_4 * screws.connection_joint_2_wz);
-    let d_mu_7_0_23 = d_mu_6_0_17_0 * screws.inside_joint_2_fy - d_mu_6_0_17_2 * screws.inside_joint_2_fx
-        + (d_mu_6_0_15_4 * screws.connection_joint_2_wy - d_mu_6_0_17_6 * screws.connection_joint_2_wx);
+    let d_mu_7_0_21 = d_mu_6_0_15_0 * screws.inside_joint_2_fx
+        - d_mu_6_0_17_0 * screws.inside_joint_2_fz
+        + (d_mu_6_0_15_2 * screws.connection_joint_2_wx
+            - d_mu_6_0_15_4 * screws.connection_joint_2_wz);
+    let d_mu_7_0_23 = d_mu_6_0_17_0 * screws.inside_joint_2_fy
+        - d_mu_6_0_17_2 * screws.inside_joint_2_fx
+        + (d_mu_6_0_15_4 * screws.connection_joint_2_wy
+            - d_mu_6_0_17_6 * screws.connection_joint_2_wx);
     let d_mu_7_0 = (d_mu_7_0_1 + d_mu_7_0_1 + (d_mu_7_0_2 - d_mu_7_0_3)) * d_mu_6_0_17_0
-        + d_mu_7_0_5 * d_mu_6_0_17_2
-        + d_mu_7_0_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fy * d_mu_6_0_8 - screws.inside_joint_2_fz * d_mu_7_0_12)
-        + (d_mu_2_0_4_2 * screws.connection_joint_2_wz - d_mu_1_0_0_2 * screws.connection_joint_2_wy
-            + (d_mu_6_0_17_6 * screws.connection_joint_2_vz - d_mu_6_0_15_2 * screws.connection_joint_2_vy))
+        + d_mu_7_0_5 * d_mu_6_0_17_2 + d_mu_7_0_7 * d_mu_6_0_15_0
+        + (screws.inside_joint_2_fy * d_mu_6_0_8
+            - screws.inside_joint_2_fz * d_mu_7_0_12)
+        + (d_mu_2_0_4_2 * screws.connection_joint_2_wz
+            - d_mu_1_0_0_2 * screws.connection_joint_2_wy
+            + (d_mu_6_0_17_6 * screws.connection_joint_2_vz
+                - d_mu_6_0_15_2 * screws.connection_joint_2_vy))
         - (d_mu_7_0_21 * d_mu_0_0_1_1 + d_mu_7_0_23 * poses.origin_base_y);
     d_mu[0][7] = d_mu_7_0 + 0.0;
     let d_mu_8_0_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
@@ -1997,35 +2224,43 @@ fn d_mu_itself(
     let d_mu_8_0_3_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let d_mu_8_0_2 = d_mu_8_0_2_1 + d_mu_8_0_2_1;
     let d_mu_8_0_3 = d_mu_8_0_3_1 + d_mu_8_0_3_1;
-    let d_mu_8_0_5 = inertias.inside_joint_3_mz_0_1
-        - inertias.inside_joint_3_mz_0_0
+    let d_mu_8_0_5 = inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
         - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3);
     let d_mu_8_0_7 = poses.sin_joint_1 * inertias.inertia_link_3_zz
-        + (inertias.inside_joint_3_my_0_0 - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+        + (inertias.inside_joint_3_my_0_0
+            - poses.sin_joint_1 * inertias.inertia_link_3_xx)
         - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
-    let d_mu_8_0_21 = d_mu_6_0_15_0 * screws.inside_joint_3_fx - d_mu_6_0_17_0 * screws.inside_joint_3_fz
-        + (d_mu_6_0_15_2 * screws.connection_joint_3_wx - d_mu_6_0_15_4 * screws.connection_joint_3_wz);
-    let d_mu_8_0_23 = d_mu_6_0_17_0 * screws.inside_joint_3_fy - d_mu_6_0_17_2 * screws.inside_joint_3_fx
-        + (d_mu_6_0_15_4 * screws.connection_joint_3_wy - d_mu_6_0_17_6 * screws.connection_joint_3_wx);
+    let d_mu_8_0_21 = d_mu_6_0_15_0 * screws.inside_joint_3_fx
+        - d_mu_6_0_17_0 * screws.inside_joint_3_fz
+        + (d_mu_6_0_15_2 * screws.connection_joint_3_wx
+            - d_mu_6_0_15_4 * screws.connection_joint_3_wz);
+    let d_mu_8_0_23 = d_mu_6_0_17_0 * screws.inside_joint_3_fy
+        - d_mu_6_0_17_2 * screws.inside_joint_3_fx
+        + (d_mu_6_0_15_4 * screws.connection_joint_3_wy
+            - d_mu_6_0_17_6 * screws.connection_joint_3_wx);
     let d_mu_8_0 = (d_mu_8_0_1 + d_mu_8_0_1 + (d_mu_8_0_2 + d_mu_8_0_3)) * d_mu_6_0_17_0
-        + d_mu_8_0_5 * d_mu_6_0_17_2
-        + d_mu_8_0_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fy * d_mu_6_0_8 - screws.inside_joint_3_fz * d_mu_7_0_12)
-        + (d_mu_2_0_4_2 * screws.connection_joint_3_wz - d_mu_1_0_0_2 * screws.connection_joint_3_wy
-            + (d_mu_6_0_17_6 * screws.connection_joint_3_vz - d_mu_6_0_15_2 * screws.connection_joint_3_vy))
+        + d_mu_8_0_5 * d_mu_6_0_17_2 + d_mu_8_0_7 * d_mu_6_0_15_0
+        + (screws.inside_joint_3_fy * d_mu_6_0_8
+            - screws.inside_joint_3_fz * d_mu_7_0_12)
+        + (d_mu_2_0_4_2 * screws.connection_joint_3_wz
+            - d_mu_1_0_0_2 * screws.connection_joint_3_wy
+            + (d_mu_6_0_17_6 * screws.connection_joint_3_vz
+                - d_mu_6_0_15_2 * screws.connection_joint_3_vy))
         - (d_mu_8_0_21 * d_mu_0_0_1_1 + d_mu_8_0_23 * poses.origin_base_y);
     d_mu[0][8] = d_mu_8_0 + 0.0;
     let d_mu_0_1_1 = d_mu_1_0_4_0_0 * d_mu_0_0_1_1;
     let d_mu_0_1_3_0 = d_mu_0_0_1_0 * poses.com_x;
     let d_mu_0_1_3 = d_mu_0_1_3_0 + d_mu_1_0_4_1;
     // D_μ column 1
-    d_mu[1][0] = 0.0 - (poses.origin_base_y * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_0_1_3 - d_mu_1_0_0);
+    d_mu[1][0] = 0.0
+        - (poses.origin_base_y * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_0_1_3 - d_mu_1_0_0);
     let d_mu_1_1_3 = d_mu_1_0_4_0_0 * poses.com_x;
     d_mu[1][1] = 0.0 - (poses.com_x * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_1_1_3);
-    let d_mu_2_1_0_2 =
-        inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+    let d_mu_2_1_0_2 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - d_mu_2_1_0_2;
-    d_mu[1][2] = 0.0 - (d_mu_2_1_0 + (poses.com_x * d_mu_0_1_3 - poses.origin_base_y * d_mu_1_1_3));
+    d_mu[1][2] = 0.0
+        - (d_mu_2_1_0 + (poses.com_x * d_mu_0_1_3 - poses.origin_base_y * d_mu_1_1_3));
     d_mu[1][3] = d_mu_1_1_3 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_0_1_3;
     d_mu[1][5] = d_mu_0_1_1 + 0.0;
@@ -2034,11 +2269,11 @@ fn d_mu_itself(
     let d_mu_6_1_15 = d_mu_6_0_17_6 * screws.connection_joint_1_wz
         - d_mu_6_0_15_2 * screws.connection_joint_1_wy
         - d_mu_6_0_15_0 * screws.inside_joint_1_fy;
-    let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_17_0
-        + (d_mu_6_0_1 + d_mu_6_1_3) * d_mu_6_0_17_2
+    let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_17_0 + (d_mu_6_0_1 + d_mu_6_1_3) * d_mu_6_0_17_2
         + screws.inside_joint_1_mx * d_mu_6_0_15_0
         - screws.inside_joint_1_fx * d_mu_6_0_8
-        + (d_mu_1_0_0_2 * screws.connection_joint_1_wx - d_mu_2_1_0_2 * screws.connection_joint_1_wz
+        + (d_mu_1_0_0_2 * screws.connection_joint_1_wx
+            - d_mu_2_1_0_2 * screws.connection_joint_1_wz
             + d_mu_6_0_15_2 * screws.connection_joint_1_vx)
         + (d_mu_6_1_15 * d_mu_0_0_1_1 - d_mu_6_0_17 * poses.com_x);
     d_mu[1][6] = d_mu_6_1 + 0.0;
@@ -2050,65 +2285,85 @@ fn d_mu_itself(
         - inertias.inside_joint_2_mx_0_1
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
-    let d_mu_7_1_21 = d_mu_6_0_17_2 * screws.inside_joint_2_fz - d_mu_6_0_15_0 * screws.inside_joint_2_fy
-        + (d_mu_6_0_17_6 * screws.connection_joint_2_wz - d_mu_6_0_15_2 * screws.connection_joint_2_wy);
-    let d_mu_7_1 = d_mu_7_0_5 * d_mu_6_0_17_0 - (d_mu_7_1_3 + d_mu_7_1_3 + (d_mu_7_1_4 + d_mu_7_0_3)) * d_mu_6_0_17_2
+    let d_mu_7_1_21 = d_mu_6_0_17_2 * screws.inside_joint_2_fz
+        - d_mu_6_0_15_0 * screws.inside_joint_2_fy
+        + (d_mu_6_0_17_6 * screws.connection_joint_2_wz
+            - d_mu_6_0_15_2 * screws.connection_joint_2_wy);
+    let d_mu_7_1 = d_mu_7_0_5 * d_mu_6_0_17_0
+        - (d_mu_7_1_3 + d_mu_7_1_3 + (d_mu_7_1_4 + d_mu_7_0_3)) * d_mu_6_0_17_2
         + d_mu_7_1_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fz * d_mu_7_1_10 - screws.inside_joint_2_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_2_wx - d_mu_2_1_0_2 * screws.connection_joint_2_wz
-            + (d_mu_6_0_15_2 * screws.connection_joint_2_vx - d_mu_6_0_15_4 * screws.connection_joint_2_vz))
+        + (screws.inside_joint_2_fz * d_mu_7_1_10
+            - screws.inside_joint_2_fx * d_mu_6_0_8)
+        + (d_mu_1_0_0_2 * screws.connection_joint_2_wx
+            - d_mu_2_1_0_2 * screws.connection_joint_2_wz
+            + (d_mu_6_0_15_2 * screws.connection_joint_2_vx
+                - d_mu_6_0_15_4 * screws.connection_joint_2_vz))
         + (d_mu_7_1_21 * d_mu_0_0_1_1 - d_mu_7_0_23 * poses.com_x);
     d_mu[1][7] = d_mu_7_1 + 0.0;
     let d_mu_8_1_5 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
     let d_mu_8_1_3_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
     let d_mu_8_1_3 = d_mu_8_1_3_1 + d_mu_8_1_3_1;
     let d_mu_8_1_7 = poses.cos_joint_1 * inertias.inertia_link_3_yy
-        - inertias.inside_joint_3_mx_0_1
-        - poses.cos_joint_1 * inertias.inertia_link_3_zz
+        - inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
         - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
-    let d_mu_8_1_21 = d_mu_6_0_17_2 * screws.inside_joint_3_fz - d_mu_6_0_15_0 * screws.inside_joint_3_fy
-        + (d_mu_6_0_17_6 * screws.connection_joint_3_wz - d_mu_6_0_15_2 * screws.connection_joint_3_wy);
+    let d_mu_8_1_21 = d_mu_6_0_17_2 * screws.inside_joint_3_fz
+        - d_mu_6_0_15_0 * screws.inside_joint_3_fy
+        + (d_mu_6_0_17_6 * screws.connection_joint_3_wz
+            - d_mu_6_0_15_2 * screws.connection_joint_3_wy);
     let d_mu_8_1 = d_mu_8_0_5 * d_mu_6_0_17_0
         + (d_mu_8_0_3 - d_mu_8_1_3 - (d_mu_8_1_5 + d_mu_8_1_5)) * d_mu_6_0_17_2
         + d_mu_8_1_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fz * d_mu_7_1_10 - screws.inside_joint_3_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_3_wx - d_mu_2_1_0_2 * screws.connection_joint_3_wz
-            + (d_mu_6_0_15_2 * screws.connection_joint_3_vx - d_mu_6_0_15_4 * screws.connection_joint_3_vz))
+        + (screws.inside_joint_3_fz * d_mu_7_1_10
+            - screws.inside_joint_3_fx * d_mu_6_0_8)
+        + (d_mu_1_0_0_2 * screws.connection_joint_3_wx
+            - d_mu_2_1_0_2 * screws.connection_joint_3_wz
+            + (d_mu_6_0_15_2 * screws.connection_joint_3_vx
+                - d_mu_6_0_15_4 * screws.connection_joint_3_vz))
         + (d_mu_8_1_21 * d_mu_0_0_1_1 - d_mu_8_0_23 * poses.com_x);
     d_mu[1][8] = d_mu_8_1 + 0.0;
     let d_mu_0_2_4 = d_mu_1_0_4_1_0 * poses.origin_base_y;
     let d_mu_0_2_2 = d_mu_1_0_4_0 - d_mu_0_1_3_0;
     // D_μ column 2
-    d_mu[2][0] = 0.0 - (d_mu_2_0_4 + (poses.origin_base_y * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_0_2_4));
+    d_mu[2][0] = 0.0
+        - (d_mu_2_0_4 + (poses.origin_base_y * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_0_2_4));
     let d_mu_1_2_3 = d_mu_1_0_4_1_0 * poses.com_x;
-    d_mu[2][1] = 0.0 - (poses.com_x * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_1_2_3 - d_mu_2_1_0);
+    d_mu[2][1] = 0.0
+        - (poses.com_x * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_1_2_3 - d_mu_2_1_0);
     d_mu[2][2] = 0.0 - (poses.com_x * d_mu_0_2_4 - poses.origin_base_y * d_mu_1_2_3);
     d_mu[2][3] = d_mu_1_2_3 + 0.0;
     d_mu[2][4] = 0.0 - d_mu_0_2_4;
     d_mu[2][5] = d_mu_0_2_2 + 0.0;
-    let d_mu_6_2 = screws.inside_joint_1_mx * d_mu_6_0_17_2 - screws.inside_joint_1_my * d_mu_6_0_17_0
+    let d_mu_6_2 = screws.inside_joint_1_mx * d_mu_6_0_17_2
+        - screws.inside_joint_1_my * d_mu_6_0_17_0
         + (d_mu_6_1_3 + d_mu_6_0_0) * d_mu_6_0_15_0
-        + (screws.inside_joint_1_fx * d_mu_7_0_12 - screws.inside_joint_1_fy * d_mu_7_1_10)
-        + (d_mu_2_1_0_2 * screws.connection_joint_1_wy - d_mu_2_0_4_2 * screws.connection_joint_1_wx
-            + (d_mu_6_0_15_4 * screws.connection_joint_1_vy - d_mu_6_0_17_6 * screws.connection_joint_1_vx))
+        + (screws.inside_joint_1_fx * d_mu_7_0_12
+            - screws.inside_joint_1_fy * d_mu_7_1_10)
+        + (d_mu_2_1_0_2 * screws.connection_joint_1_wy
+            - d_mu_2_0_4_2 * screws.connection_joint_1_wx
+            + (d_mu_6_0_15_4 * screws.connection_joint_1_vy
+                - d_mu_6_0_17_6 * screws.connection_joint_1_vx))
         + (d_mu_6_1_15 * poses.origin_base_y + d_mu_6_0_15 * poses.com_x);
     d_mu[2][6] = d_mu_6_2 + 0.0;
     let d_mu_7_2_5 = d_mu_7_1_3 - d_mu_7_0_1;
-    let d_mu_7_2 = d_mu_7_0_7 * d_mu_6_0_17_0
-        + d_mu_7_1_7 * d_mu_6_0_17_2
+    let d_mu_7_2 = d_mu_7_0_7 * d_mu_6_0_17_0 + d_mu_7_1_7 * d_mu_6_0_17_2
         + (d_mu_7_2_5 + d_mu_7_2_5 + (d_mu_7_0_2 - d_mu_7_1_4)) * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fx * d_mu_7_0_12 - screws.inside_joint_2_fy * d_mu_7_1_10)
-        + (d_mu_2_1_0_2 * screws.connection_joint_2_wy - d_mu_2_0_4_2 * screws.connection_joint_2_wx
-            + (d_mu_6_0_15_4 * screws.connection_joint_2_vy - d_mu_6_0_17_6 * screws.connection_joint_2_vx))
+        + (screws.inside_joint_2_fx * d_mu_7_0_12
+            - screws.inside_joint_2_fy * d_mu_7_1_10)
+        + (d_mu_2_1_0_2 * screws.connection_joint_2_wy
+            - d_mu_2_0_4_2 * screws.connection_joint_2_wx
+            + (d_mu_6_0_15_4 * screws.connection_joint_2_vy
+                - d_mu_6_0_17_6 * screws.connection_joint_2_vx))
         + (d_mu_7_1_21 * poses.origin_base_y + d_mu_7_0_21 * poses.com_x);
     d_mu[2][7] = d_mu_7_2 + 0.0;
     let d_mu_8_2_5 = d_mu_8_1_5 - d_mu_8_0_1;
-    let d_mu_8_2 = d_mu_8_0_7 * d_mu_6_0_17_0
-        + d_mu_8_1_7 * d_mu_6_0_17_2
+    let d_mu_8_2 = d_mu_8_0_7 * d_mu_6_0_17_0 + d_mu_8_1_7 * d_mu_6_0_17_2
         + (d_mu_8_2_5 + d_mu_8_2_5 + (d_mu_8_0_2 - d_mu_8_1_3)) * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fx * d_mu_7_0_12 - screws.inside_joint_3_fy * d_mu_7_1_10)
-        + (d_mu_2_1_0_2 * screws.connection_joint_3_wy - d_mu_2_0_4_2 * screws.connection_joint_3_wx
-            + (d_mu_6_0_15_4 * screws.connection_joint_3_vy - d_mu_6_0_17_6 * screws.connection_joint_3_vx))
+        + (screws.inside_joint_3_fx * d_mu_7_0_12
+            - screws.inside_joint_3_fy * d_mu_7_1_10)
+        + (d_mu_2_1_0_2 * screws.connection_joint_3_wy
+            - d_mu_2_0_4_2 * screws.connection_joint_3_wx
+            + (d_mu_6_0_15_4 * screws.connection_joint_3_vy
+                - d_mu_6_0_17_6 * screws.connection_joint_3_vx))
         + (d_mu_8_1_21 * poses.origin_base_y + d_mu_8_0_21 * poses.com_x);
     d_mu[2][8] = d_mu_8_2 + 0.0;
     // D_μ column 3
@@ -2198,7 +2453,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 3]; 3]) {
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×3, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (3×3, by columns; kg·m²)
 ///
-/// 560 operations: 252 + −, 305 ×, 3 ÷; 3 sin cos; about 5.1 KiB of code.
+/// 560 operations: 252 + −, 305 ×, 3 ÷; 3 sin cos; about 6.7 KiB of code.
 pub fn inertia(
     q: &[f64; 3],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -2210,7 +2465,15 @@ pub fn inertia(
     let complements = complements(&inertias);
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements, &screws);
-    inertia_itself(&poses, &inertias, &screws, &outside, locked_inertia, connection, shape_inertia);
+    inertia_itself(
+        &poses,
+        &inertias,
+        &screws,
+        &outside,
+        locked_inertia,
+        connection,
+        shape_inertia,
+    );
 }
 /// D_μ = [[−C_b^μ, −S(μ) − ad~_{Λ_bμ} A_l], [S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}, −2 B_2(μ)]].
 ///
@@ -2218,7 +2481,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (9×9, by columns; Λ's · 1/s)
 ///
-/// 1364 operations: 616 + −, 745 ×, 3 ÷; 3 sin cos; about 12.1 KiB of code.
+/// 1364 operations: 616 + −, 745 ×, 3 ÷; 3 sin cos; about 16.1 KiB of code.
 pub fn d_mu(q: &[f64; 3], mu: &[f64; 6], d_mu: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2226,7 +2489,14 @@ pub fn d_mu(q: &[f64; 3], mu: &[f64; 6], d_mu: &mut [[f64; 9]; 9]) {
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_b2 = common_d_mu_b2(mu, &poses, &inertias, &complements, &screws, &reactions);
+    let common_d_mu_b2 = common_d_mu_b2(
+        mu,
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+    );
     d_mu_itself(mu, &poses, &inertias, &screws, &common_d_mu_b2, d_mu);
 }
 /// B_2(μ) = Σ_k J̃_kᵀ C(M_k; X_k μ) J̃_k.
@@ -2235,7 +2505,7 @@ pub fn d_mu(q: &[f64; 3], mu: &[f64; 6], d_mu: &mut [[f64; 9]; 9]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (3×3, by columns; kg·m²/s)
 ///
-/// 950 operations: 412 + −, 535 ×, 3 ÷; 3 sin cos; about 8.5 KiB of code.
+/// 950 operations: 412 + −, 535 ×, 3 ÷; 3 sin cos; about 11.2 KiB of code.
 pub fn b2(q: &[f64; 3], mu: &[f64; 6], b2: &mut [[f64; 3]; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2243,7 +2513,14 @@ pub fn b2(q: &[f64; 3], mu: &[f64; 6], b2: &mut [[f64; 3]; 3]) {
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_b2 = common_d_mu_b2(mu, &poses, &inertias, &complements, &screws, &reactions);
+    let common_d_mu_b2 = common_d_mu_b2(
+        mu,
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+    );
     b2_itself(&common_d_mu_b2, b2);
 }
 /// Λ_b, A_l, Λ_q, D_μ and B_2 at once, sharing their work.
@@ -2256,7 +2533,7 @@ pub fn b2(q: &[f64; 3], mu: &[f64; 6], b2: &mut [[f64; 3]; 3]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (9×9, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (3×3, by columns; kg·m²/s)
 ///
-/// 1466 operations: 664 + −, 799 ×, 3 ÷; 3 sin cos; about 13.0 KiB of code.
+/// 1466 operations: 664 + −, 799 ×, 3 ÷; 3 sin cos; about 17.3 KiB of code.
 pub fn matrices(
     q: &[f64; 3],
     mu: &[f64; 6],
@@ -2272,8 +2549,23 @@ pub fn matrices(
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_b2 = common_d_mu_b2(mu, &poses, &inertias, &complements, &screws, &reactions);
-    inertia_itself(&poses, &inertias, &screws, &outside, locked_inertia, connection, shape_inertia);
+    let common_d_mu_b2 = common_d_mu_b2(
+        mu,
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+    );
+    inertia_itself(
+        &poses,
+        &inertias,
+        &screws,
+        &outside,
+        locked_inertia,
+        connection,
+        shape_inertia,
+    );
     d_mu_itself(mu, &poses, &inertias, &screws, &common_d_mu_b2, d_mu);
     b2_itself(&common_d_mu_b2, b2);
 }
@@ -2283,7 +2575,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (3; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (9×9, by columns; Λ's · 1/s)
 ///
-/// 1677 operations: 834 + −, 840 ×, 3 ÷; 3 sin cos; about 14.9 KiB of code.
+/// 1677 operations: 834 + −, 840 ×, 3 ÷; 3 sin cos; about 19.8 KiB of code.
 pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2306,48 +2598,38 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let d_qdot_0_0_11_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let d_qdot_0_0_10 = d_qdot_0_0_10_1 + d_qdot_0_0_10_1;
     let d_qdot_0_0_11 = d_qdot_0_0_11_1 + d_qdot_0_0_11_1;
-    let d_qdot_0_0_15_1_0 = (screws.inside_joint_2_fz * qd[1] + screws.inside_joint_3_fz * qd[2]) * 0.5;
-    let d_qdot_0_0_15_0_0 =
-        (screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]) * 0.5;
+    let d_qdot_0_0_15_1_0 = (screws.inside_joint_2_fz * qd[1]
+        + screws.inside_joint_3_fz * qd[2]) * 0.5;
+    let d_qdot_0_0_15_0_0 = (screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]) * 0.5;
     let d_qdot_0_0_15_1 = d_qdot_0_0_15_1_0 * d_qdot_0_0_15_1_1;
     let d_qdot_0_0_15_0 = d_qdot_0_0_15_0_0 * poses.origin_base_y;
     let d_qdot_0_0_15 = d_qdot_0_0_15_0 - d_qdot_0_0_15_1;
     // D_q\u{307} column 0
     d_qdot[0][0] = ((d_qdot_0_0_0 - d_qdot_0_0_1) * qd[0]
         + (d_qdot_0_0_4 + d_qdot_0_0_4 + (d_qdot_0_0_5 - d_qdot_0_0_6)) * qd[1]
-        + (d_qdot_0_0_9 + d_qdot_0_0_9 + (d_qdot_0_0_10 + d_qdot_0_0_11)) * qd[2])
-        * 0.5
-        - d_qdot_0_0_15
-        - d_qdot_0_0_15
-        + 0.0;
-    let d_qdot_1_0_0 = ((inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1))
-        * qd[0]
-        + (inertias.inside_joint_2_mz_0_1
-            - inertias.inside_joint_2_mz_0_0
-            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3))
-            * qd[1]
-        + (inertias.inside_joint_3_mz_0_1
-            - inertias.inside_joint_3_mz_0_0
-            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3))
-            * qd[2])
-        * 0.5;
-    let d_qdot_1_0_1_0 =
-        (screws.inside_joint_1_fx * qd[0] + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2]) * 0.5;
+        + (d_qdot_0_0_9 + d_qdot_0_0_9 + (d_qdot_0_0_10 + d_qdot_0_0_11)) * qd[2]) * 0.5
+        - d_qdot_0_0_15 - d_qdot_0_0_15 + 0.0;
+    let d_qdot_1_0_0 = ((inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
+        + (inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
+            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3)) * qd[1]
+        + (inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
+            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3)) * qd[2]) * 0.5;
+    let d_qdot_1_0_1_0 = (screws.inside_joint_1_fx * qd[0]
+        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2]) * 0.5;
     let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.origin_base_y;
     let d_qdot_1_0_2 = d_qdot_0_0_15_0_0 * poses.com_x;
     d_qdot[0][1] = d_qdot_1_0_0 + d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
     let d_qdot_2_0_0 = ((poses.sin_joint_1 * inertias.composite_link_2_zz
-        + (inertias.inside_joint_2_my_0_0 - poses.sin_joint_1 * inertias.composite_link_2_xx)
-        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4))
-        * qd[1]
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4)) * qd[1]
         - screws.inside_joint_1_my * qd[0]
         + (poses.sin_joint_1 * inertias.inertia_link_3_zz
-            + (inertias.inside_joint_3_my_0_0 - poses.sin_joint_1 * inertias.inertia_link_3_xx)
-            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3))
-            * qd[2])
-        * 0.5;
+            + (inertias.inside_joint_3_my_0_0
+                - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2]) * 0.5;
     let d_qdot_2_0_1 = d_qdot_1_0_1_0 * d_qdot_0_0_15_1_1;
     let d_qdot_2_0_2 = d_qdot_0_0_15_1_0 * poses.com_x;
     d_qdot[0][2] = d_qdot_2_0_0 - d_qdot_2_0_1 - d_qdot_2_0_2 + 0.0;
@@ -2371,23 +2653,17 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let d_qdot_1_1_15 = d_qdot_1_1_15_0 + d_qdot_0_0_15_1;
     d_qdot[1][1] = ((d_qdot_0_0_1 + d_qdot_1_1_1) * qd[0]
         - (d_qdot_1_1_4 + d_qdot_1_1_4 + (d_qdot_1_1_5 + d_qdot_0_0_6)) * qd[1]
-        + (d_qdot_0_0_11 - d_qdot_1_1_9 - (d_qdot_1_1_11 + d_qdot_1_1_11)) * qd[2])
-        * 0.5
-        + d_qdot_1_1_15
-        + d_qdot_1_1_15
-        + 0.0;
+        + (d_qdot_0_0_11 - d_qdot_1_1_9 - (d_qdot_1_1_11 + d_qdot_1_1_11)) * qd[2]) * 0.5
+        + d_qdot_1_1_15 + d_qdot_1_1_15 + 0.0;
     let d_qdot_2_1_0 = (screws.inside_joint_1_mx * qd[0]
         + (poses.cos_joint_1 * inertias.composite_link_2_yy
             - inertias.inside_joint_2_mx_0_1
             - poses.cos_joint_1 * inertias.composite_link_2_zz
-            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3))
-            * qd[1]
+            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3)) * qd[1]
         + (poses.cos_joint_1 * inertias.inertia_link_3_yy
             - inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
-            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4))
-            * qd[2])
-        * 0.5;
+            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2]) * 0.5;
     let d_qdot_2_1_1 = d_qdot_0_0_15_0_0 * d_qdot_0_0_15_1_1;
     let d_qdot_2_1_2 = d_qdot_0_0_15_1_0 * poses.origin_base_y;
     d_qdot[1][2] = d_qdot_2_1_0 - d_qdot_2_1_1 + d_qdot_2_1_2 + 0.0;
@@ -2405,11 +2681,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let d_qdot_2_2_15 = d_qdot_0_0_15_0 - d_qdot_1_1_15_0;
     d_qdot[2][2] = ((d_qdot_1_1_1 + d_qdot_0_0_0) * qd[0]
         + (d_qdot_2_2_4 + d_qdot_2_2_4 + (d_qdot_0_0_5 - d_qdot_1_1_5)) * qd[1]
-        + (d_qdot_2_2_9 + d_qdot_2_2_9 + (d_qdot_0_0_10 - d_qdot_1_1_9)) * qd[2])
-        * 0.5
-        - d_qdot_2_2_15
-        - d_qdot_2_2_15
-        + 0.0;
+        + (d_qdot_2_2_9 + d_qdot_2_2_9 + (d_qdot_0_0_10 - d_qdot_1_1_9)) * qd[2]) * 0.5
+        - d_qdot_2_2_15 - d_qdot_2_2_15 + 0.0;
     d_qdot[2][3] = 0.0 - d_qdot_0_0_15_0_0;
     d_qdot[2][4] = d_qdot_1_0_1_0 + 0.0;
     d_qdot[2][5] = 0.0;
@@ -2453,50 +2726,66 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     d_qdot[6][3] = 0.0;
     d_qdot[6][4] = 0.0;
     d_qdot[6][5] = 0.0;
-    let factor_outside_link_1_yz_5_1 =
-        (inertias.inertia_base_xx + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
-    let factor_link_3_yz_5_1 =
-        (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy + inertias.inertia_link_3_zz) * 0.5;
-    let factor_outside_link_1_yz_0 = inertias.inertia_base_xy * velocities.minus_velocity_base_wy;
-    let factor_outside_link_1_zy_0 = inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wz;
-    let factor_outside_link_1_xz_2 = inertias.inertia_base_xy * velocities.minus_velocity_base_wx;
-    let factor_outside_link_1_zx_0 = inertias.inertia_base_yz * velocities.minus_velocity_base_wz;
-    let factor_outside_link_1_xy_4 = inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wx;
-    let factor_outside_link_1_yx_2 = inertias.inertia_base_yz * velocities.minus_velocity_base_wy;
-    let factor_outside_link_1_yz_5 = velocities.minus_velocity_base_wx * factor_outside_link_1_yz_5_1
+    let factor_outside_link_1_yz_5_1 = (inertias.inertia_base_xx
+        + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
+    let factor_link_3_yz_5_1 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
+        + inertias.inertia_link_3_zz) * 0.5;
+    let factor_outside_link_1_yz_0 = inertias.inertia_base_xy
+        * velocities.minus_velocity_base_wy;
+    let factor_outside_link_1_zy_0 = inertias.minus_inertia_base_xz
+        * velocities.minus_velocity_base_wz;
+    let factor_outside_link_1_xz_2 = inertias.inertia_base_xy
+        * velocities.minus_velocity_base_wx;
+    let factor_outside_link_1_zx_0 = inertias.inertia_base_yz
+        * velocities.minus_velocity_base_wz;
+    let factor_outside_link_1_xy_4 = inertias.minus_inertia_base_xz
+        * velocities.minus_velocity_base_wx;
+    let factor_outside_link_1_yx_2 = inertias.inertia_base_yz
+        * velocities.minus_velocity_base_wy;
+    let factor_outside_link_1_yz_5 = velocities.minus_velocity_base_wx
+        * factor_outside_link_1_yz_5_1
         + (factor_outside_link_1_zy_0
-            - (inertias.inertia_base_xx * velocities.minus_velocity_base_wx + factor_outside_link_1_yz_0));
+            - (inertias.inertia_base_xx * velocities.minus_velocity_base_wx
+                + factor_outside_link_1_yz_0));
     let factor_outside_link_1_xz_5 = factor_outside_link_1_xz_2
         + inertias.inertia_base_yy * velocities.minus_velocity_base_wy
         + factor_outside_link_1_zx_0
         - velocities.minus_velocity_base_wy * factor_outside_link_1_yz_5_1;
-    let factor_outside_link_1_xy_5 = velocities.minus_velocity_base_wz * factor_outside_link_1_yz_5_1
-        + (factor_outside_link_1_xy_4
-            - factor_outside_link_1_yx_2
+    let factor_outside_link_1_xy_5 = velocities.minus_velocity_base_wz
+        * factor_outside_link_1_yz_5_1
+        + (factor_outside_link_1_xy_4 - factor_outside_link_1_yx_2
             - inertias.inertia_base_zz * velocities.minus_velocity_base_wz);
-    let factor_outside_link_1_xx_2 = inertias.minus_inertia_base_hx * velocities.minus_velocity_base_vx;
-    let factor_outside_link_1_yy_2 = inertias.inertia_base_hy * velocities.minus_velocity_base_vy;
-    let factor_outside_link_1_zz_3 = inertias.minus_inertia_base_hz * velocities.minus_velocity_base_vz;
-    let factor_outside_link_1_xx_3 =
-        factor_outside_link_1_xx_2 - factor_outside_link_1_yy_2 + factor_outside_link_1_zz_3;
-    let factor_outside_link_1_xx_0 = velocities.minus_velocity_base_wy * inertias.minus_inertia_base_xz;
-    let factor_outside_link_1_xx_1 = velocities.minus_velocity_base_wz * inertias.inertia_base_xy;
-    let factor_outside_link_1_xx = factor_outside_link_1_xx_0 + factor_outside_link_1_xx_1 - factor_outside_link_1_xx_2
+    let factor_outside_link_1_xx_2 = inertias.minus_inertia_base_hx
+        * velocities.minus_velocity_base_vx;
+    let factor_outside_link_1_yy_2 = inertias.inertia_base_hy
+        * velocities.minus_velocity_base_vy;
+    let factor_outside_link_1_zz_3 = inertias.minus_inertia_base_hz
+        * velocities.minus_velocity_base_vz;
+    let factor_outside_link_1_xx_3 = factor_outside_link_1_xx_2
+        - factor_outside_link_1_yy_2 + factor_outside_link_1_zz_3;
+    let factor_outside_link_1_xx_0 = velocities.minus_velocity_base_wy
+        * inertias.minus_inertia_base_xz;
+    let factor_outside_link_1_xx_1 = velocities.minus_velocity_base_wz
+        * inertias.inertia_base_xy;
+    let factor_outside_link_1_xx = factor_outside_link_1_xx_0
+        + factor_outside_link_1_xx_1 - factor_outside_link_1_xx_2
         + factor_outside_link_1_xx_3;
-    let factor_outside_link_1_xy = velocities.minus_velocity_base_vx * inertias.inertia_base_hy
-        - (velocities.minus_velocity_base_wz * inertias.inertia_base_xx + factor_outside_link_1_xy_4)
-        + factor_outside_link_1_xy_5;
-    let factor_outside_link_1_xz = velocities.minus_velocity_base_wy * inertias.inertia_base_xx
-        - factor_outside_link_1_xz_2
+    let factor_outside_link_1_xy = velocities.minus_velocity_base_vx
+        * inertias.inertia_base_hy
+        - (velocities.minus_velocity_base_wz * inertias.inertia_base_xx
+            + factor_outside_link_1_xy_4) + factor_outside_link_1_xy_5;
+    let factor_outside_link_1_xz = velocities.minus_velocity_base_wy
+        * inertias.inertia_base_xx - factor_outside_link_1_xz_2
         - velocities.minus_velocity_base_vx * inertias.minus_inertia_base_hz
         + factor_outside_link_1_xz_5;
-    let factor_outside_link_1_yx = velocities.minus_velocity_base_wz * inertias.inertia_base_yy
-        - factor_outside_link_1_yx_2
+    let factor_outside_link_1_yx = velocities.minus_velocity_base_wz
+        * inertias.inertia_base_yy - factor_outside_link_1_yx_2
         - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
         - factor_outside_link_1_xy_5;
-    let factor_outside_link_1_yy_0 = velocities.minus_velocity_base_wx * inertias.inertia_base_yz;
-    let factor_outside_link_1_yy = factor_outside_link_1_yy_0 - factor_outside_link_1_xx_1
-        + factor_outside_link_1_yy_2
+    let factor_outside_link_1_yy_0 = velocities.minus_velocity_base_wx
+        * inertias.inertia_base_yz;
+    let factor_outside_link_1_yy = factor_outside_link_1_yy_0
+        - factor_outside_link_1_xx_1 + factor_outside_link_1_yy_2
         + factor_outside_link_1_xx_3;
     let factor_outside_link_1_yz = factor_outside_link_1_yz_0
         - velocities.minus_velocity_base_wx * inertias.inertia_base_yy
@@ -2511,27 +2800,37 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         + velocities.minus_velocity_base_vz * inertias.inertia_base_hy
         - factor_outside_link_1_yz_5;
     let factor_outside_link_1_zz = factor_outside_link_1_xx_3
-        - (factor_outside_link_1_yy_0 + factor_outside_link_1_xx_0 + factor_outside_link_1_zz_3);
-    let factor_outside_link_1_px = velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
+        - (factor_outside_link_1_yy_0 + factor_outside_link_1_xx_0
+            + factor_outside_link_1_zz_3);
+    let factor_outside_link_1_px = velocities.minus_velocity_base_wy
+        * inertias.minus_inertia_base_hz
         + velocities.minus_velocity_base_wz * inertias.inertia_base_hy
         - velocities.minus_velocity_base_vx * 105.0;
-    let factor_outside_link_1_py = velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx
+    let factor_outside_link_1_py = velocities.minus_velocity_base_wz
+        * inertias.minus_inertia_base_hx
         - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz
         - velocities.minus_velocity_base_vy * 105.0;
     let minus_factor_outside_link_1_pz = velocities.minus_velocity_base_vz * 105.0
         + (velocities.minus_velocity_base_wx * inertias.inertia_base_hy
             + velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hx);
-    let factor_link_1_yz_0_5_1 =
-        (inertias.inertia_link_1_xx + inertias.inertia_link_1_yy + inertias.inertia_link_1_zz) * 0.5;
-    let factor_link_1_yz_0_5_5 = inertias.inertia_link_1_xy * velocities.minus_velocity_base_wy;
-    let factor_link_1_yz_0_5_2 = inertias.inertia_link_1_xz * velocities.velocity_link_1_wz;
-    let factor_link_1_xz_0_5_0 = inertias.inertia_link_1_xy * velocities.minus_velocity_base_wx;
-    let factor_link_1_xz_0_5_3 = inertias.minus_inertia_link_1_yz * velocities.velocity_link_1_wz;
-    let factor_link_1_xy_0_5_3 = inertias.inertia_link_1_xz * velocities.minus_velocity_base_wx;
-    let factor_link_1_xy_0_5_2 = inertias.minus_inertia_link_1_yz * velocities.minus_velocity_base_wy;
+    let factor_link_1_yz_0_5_1 = (inertias.inertia_link_1_xx + inertias.inertia_link_1_yy
+        + inertias.inertia_link_1_zz) * 0.5;
+    let factor_link_1_yz_0_5_5 = inertias.inertia_link_1_xy
+        * velocities.minus_velocity_base_wy;
+    let factor_link_1_yz_0_5_2 = inertias.inertia_link_1_xz
+        * velocities.velocity_link_1_wz;
+    let factor_link_1_xz_0_5_0 = inertias.inertia_link_1_xy
+        * velocities.minus_velocity_base_wx;
+    let factor_link_1_xz_0_5_3 = inertias.minus_inertia_link_1_yz
+        * velocities.velocity_link_1_wz;
+    let factor_link_1_xy_0_5_3 = inertias.inertia_link_1_xz
+        * velocities.minus_velocity_base_wx;
+    let factor_link_1_xy_0_5_2 = inertias.minus_inertia_link_1_yz
+        * velocities.minus_velocity_base_wy;
     let factor_link_1_yz_0_5 = velocities.minus_velocity_base_wx * factor_link_1_yz_0_5_1
         + (factor_link_1_yz_0_5_2
-            - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx + factor_link_1_yz_0_5_5));
+            - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
+                + factor_link_1_yz_0_5_5));
     let factor_link_1_xz_0_5 = factor_link_1_xz_0_5_0
         + inertias.inertia_link_1_yy * velocities.minus_velocity_base_wy
         + factor_link_1_xz_0_5_3
@@ -2539,27 +2838,36 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_1_xy_0_5 = velocities.velocity_link_1_wz * factor_link_1_yz_0_5_1
         - (factor_link_1_xy_0_5_2 - factor_link_1_xy_0_5_3
             + inertias.inertia_link_1_zz * velocities.velocity_link_1_wz);
-    let factor_link_1_xx_0_3_1 = inertias.minus_inertia_link_1_hx * velocities.velocity_link_1_vx;
-    let factor_link_1_xx_0_3_0 = inertias.inertia_link_1_hy * velocities.velocity_link_1_vy;
-    let factor_link_1_xx_0_3_2 = inertias.inertia_link_1_hz * velocities.minus_velocity_base_vz;
-    let factor_link_1_xx_0_3 = factor_link_1_xx_0_3_0 - factor_link_1_xx_0_3_1 - factor_link_1_xx_0_3_2;
-    let factor_link_1_xx_0_1 = velocities.minus_velocity_base_wy * inertias.inertia_link_1_xz;
-    let factor_link_1_xx_0_2 = velocities.velocity_link_1_wz * inertias.inertia_link_1_xy;
-    let factor_link_1_xx_0 =
-        factor_link_1_xx_0_3_1 - (factor_link_1_xx_0_1 + factor_link_1_xx_0_2) + factor_link_1_xx_0_3;
-    let factor_link_1_xy_0 = velocities.velocity_link_1_wz * inertias.inertia_link_1_xx + factor_link_1_xy_0_5_3
+    let factor_link_1_xx_0_3_1 = inertias.minus_inertia_link_1_hx
+        * velocities.velocity_link_1_vx;
+    let factor_link_1_xx_0_3_0 = inertias.inertia_link_1_hy
+        * velocities.velocity_link_1_vy;
+    let factor_link_1_xx_0_3_2 = inertias.inertia_link_1_hz
+        * velocities.minus_velocity_base_vz;
+    let factor_link_1_xx_0_3 = factor_link_1_xx_0_3_0 - factor_link_1_xx_0_3_1
+        - factor_link_1_xx_0_3_2;
+    let factor_link_1_xx_0_1 = velocities.minus_velocity_base_wy
+        * inertias.inertia_link_1_xz;
+    let factor_link_1_xx_0_2 = velocities.velocity_link_1_wz
+        * inertias.inertia_link_1_xy;
+    let factor_link_1_xx_0 = factor_link_1_xx_0_3_1
+        - (factor_link_1_xx_0_1 + factor_link_1_xx_0_2) + factor_link_1_xx_0_3;
+    let factor_link_1_xy_0 = velocities.velocity_link_1_wz * inertias.inertia_link_1_xx
+        + factor_link_1_xy_0_5_3
         - velocities.velocity_link_1_vx * inertias.inertia_link_1_hy
         - factor_link_1_xy_0_5;
-    let factor_link_1_xz_0 = velocities.minus_velocity_base_wy * inertias.inertia_link_1_xx
-        - factor_link_1_xz_0_5_0
+    let factor_link_1_xz_0 = velocities.minus_velocity_base_wy
+        * inertias.inertia_link_1_xx - factor_link_1_xz_0_5_0
         - velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
         + factor_link_1_xz_0_5;
-    let factor_link_1_yx_0 = factor_link_1_xy_0_5_2 - velocities.velocity_link_1_wz * inertias.inertia_link_1_yy
+    let factor_link_1_yx_0 = factor_link_1_xy_0_5_2
+        - velocities.velocity_link_1_wz * inertias.inertia_link_1_yy
         + velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
         + factor_link_1_xy_0_5;
-    let factor_link_1_yy_0_1 = velocities.minus_velocity_base_wx * inertias.minus_inertia_link_1_yz;
-    let factor_link_1_yy_0 =
-        factor_link_1_xx_0_2 - factor_link_1_yy_0_1 - factor_link_1_xx_0_3_0 + factor_link_1_xx_0_3;
+    let factor_link_1_yy_0_1 = velocities.minus_velocity_base_wx
+        * inertias.minus_inertia_link_1_yz;
+    let factor_link_1_yy_0 = factor_link_1_xx_0_2 - factor_link_1_yy_0_1
+        - factor_link_1_xx_0_3_0 + factor_link_1_xx_0_3;
     let factor_link_1_yz_0 = factor_link_1_yz_0_5_5
         - velocities.minus_velocity_base_wx * inertias.inertia_link_1_yy
         - velocities.velocity_link_1_vy * inertias.inertia_link_1_hz
@@ -2572,36 +2880,46 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         + velocities.minus_velocity_base_wx * inertias.inertia_link_1_zz
         + velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
         - factor_link_1_yz_0_5;
-    let factor_link_1_zz_0 =
-        factor_link_1_yy_0_1 + factor_link_1_xx_0_1 + factor_link_1_xx_0_3_2 + factor_link_1_xx_0_3;
-    let factor_link_2_yz_0_5_1 =
-        (inertias.inertia_link_2_xx + inertias.inertia_link_2_yy + inertias.inertia_link_2_zz) * 0.5;
-    let factor_link_2_yz_0_5_4 = inertias.inertia_link_2_xy * velocities.velocity_link_2_wy;
-    let factor_link_2_yz_0_5_5 = inertias.inertia_link_2_xz * velocities.velocity_link_1_wz;
-    let factor_link_2_xz_0_5_2 = inertias.inertia_link_2_xy * velocities.velocity_link_2_wx;
-    let factor_link_2_xz_0_5_5 = inertias.inertia_link_2_yz * velocities.velocity_link_1_wz;
-    let factor_link_2_xy_0_5_2 = inertias.inertia_link_2_xz * velocities.velocity_link_2_wx;
-    let factor_link_2_xy_0_5_3 = inertias.inertia_link_2_yz * velocities.velocity_link_2_wy;
+    let factor_link_1_zz_0 = factor_link_1_yy_0_1 + factor_link_1_xx_0_1
+        + factor_link_1_xx_0_3_2 + factor_link_1_xx_0_3;
+    let factor_link_2_yz_0_5_1 = (inertias.inertia_link_2_xx + inertias.inertia_link_2_yy
+        + inertias.inertia_link_2_zz) * 0.5;
+    let factor_link_2_yz_0_5_4 = inertias.inertia_link_2_xy
+        * velocities.velocity_link_2_wy;
+    let factor_link_2_yz_0_5_5 = inertias.inertia_link_2_xz
+        * velocities.velocity_link_1_wz;
+    let factor_link_2_xz_0_5_2 = inertias.inertia_link_2_xy
+        * velocities.velocity_link_2_wx;
+    let factor_link_2_xz_0_5_5 = inertias.inertia_link_2_yz
+        * velocities.velocity_link_1_wz;
+    let factor_link_2_xy_0_5_2 = inertias.inertia_link_2_xz
+        * velocities.velocity_link_2_wx;
+    let factor_link_2_xy_0_5_3 = inertias.inertia_link_2_yz
+        * velocities.velocity_link_2_wy;
     let factor_link_2_yz_0_5 = velocities.velocity_link_2_wx * factor_link_2_yz_0_5_1
         - (inertias.inertia_link_2_xx * velocities.velocity_link_2_wx
-            + factor_link_2_yz_0_5_4
-            + factor_link_2_yz_0_5_5);
+            + factor_link_2_yz_0_5_4 + factor_link_2_yz_0_5_5);
     let factor_link_2_xz_0_5 = velocities.velocity_link_2_wy * factor_link_2_yz_0_5_1
         - (factor_link_2_xz_0_5_2
             + inertias.inertia_link_2_yy * velocities.velocity_link_2_wy
             + factor_link_2_xz_0_5_5);
     let factor_link_2_xy_0_5 = velocities.velocity_link_1_wz * factor_link_2_yz_0_5_1
-        - (factor_link_2_xy_0_5_2
-            + factor_link_2_xy_0_5_3
+        - (factor_link_2_xy_0_5_2 + factor_link_2_xy_0_5_3
             + inertias.inertia_link_2_zz * velocities.velocity_link_1_wz);
-    let factor_link_2_xx_0_3_0 = inertias.inertia_link_2_hx * velocities.velocity_link_2_vx;
-    let factor_link_2_xx_0_3_1 = inertias.inertia_link_2_hy * velocities.velocity_link_2_vy;
-    let factor_link_2_xx_0_3_2 = inertias.inertia_link_2_hz * velocities.minus_velocity_link_2_vz;
-    let factor_link_2_xx_0_3 = factor_link_2_xx_0_3_0 + factor_link_2_xx_0_3_1 - factor_link_2_xx_0_3_2;
-    let factor_link_2_xx_0_0 = velocities.velocity_link_2_wy * inertias.inertia_link_2_xz;
-    let factor_link_2_xx_0_1 = velocities.velocity_link_1_wz * inertias.inertia_link_2_xy;
-    let factor_link_2_xx_0 =
-        factor_link_2_xx_0_0 - factor_link_2_xx_0_1 - factor_link_2_xx_0_3_0 + factor_link_2_xx_0_3;
+    let factor_link_2_xx_0_3_0 = inertias.inertia_link_2_hx
+        * velocities.velocity_link_2_vx;
+    let factor_link_2_xx_0_3_1 = inertias.inertia_link_2_hy
+        * velocities.velocity_link_2_vy;
+    let factor_link_2_xx_0_3_2 = inertias.inertia_link_2_hz
+        * velocities.minus_velocity_link_2_vz;
+    let factor_link_2_xx_0_3 = factor_link_2_xx_0_3_0 + factor_link_2_xx_0_3_1
+        - factor_link_2_xx_0_3_2;
+    let factor_link_2_xx_0_0 = velocities.velocity_link_2_wy
+        * inertias.inertia_link_2_xz;
+    let factor_link_2_xx_0_1 = velocities.velocity_link_1_wz
+        * inertias.inertia_link_2_xy;
+    let factor_link_2_xx_0 = factor_link_2_xx_0_0 - factor_link_2_xx_0_1
+        - factor_link_2_xx_0_3_0 + factor_link_2_xx_0_3;
     let factor_link_2_xy_0 = velocities.velocity_link_1_wz * inertias.inertia_link_2_xx
         - factor_link_2_xy_0_5_2
         - velocities.velocity_link_2_vx * inertias.inertia_link_2_hy
@@ -2614,21 +2932,24 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - velocities.velocity_link_1_wz * inertias.inertia_link_2_yy
         - velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
         + factor_link_2_xy_0_5;
-    let factor_link_2_yy_0_1 = velocities.velocity_link_2_wx * inertias.inertia_link_2_yz;
-    let factor_link_2_yy_0 =
-        factor_link_2_xx_0_1 - factor_link_2_yy_0_1 - factor_link_2_xx_0_3_1 + factor_link_2_xx_0_3;
+    let factor_link_2_yy_0_1 = velocities.velocity_link_2_wx
+        * inertias.inertia_link_2_yz;
+    let factor_link_2_yy_0 = factor_link_2_xx_0_1 - factor_link_2_yy_0_1
+        - factor_link_2_xx_0_3_1 + factor_link_2_xx_0_3;
     let factor_link_2_yz_0 = velocities.velocity_link_2_wx * inertias.inertia_link_2_yy
         - factor_link_2_yz_0_5_4
         - velocities.velocity_link_2_vy * inertias.inertia_link_2_hz
         - factor_link_2_yz_0_5;
-    let factor_link_2_zx_0 = velocities.velocity_link_2_wy * inertias.inertia_link_2_zz - factor_link_2_xz_0_5_5
+    let factor_link_2_zx_0 = velocities.velocity_link_2_wy * inertias.inertia_link_2_zz
+        - factor_link_2_xz_0_5_5
         + velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hx
         - factor_link_2_xz_0_5;
-    let factor_link_2_zy_0 = factor_link_2_yz_0_5_5 - velocities.velocity_link_2_wx * inertias.inertia_link_2_zz
+    let factor_link_2_zy_0 = factor_link_2_yz_0_5_5
+        - velocities.velocity_link_2_wx * inertias.inertia_link_2_zz
         + velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hy
         + factor_link_2_yz_0_5;
-    let factor_link_2_zz_0 =
-        factor_link_2_yy_0_1 - factor_link_2_xx_0_0 + factor_link_2_xx_0_3_2 + factor_link_2_xx_0_3;
+    let factor_link_2_zz_0 = factor_link_2_yy_0_1 - factor_link_2_xx_0_0
+        + factor_link_2_xx_0_3_2 + factor_link_2_xx_0_3;
     let factor_link_3_yz_2 = inertias.inertia_link_3_xy * velocities.velocity_link_3_wy;
     let factor_link_3_zy_0 = inertias.inertia_link_3_xz * velocities.velocity_link_1_wz;
     let factor_link_3_xz_0 = inertias.inertia_link_3_xy * velocities.velocity_link_3_wx;
@@ -2636,21 +2957,26 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_3_xy_2 = inertias.inertia_link_3_xz * velocities.velocity_link_3_wx;
     let factor_link_3_yx_0 = inertias.inertia_link_3_yz * velocities.velocity_link_3_wy;
     let factor_link_3_yz_5 = velocities.velocity_link_3_wx * factor_link_3_yz_5_1
-        - (inertias.inertia_link_3_xx * velocities.velocity_link_3_wx + factor_link_3_yz_2 + factor_link_3_zy_0);
+        - (inertias.inertia_link_3_xx * velocities.velocity_link_3_wx
+            + factor_link_3_yz_2 + factor_link_3_zy_0);
     let factor_link_3_xz_5 = velocities.velocity_link_3_wy * factor_link_3_yz_5_1
-        - (factor_link_3_xz_0 + inertias.inertia_link_3_yy * velocities.velocity_link_3_wy + factor_link_3_zx_2);
+        - (factor_link_3_xz_0
+            + inertias.inertia_link_3_yy * velocities.velocity_link_3_wy
+            + factor_link_3_zx_2);
     let factor_link_3_xy_5 = velocities.velocity_link_1_wz * factor_link_3_yz_5_1
-        - (factor_link_3_xy_2 + factor_link_3_yx_0 + inertias.inertia_link_3_zz * velocities.velocity_link_1_wz);
+        - (factor_link_3_xy_2 + factor_link_3_yx_0
+            + inertias.inertia_link_3_zz * velocities.velocity_link_1_wz);
     let factor_link_3_xx_2 = inertias.inertia_link_3_hx * velocities.velocity_link_3_vx;
     let factor_link_3_yy_2 = inertias.inertia_link_3_hy * velocities.velocity_link_3_vy;
     let factor_link_3_zz_2 = inertias.inertia_link_3_hz * velocities.velocity_link_3_vz;
-    let factor_link_3_xx_3 = factor_link_3_xx_2 + factor_link_3_yy_2 + factor_link_3_zz_2;
+    let factor_link_3_xx_3 = factor_link_3_xx_2 + factor_link_3_yy_2
+        + factor_link_3_zz_2;
     let factor_link_3_xx_0 = velocities.velocity_link_3_wy * inertias.inertia_link_3_xz;
     let factor_link_3_xx_1 = velocities.velocity_link_1_wz * inertias.inertia_link_3_xy;
-    let factor_link_3_xx = factor_link_3_xx_0 - factor_link_3_xx_1 - factor_link_3_xx_2 + factor_link_3_xx_3;
+    let factor_link_3_xx = factor_link_3_xx_0 - factor_link_3_xx_1 - factor_link_3_xx_2
+        + factor_link_3_xx_3;
     let factor_link_3_xy = velocities.velocity_link_1_wz * inertias.inertia_link_3_xx
-        - factor_link_3_xy_2
-        - velocities.velocity_link_3_vx * inertias.inertia_link_3_hy
+        - factor_link_3_xy_2 - velocities.velocity_link_3_vx * inertias.inertia_link_3_hy
         - factor_link_3_xy_5;
     let factor_link_3_xz = factor_link_3_xz_0
         - velocities.velocity_link_3_wy * inertias.inertia_link_3_xx
@@ -2661,20 +2987,20 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - velocities.velocity_link_3_vy * inertias.inertia_link_3_hx
         + factor_link_3_xy_5;
     let factor_link_3_yy_1 = velocities.velocity_link_3_wx * inertias.inertia_link_3_yz;
-    let factor_link_3_yy = factor_link_3_xx_1 - factor_link_3_yy_1 - factor_link_3_yy_2 + factor_link_3_xx_3;
+    let factor_link_3_yy = factor_link_3_xx_1 - factor_link_3_yy_1 - factor_link_3_yy_2
+        + factor_link_3_xx_3;
     let factor_link_3_yz = velocities.velocity_link_3_wx * inertias.inertia_link_3_yy
-        - factor_link_3_yz_2
-        - velocities.velocity_link_3_vy * inertias.inertia_link_3_hz
+        - factor_link_3_yz_2 - velocities.velocity_link_3_vy * inertias.inertia_link_3_hz
         - factor_link_3_yz_5;
     let factor_link_3_zx = velocities.velocity_link_3_wy * inertias.inertia_link_3_zz
-        - factor_link_3_zx_2
-        - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx
+        - factor_link_3_zx_2 - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx
         - factor_link_3_xz_5;
     let factor_link_3_zy = factor_link_3_zy_0
         - velocities.velocity_link_3_wx * inertias.inertia_link_3_zz
         - velocities.velocity_link_3_vz * inertias.inertia_link_3_hy
         + factor_link_3_yz_5;
-    let factor_link_3_zz = factor_link_3_yy_1 - factor_link_3_xx_0 - factor_link_3_zz_2 + factor_link_3_xx_3;
+    let factor_link_3_zz = factor_link_3_yy_1 - factor_link_3_xx_0 - factor_link_3_zz_2
+        + factor_link_3_xx_3;
     let factor_link_2_xx = factor_link_2_xx_0 + factor_link_3_xx;
     let factor_link_2_yx = factor_link_2_yx_0 + factor_link_3_yx;
     let factor_link_2_zx = factor_link_2_zx_0 + factor_link_3_zx;
@@ -2693,22 +3019,27 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_1_xz = factor_link_1_xz_0 + factor_link_2_xz;
     let factor_link_1_yz = factor_link_1_yz_0 + factor_link_2_yz;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
-    let twist_base_vz =
-        velocities.minus_velocity_base_wy * poses.origin_base_y - velocities.minus_velocity_base_wx * poses.com_x;
-    let twist_base_vx = velocities.velocity_link_1_vy - velocities.velocity_link_1_wz * poses.com_x;
-    let twist_base_vy = velocities.velocity_link_1_wz * poses.origin_base_y - velocities.velocity_link_1_vx;
+    let twist_base_vz = velocities.minus_velocity_base_wy * poses.origin_base_y
+        - velocities.minus_velocity_base_wx * poses.com_x;
+    let twist_base_vx = velocities.velocity_link_1_vy
+        - velocities.velocity_link_1_wz * poses.com_x;
+    let twist_base_vy = velocities.velocity_link_1_wz * poses.origin_base_y
+        - velocities.velocity_link_1_vx;
     let wrench_base_mx = factor_link_1_xz
         + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hy * twist_base_vz - inertias.composite_link_1_hz * twist_base_vy));
+            + (inertias.composite_link_1_hy * twist_base_vz
+                - inertias.composite_link_1_hz * twist_base_vy));
     let wrench_base_my = factor_link_1_yz
         + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hz * twist_base_vx - inertias.composite_link_1_hx * twist_base_vz));
+            + (inertias.composite_link_1_hz * twist_base_vx
+                - inertias.composite_link_1_hx * twist_base_vz));
     let wrench_base_mz = factor_link_1_zz
         + (inertias.composite_link_1_yz * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hx * twist_base_vy - inertias.composite_link_1_hy * twist_base_vx));
+            + (inertias.composite_link_1_hx * twist_base_vy
+                - inertias.composite_link_1_hy * twist_base_vx));
     let turn_joint_1_x = factor_outside_link_1_xx * screws.connection_joint_1_wx
         + factor_outside_link_1_yx * screws.connection_joint_1_wy
         + factor_outside_link_1_zx * screws.connection_joint_1_wz
@@ -2736,8 +3067,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         + reactions.reaction_joint_1_wz * wrench_base_mz
         + turn_joint_1_x * screws.connection_joint_1_wx
         + turn_joint_1_y * screws.connection_joint_1_wy
-        + turn_joint_1_z * screws.connection_joint_1_wz
-        + 0.0;
+        + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
     let factor_link_1_px_0 = velocities.velocity_link_1_vx * 5.0
         - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
             + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
@@ -2785,10 +3115,12 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let wrench_base_fz = twist_base_vz * 25.0
         - (velocities.minus_velocity_base_wy * inertias.composite_link_1_hy
             + velocities.minus_velocity_base_wx * inertias.composite_link_1_hx);
-    let wrench_base_fx =
-        twist_base_vx * 25.0 + velocities.minus_velocity_base_wx * inertias.composite_link_1_hz - factor_link_1_py;
-    let wrench_base_fy =
-        factor_link_1_px + (twist_base_vy * 25.0 + velocities.minus_velocity_base_wy * inertias.composite_link_1_hz);
+    let wrench_base_fx = twist_base_vx * 25.0
+        + velocities.minus_velocity_base_wx * inertias.composite_link_1_hz
+        - factor_link_1_py;
+    let wrench_base_fy = factor_link_1_px
+        + (twist_base_vy * 25.0
+            + velocities.minus_velocity_base_wy * inertias.composite_link_1_hz);
     let turn_joint_2_x = factor_outside_link_2_xx * screws.connection_joint_2_wx
         + factor_outside_link_2_yx * screws.connection_joint_2_wy
         + factor_outside_link_2_zx * screws.connection_joint_2_wz
@@ -2797,7 +3129,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - (factor_link_2_xx * reactions.reaction_joint_2_wx
             + factor_link_2_yx * reactions.reaction_joint_2_wy
             + factor_link_2_zx * reactions.reaction_joint_2_wz
-            + (factor_link_2_py * reactions.reaction_joint_2_vz - factor_link_2_pz * reactions.reaction_joint_2_vy));
+            + (factor_link_2_py * reactions.reaction_joint_2_vz
+                - factor_link_2_pz * reactions.reaction_joint_2_vy));
     let turn_joint_2_y = factor_outside_link_2_xy * screws.connection_joint_2_wx
         + factor_outside_link_2_yy * screws.connection_joint_2_wy
         + factor_outside_link_2_zy * screws.connection_joint_2_wz
@@ -2806,7 +3139,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - (factor_link_2_xy * reactions.reaction_joint_2_wx
             + factor_link_2_yy * reactions.reaction_joint_2_wy
             + factor_link_2_zy * reactions.reaction_joint_2_wz
-            + (factor_link_2_pz * reactions.reaction_joint_2_vx - factor_link_2_px * reactions.reaction_joint_2_vz));
+            + (factor_link_2_pz * reactions.reaction_joint_2_vx
+                - factor_link_2_px * reactions.reaction_joint_2_vz));
     let turn_joint_2_z = factor_outside_link_2_xz * screws.connection_joint_2_wx
         + factor_outside_link_2_yz * screws.connection_joint_2_wy
         + factor_outside_link_2_zz * screws.connection_joint_2_wz
@@ -2815,10 +3149,12 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - (factor_link_2_xz * reactions.reaction_joint_2_wx
             + factor_link_2_yz * reactions.reaction_joint_2_wy
             + factor_link_2_zz * reactions.reaction_joint_2_wz
-            + (factor_link_2_px * reactions.reaction_joint_2_vy - factor_link_2_py * reactions.reaction_joint_2_vx));
+            + (factor_link_2_px * reactions.reaction_joint_2_vy
+                - factor_link_2_py * reactions.reaction_joint_2_vx));
     let three_joint_2_z = factor_link_2_xz * poses.cos_joint_1
         + factor_link_2_yz * poses.sin_joint_1
-        + (factor_link_2_px * screws.screw_joint_2_vy + factor_link_2_py * screws.minus_screw_joint_2_vx);
+        + (factor_link_2_px * screws.screw_joint_2_vy
+            + factor_link_2_py * screws.minus_screw_joint_2_vx);
     let d_qdot_7_6_0 = screws.connection_joint_1_wx * turn_joint_2_x
         - (wrench_base_mx * screws.connection_joint_2_wx
             + wrench_base_my * screws.connection_joint_2_wy
@@ -2827,13 +3163,12 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + wrench_base_fy * screws.connection_joint_2_vy
             + wrench_base_fz * screws.connection_joint_2_vz)
         + screws.connection_joint_1_wy * turn_joint_2_y
-        + screws.connection_joint_1_wz * turn_joint_2_z
-        + three_joint_2_z
+        + screws.connection_joint_1_wz * turn_joint_2_z + three_joint_2_z
         - velocities.minus_velocity_base_wy * screws.inside_joint_2_mx
         + velocities.minus_velocity_base_wx * screws.inside_joint_2_my
         + twist_base_vx * screws.inside_joint_2_fx;
-    d_qdot[6][7] =
-        d_qdot_7_6_0 + twist_base_vy * screws.inside_joint_2_fy + twist_base_vz * screws.inside_joint_2_fz + 0.0;
+    d_qdot[6][7] = d_qdot_7_6_0 + twist_base_vy * screws.inside_joint_2_fy
+        + twist_base_vz * screws.inside_joint_2_fz + 0.0;
     let factor_outside_link_3_xx = factor_link_2_xx_0 + factor_outside_link_2_xx;
     let factor_outside_link_3_yx = factor_link_2_yx_0 + factor_outside_link_2_yx;
     let factor_outside_link_3_zx = factor_link_2_zx_0 + factor_outside_link_2_zx;
@@ -2854,7 +3189,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - (factor_link_3_xx * reactions.reaction_joint_3_wx
             + factor_link_3_yx * reactions.reaction_joint_3_wy
             + factor_link_3_zx * reactions.reaction_joint_3_wz
-            + (factor_link_3_py * reactions.reaction_joint_3_vz - factor_link_3_pz * reactions.reaction_joint_3_vy));
+            + (factor_link_3_py * reactions.reaction_joint_3_vz
+                - factor_link_3_pz * reactions.reaction_joint_3_vy));
     let turn_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
         + factor_outside_link_3_yy * screws.connection_joint_3_wy
         + factor_outside_link_3_zy * screws.connection_joint_3_wz
@@ -2863,7 +3199,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - (factor_link_3_xy * reactions.reaction_joint_3_wx
             + factor_link_3_yy * reactions.reaction_joint_3_wy
             + factor_link_3_zy * reactions.reaction_joint_3_wz
-            + (factor_link_3_pz * reactions.reaction_joint_3_vx - factor_link_3_px * reactions.reaction_joint_3_vz));
+            + (factor_link_3_pz * reactions.reaction_joint_3_vx
+                - factor_link_3_px * reactions.reaction_joint_3_vz));
     let turn_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
         + factor_outside_link_3_yz * screws.connection_joint_3_wy
         + factor_outside_link_3_zz * screws.connection_joint_3_wz
@@ -2872,10 +3209,12 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - (factor_link_3_xz * reactions.reaction_joint_3_wx
             + factor_link_3_yz * reactions.reaction_joint_3_wy
             + factor_link_3_zz * reactions.reaction_joint_3_wz
-            + (factor_link_3_px * reactions.reaction_joint_3_vy - factor_link_3_py * reactions.reaction_joint_3_vx));
+            + (factor_link_3_px * reactions.reaction_joint_3_vy
+                - factor_link_3_py * reactions.reaction_joint_3_vx));
     let three_joint_3_z = factor_link_3_xz * poses.cos_joint_1
         + factor_link_3_yz * poses.sin_joint_1
-        + (factor_link_3_px * screws.screw_joint_3_vy + factor_link_3_py * screws.minus_screw_joint_3_vx);
+        + (factor_link_3_px * screws.screw_joint_3_vy
+            + factor_link_3_py * screws.minus_screw_joint_3_vx);
     let d_qdot_8_6_0 = screws.connection_joint_1_wx * turn_joint_3_x
         - (wrench_base_mx * screws.connection_joint_3_wx
             + wrench_base_my * screws.connection_joint_3_wy
@@ -2884,13 +3223,12 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + wrench_base_fy * screws.connection_joint_3_vy
             + wrench_base_fz * screws.connection_joint_3_vz)
         + screws.connection_joint_1_wy * turn_joint_3_y
-        + screws.connection_joint_1_wz * turn_joint_3_z
-        + three_joint_3_z
+        + screws.connection_joint_1_wz * turn_joint_3_z + three_joint_3_z
         - velocities.minus_velocity_base_wy * screws.inside_joint_3_mx
         + velocities.minus_velocity_base_wx * screws.inside_joint_3_my
         + twist_base_vx * screws.inside_joint_3_fx;
-    d_qdot[6][8] =
-        d_qdot_8_6_0 + twist_base_vy * screws.inside_joint_3_fy + twist_base_vz * screws.inside_joint_3_fz + 0.0;
+    d_qdot[6][8] = d_qdot_8_6_0 + twist_base_vy * screws.inside_joint_3_fy
+        + twist_base_vz * screws.inside_joint_3_fz + 0.0;
     // D_q\u{307} column joint_2
     d_qdot[7][0] = 0.0;
     d_qdot[7][1] = 0.0;
@@ -2900,8 +3238,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     d_qdot[7][5] = 0.0;
     let minus_twist_link_1_wx = velocities.velocity_link_1_wz * poses.sin_joint_1;
     let twist_link_1_wy = velocities.velocity_link_1_wz * poses.cos_joint_1;
-    let twist_link_1_wz =
-        velocities.velocity_link_2_wx * poses.sin_joint_1 - velocities.velocity_link_2_wy * poses.cos_joint_1;
+    let twist_link_1_wz = velocities.velocity_link_2_wx * poses.sin_joint_1
+        - velocities.velocity_link_2_wy * poses.cos_joint_1;
     let twist_link_1_vx = velocities.minus_velocity_link_2_vz * poses.sin_joint_1
         - (velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vz
             + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
@@ -2910,38 +3248,48 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         - velocities.minus_velocity_link_2_vz * poses.cos_joint_1;
     let twist_link_1_vz = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
         + velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vx
-        + (velocities.velocity_link_2_vx * poses.sin_joint_1 - velocities.velocity_link_2_vy * poses.cos_joint_1);
+        + (velocities.velocity_link_2_vx * poses.sin_joint_1
+            - velocities.velocity_link_2_vy * poses.cos_joint_1);
     let wrench_link_1_mx = factor_link_2_xy * poses.sin_joint_1
         + factor_link_2_xx * poses.cos_joint_1
-        + (inertias.composite_link_2_xy * twist_link_1_wy - inertias.composite_link_2_xx * minus_twist_link_1_wx
+        + (inertias.composite_link_2_xy * twist_link_1_wy
+            - inertias.composite_link_2_xx * minus_twist_link_1_wx
             + inertias.composite_link_2_xz * twist_link_1_wz
-            + (inertias.composite_link_2_hy * twist_link_1_vz - inertias.composite_link_2_hz * twist_link_1_vy));
+            + (inertias.composite_link_2_hy * twist_link_1_vz
+                - inertias.composite_link_2_hz * twist_link_1_vy));
     let wrench_link_1_my = factor_link_2_yy * poses.sin_joint_1
         + factor_link_2_yx * poses.cos_joint_1
-        + (inertias.composite_link_2_yy * twist_link_1_wy - inertias.composite_link_2_xy * minus_twist_link_1_wx
+        + (inertias.composite_link_2_yy * twist_link_1_wy
+            - inertias.composite_link_2_xy * minus_twist_link_1_wx
             + inertias.composite_link_2_yz * twist_link_1_wz
-            + (inertias.composite_link_2_hz * twist_link_1_vx - inertias.composite_link_2_hx * twist_link_1_vz));
+            + (inertias.composite_link_2_hz * twist_link_1_vx
+                - inertias.composite_link_2_hx * twist_link_1_vz));
     let wrench_link_1_mz = factor_link_2_zy * poses.sin_joint_1
         + factor_link_2_zx * poses.cos_joint_1
-        + (inertias.composite_link_2_yz * twist_link_1_wy - inertias.composite_link_2_xz * minus_twist_link_1_wx
+        + (inertias.composite_link_2_yz * twist_link_1_wy
+            - inertias.composite_link_2_xz * minus_twist_link_1_wx
             + inertias.composite_link_2_zz * twist_link_1_wz
-            + (inertias.composite_link_2_hx * twist_link_1_vy - inertias.composite_link_2_hy * twist_link_1_vx));
+            + (inertias.composite_link_2_hx * twist_link_1_vy
+                - inertias.composite_link_2_hy * twist_link_1_vx));
     d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
         + reactions.reaction_joint_1_wy * wrench_link_1_my
         + reactions.reaction_joint_1_wz * wrench_link_1_mz
         + turn_joint_1_x * screws.connection_joint_2_wx
         + turn_joint_1_y * screws.connection_joint_2_wy
-        + turn_joint_1_z * screws.connection_joint_2_wz
-        + 0.0;
+        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
     let wrench_link_1_fx = poses.sin_joint_1 * factor_link_2_pz
         + (twist_link_1_vx * 20.0
-            + (twist_link_1_wy * inertias.composite_link_2_hz - twist_link_1_wz * inertias.composite_link_2_hy));
+            + (twist_link_1_wy * inertias.composite_link_2_hz
+                - twist_link_1_wz * inertias.composite_link_2_hy));
     let wrench_link_1_fy = twist_link_1_vy * 20.0
-        + (twist_link_1_wz * inertias.composite_link_2_hx + minus_twist_link_1_wx * inertias.composite_link_2_hz)
+        + (twist_link_1_wz * inertias.composite_link_2_hx
+            + minus_twist_link_1_wx * inertias.composite_link_2_hz)
         - poses.cos_joint_1 * factor_link_2_pz;
-    let wrench_link_1_fz = poses.cos_joint_1 * factor_link_2_py - poses.sin_joint_1 * factor_link_2_px
+    let wrench_link_1_fz = poses.cos_joint_1 * factor_link_2_py
+        - poses.sin_joint_1 * factor_link_2_px
         + (twist_link_1_vz * 20.0
-            - (minus_twist_link_1_wx * inertias.composite_link_2_hy + twist_link_1_wy * inertias.composite_link_2_hx));
+            - (minus_twist_link_1_wx * inertias.composite_link_2_hy
+                + twist_link_1_wy * inertias.composite_link_2_hx));
     d_qdot[7][7] = reactions.reaction_joint_2_wx * wrench_link_1_mx
         + reactions.reaction_joint_2_wy * wrench_link_1_my
         + reactions.reaction_joint_2_wz * wrench_link_1_mz
@@ -2950,15 +3298,15 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         + reactions.reaction_joint_2_vz * wrench_link_1_fz
         + turn_joint_2_x * screws.connection_joint_2_wx
         + turn_joint_2_y * screws.connection_joint_2_wy
-        + turn_joint_2_z * screws.connection_joint_2_wz
-        + 0.0;
+        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
     let three_joint_3_x_0 = factor_link_3_xx * poses.cos_joint_1;
     let three_joint_3_y_2 = factor_link_3_yy * poses.sin_joint_1;
-    let three_joint_3_x = three_joint_3_x_0
-        + factor_link_3_yx * poses.sin_joint_1
-        + (factor_link_3_py * screws.screw_joint_3_vz - factor_link_3_pz * screws.screw_joint_3_vy);
+    let three_joint_3_x = three_joint_3_x_0 + factor_link_3_yx * poses.sin_joint_1
+        + (factor_link_3_py * screws.screw_joint_3_vz
+            - factor_link_3_pz * screws.screw_joint_3_vy);
     let three_joint_3_y = factor_link_3_xy * poses.cos_joint_1 + three_joint_3_y_2
-        - (factor_link_3_pz * screws.minus_screw_joint_3_vx + factor_link_3_px * screws.screw_joint_3_vz);
+        - (factor_link_3_pz * screws.minus_screw_joint_3_vx
+            + factor_link_3_px * screws.screw_joint_3_vz);
     let d_qdot_8_7_0 = screws.connection_joint_2_wx * turn_joint_3_x
         - (wrench_link_1_mx * screws.connection_joint_3_wx
             + wrench_link_1_my * screws.connection_joint_3_wy
@@ -2968,16 +3316,13 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + wrench_link_1_fz * screws.connection_joint_3_vz)
         + screws.connection_joint_2_wy * turn_joint_3_y
         + screws.connection_joint_2_wz * turn_joint_3_z
-        + poses.cos_joint_1 * three_joint_3_x
-        + poses.sin_joint_1 * three_joint_3_y
+        + poses.cos_joint_1 * three_joint_3_x + poses.sin_joint_1 * three_joint_3_y
         - minus_twist_link_1_wx * screws.inside_joint_3_mx
         + twist_link_1_wy * screws.inside_joint_3_my;
-    d_qdot[7][8] = d_qdot_8_7_0
-        + twist_link_1_wz * screws.inside_joint_3_mz
+    d_qdot[7][8] = d_qdot_8_7_0 + twist_link_1_wz * screws.inside_joint_3_mz
         + twist_link_1_vx * screws.inside_joint_3_fx
         + twist_link_1_vy * screws.inside_joint_3_fy
-        + twist_link_1_vz * screws.inside_joint_3_fz
-        + 0.0;
+        + twist_link_1_vz * screws.inside_joint_3_fz + 0.0;
     // D_q\u{307} column joint_3
     d_qdot[8][0] = 0.0;
     d_qdot[8][1] = 0.0;
@@ -2985,8 +3330,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     d_qdot[8][3] = 0.0;
     d_qdot[8][4] = 0.0;
     d_qdot[8][5] = 0.0;
-    let twist_link_2_wz =
-        velocities.velocity_link_3_wx * poses.sin_joint_1 - velocities.velocity_link_3_wy * poses.cos_joint_1;
+    let twist_link_2_wz = velocities.velocity_link_3_wx * poses.sin_joint_1
+        - velocities.velocity_link_3_wy * poses.cos_joint_1;
     let twist_link_2_vx = velocities.velocity_link_3_wy * screws.screw_joint_3_vz
         - velocities.velocity_link_1_wz * screws.screw_joint_3_vy
         - velocities.velocity_link_3_vz * poses.sin_joint_1;
@@ -2995,38 +3340,46 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + velocities.velocity_link_3_wx * screws.screw_joint_3_vz);
     let twist_link_2_vz = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
         + velocities.velocity_link_3_wy * screws.minus_screw_joint_3_vx
-        + (velocities.velocity_link_3_vx * poses.sin_joint_1 - velocities.velocity_link_3_vy * poses.cos_joint_1);
-    let wrench_link_2_mx = factor_link_3_xy * poses.sin_joint_1
-        + three_joint_3_x_0
-        + (inertias.inertia_link_3_xy * twist_link_1_wy - inertias.inertia_link_3_xx * minus_twist_link_1_wx
+        + (velocities.velocity_link_3_vx * poses.sin_joint_1
+            - velocities.velocity_link_3_vy * poses.cos_joint_1);
+    let wrench_link_2_mx = factor_link_3_xy * poses.sin_joint_1 + three_joint_3_x_0
+        + (inertias.inertia_link_3_xy * twist_link_1_wy
+            - inertias.inertia_link_3_xx * minus_twist_link_1_wx
             + inertias.inertia_link_3_xz * twist_link_2_wz
-            + (inertias.inertia_link_3_hy * twist_link_2_vz - inertias.inertia_link_3_hz * twist_link_2_vy));
-    let wrench_link_2_my = three_joint_3_y_2
-        + factor_link_3_yx * poses.cos_joint_1
-        + (inertias.inertia_link_3_yy * twist_link_1_wy - inertias.inertia_link_3_xy * minus_twist_link_1_wx
+            + (inertias.inertia_link_3_hy * twist_link_2_vz
+                - inertias.inertia_link_3_hz * twist_link_2_vy));
+    let wrench_link_2_my = three_joint_3_y_2 + factor_link_3_yx * poses.cos_joint_1
+        + (inertias.inertia_link_3_yy * twist_link_1_wy
+            - inertias.inertia_link_3_xy * minus_twist_link_1_wx
             + inertias.inertia_link_3_yz * twist_link_2_wz
-            + (inertias.inertia_link_3_hz * twist_link_2_vx - inertias.inertia_link_3_hx * twist_link_2_vz));
+            + (inertias.inertia_link_3_hz * twist_link_2_vx
+                - inertias.inertia_link_3_hx * twist_link_2_vz));
     let wrench_link_2_mz = factor_link_3_zy * poses.sin_joint_1
         + factor_link_3_zx * poses.cos_joint_1
-        + (inertias.inertia_link_3_yz * twist_link_1_wy - inertias.inertia_link_3_xz * minus_twist_link_1_wx
+        + (inertias.inertia_link_3_yz * twist_link_1_wy
+            - inertias.inertia_link_3_xz * minus_twist_link_1_wx
             + inertias.inertia_link_3_zz * twist_link_2_wz
-            + (inertias.inertia_link_3_hx * twist_link_2_vy - inertias.inertia_link_3_hy * twist_link_2_vx));
+            + (inertias.inertia_link_3_hx * twist_link_2_vy
+                - inertias.inertia_link_3_hy * twist_link_2_vx));
     d_qdot[8][6] = reactions.reaction_joint_1_wx * wrench_link_2_mx
         + reactions.reaction_joint_1_wy * wrench_link_2_my
         + reactions.reaction_joint_1_wz * wrench_link_2_mz
         + turn_joint_1_x * screws.connection_joint_3_wx
         + turn_joint_1_y * screws.connection_joint_3_wy
-        + turn_joint_1_z * screws.connection_joint_3_wz
-        + 0.0;
+        + turn_joint_1_z * screws.connection_joint_3_wz + 0.0;
     let wrench_link_2_fx = poses.sin_joint_1 * factor_link_3_pz
         + (twist_link_2_vx * 10.0
-            + (twist_link_1_wy * inertias.inertia_link_3_hz - twist_link_2_wz * inertias.inertia_link_3_hy));
+            + (twist_link_1_wy * inertias.inertia_link_3_hz
+                - twist_link_2_wz * inertias.inertia_link_3_hy));
     let wrench_link_2_fy = twist_link_2_vy * 10.0
-        + (twist_link_2_wz * inertias.inertia_link_3_hx + minus_twist_link_1_wx * inertias.inertia_link_3_hz)
+        + (twist_link_2_wz * inertias.inertia_link_3_hx
+            + minus_twist_link_1_wx * inertias.inertia_link_3_hz)
         - poses.cos_joint_1 * factor_link_3_pz;
-    let wrench_link_2_fz = poses.cos_joint_1 * factor_link_3_py - poses.sin_joint_1 * factor_link_3_px
+    let wrench_link_2_fz = poses.cos_joint_1 * factor_link_3_py
+        - poses.sin_joint_1 * factor_link_3_px
         + (twist_link_2_vz * 10.0
-            - (minus_twist_link_1_wx * inertias.inertia_link_3_hy + twist_link_1_wy * inertias.inertia_link_3_hx));
+            - (minus_twist_link_1_wx * inertias.inertia_link_3_hy
+                + twist_link_1_wy * inertias.inertia_link_3_hx));
     d_qdot[8][7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
         + reactions.reaction_joint_2_wy * wrench_link_2_my
         + reactions.reaction_joint_2_wz * wrench_link_2_mz
@@ -3035,8 +3388,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         + reactions.reaction_joint_2_vz * wrench_link_2_fz
         + turn_joint_2_x * screws.connection_joint_3_wx
         + turn_joint_2_y * screws.connection_joint_3_wy
-        + turn_joint_2_z * screws.connection_joint_3_wz
-        + 0.0;
+        + turn_joint_2_z * screws.connection_joint_3_wz + 0.0;
     d_qdot[8][8] = reactions.reaction_joint_3_wx * wrench_link_2_mx
         + reactions.reaction_joint_3_wy * wrench_link_2_my
         + reactions.reaction_joint_3_wz * wrench_link_2_mz
@@ -3045,8 +3397,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         + reactions.reaction_joint_3_vz * wrench_link_2_fz
         + turn_joint_3_x * screws.connection_joint_3_wx
         + turn_joint_3_y * screws.connection_joint_3_wy
-        + turn_joint_3_z * screws.connection_joint_3_wz
-        + 0.0;
+        + turn_joint_3_z * screws.connection_joint_3_wz + 0.0;
 }
 /// The (μ, μ) term of the shape equation.
 ///
@@ -3054,7 +3405,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (3; N·m, N)
 ///
-/// 1003 operations: 434 + −, 566 ×, 3 ÷; 3 sin cos; about 9.0 KiB of code.
+/// 1003 operations: 434 + −, 566 ×, 3 ÷; 3 sin cos; about 11.9 KiB of code.
 pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3062,8 +3413,14 @@ pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_coupling_torque_d_mu_xi =
-        common_coupling_torque_d_mu_xi(mu, &poses, &inertias, &complements, &screws, &reactions);
+    let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
+        mu,
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+    );
     // (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ
     coupling_torque[0] = common_coupling_torque_d_mu_xi.coupling_torque_0 + 0.0;
     coupling_torque[1] = common_coupling_torque_d_mu_xi.coupling_torque_1 + 0.0;
@@ -3076,7 +3433,7 @@ pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (9; N·m, N)
 ///
-/// 1701 operations: 774 + −, 924 ×, 3 ÷; 3 sin cos; about 15.1 KiB of code.
+/// 1701 operations: 774 + −, 924 ×, 3 ÷; 3 sin cos; about 20.1 KiB of code.
 pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3085,14 +3442,21 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let common_coupling_torque_d_mu_xi =
-        common_coupling_torque_d_mu_xi(mu, &poses, &inertias, &complements, &screws, &reactions);
+    let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
+        mu,
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+    );
     let d_mu_xi_0_31_2_0_2 = poses.com_z + 0.023809523809523808;
-    let d_mu_xi_0_0 =
-        inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let d_mu_xi_0_2 =
-        inertias.composite_base_xz * mu[0] + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let d_mu_xi_0_31_2_0 = mu[3] + (mu[1] * d_mu_xi_0_31_2_0_2 + mu[2] * poses.origin_base_y);
+    let d_mu_xi_0_0 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    let d_mu_xi_0_2 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let d_mu_xi_0_31_2_0 = mu[3]
+        + (mu[1] * d_mu_xi_0_31_2_0_2 + mu[2] * poses.origin_base_y);
     let d_mu_xi_0_33_2_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_mu_xi_0_31_2_0_2);
     let d_mu_xi_0_31_0_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let d_mu_xi_0_31_2 = d_mu_xi_0_31_2_0 * 130.0;
@@ -3111,42 +3475,35 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let d_mu_xi_0_19_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let d_mu_xi_0_18 = d_mu_xi_0_18_1 + d_mu_xi_0_18_1;
     let d_mu_xi_0_19 = d_mu_xi_0_19_1 + d_mu_xi_0_19_1;
-    let d_mu_xi_0_31_5 =
-        screws.inside_joint_1_fx * qd[0] + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let d_mu_xi_0_33_5 =
-        screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let d_mu_xi_0_31_7 = screws.inside_joint_2_fz * qd[1] + screws.inside_joint_3_fz * qd[2];
-    let d_mu_xi_0_22 = (inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1))
-        * qd[0]
-        + (inertias.inside_joint_2_mz_0_1
-            - inertias.inside_joint_2_mz_0_0
-            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3))
-            * qd[1]
-        + (inertias.inside_joint_3_mz_0_1
-            - inertias.inside_joint_3_mz_0_0
-            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3))
-            * qd[2];
+    let d_mu_xi_0_31_5 = screws.inside_joint_1_fx * qd[0]
+        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
+    let d_mu_xi_0_33_5 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
+    let d_mu_xi_0_31_7 = screws.inside_joint_2_fz * qd[1]
+        + screws.inside_joint_3_fz * qd[2];
+    let d_mu_xi_0_22 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
+        + (inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
+            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3)) * qd[1]
+        + (inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
+            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3)) * qd[2];
     let d_mu_xi_0_24 = (poses.sin_joint_1 * inertias.composite_link_2_zz
-        + (inertias.inside_joint_2_my_0_0 - poses.sin_joint_1 * inertias.composite_link_2_xx)
-        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4))
-        * qd[1]
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4)) * qd[1]
         - screws.inside_joint_1_my * qd[0]
         + (poses.sin_joint_1 * inertias.inertia_link_3_zz
-            + (inertias.inside_joint_3_my_0_0 - poses.sin_joint_1 * inertias.inertia_link_3_xx)
-            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3))
-            * qd[2];
+            + (inertias.inside_joint_3_my_0_0
+                - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2];
     let d_mu_xi_0_31_1 = mu[0] - velocities.minus_velocity_base_wx;
     let d_mu_xi_0_33_1 = mu[1] - velocities.minus_velocity_base_wy;
     let d_mu_xi_0_31_3 = mu[2] - velocities.minus_velocity_base_wz;
     let d_mu_xi_0_7 = d_mu_xi_0_33_2_0 - velocities.minus_velocity_base_vy;
     let d_mu_xi_0_5 = d_mu_xi_0_31_0_0 - velocities.minus_velocity_base_vz;
-    let d_mu_xi_0_31 = d_mu_xi_0_31_0 * d_mu_xi_0_31_1
-        - d_mu_xi_0_31_2 * d_mu_xi_0_31_3
+    let d_mu_xi_0_31 = d_mu_xi_0_31_0 * d_mu_xi_0_31_1 - d_mu_xi_0_31_2 * d_mu_xi_0_31_3
         - (mu[2] * d_mu_xi_0_31_5 - mu[0] * d_mu_xi_0_31_7) * 0.5;
-    let d_mu_xi_0_33 = d_mu_xi_0_31_2 * d_mu_xi_0_33_1
-        - d_mu_xi_0_33_2 * d_mu_xi_0_31_1
+    let d_mu_xi_0_33 = d_mu_xi_0_31_2 * d_mu_xi_0_33_1 - d_mu_xi_0_33_2 * d_mu_xi_0_31_1
         - (mu[0] * d_mu_xi_0_33_5 - mu[1] * d_mu_xi_0_31_5) * 0.5;
     // D_μ ξ
     d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_31_3 - d_mu_xi_0_2 * d_mu_xi_0_33_1
@@ -3154,15 +3511,12 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         - (((d_mu_xi_0_8 - d_mu_xi_0_9) * qd[0]
             + (d_mu_xi_0_12 + d_mu_xi_0_12 + (d_mu_xi_0_13 - d_mu_xi_0_14)) * qd[1]
             + (d_mu_xi_0_17 + d_mu_xi_0_17 + (d_mu_xi_0_18 + d_mu_xi_0_19)) * qd[2])
-            * mu[0]
-            + d_mu_xi_0_22 * mu[1]
-            + d_mu_xi_0_24 * mu[2]
+            * mu[0] + d_mu_xi_0_22 * mu[1] + d_mu_xi_0_24 * mu[2]
             + (d_mu_xi_0_33_5 * d_mu_xi_0_31_0_0 - d_mu_xi_0_31_7 * d_mu_xi_0_33_2_0))
             * 0.5
-        - (d_mu_xi_0_31 * d_mu_xi_0_31_2_0_2 + d_mu_xi_0_33 * poses.origin_base_y)
-        + 0.0;
-    let d_mu_xi_1_2 =
-        inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+        - (d_mu_xi_0_31 * d_mu_xi_0_31_2_0_2 + d_mu_xi_0_33 * poses.origin_base_y) + 0.0;
+    let d_mu_xi_1_2 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let d_mu_xi_1_11_1 = inertias.composite_link_1_hx * poses.origin_base_y;
     let d_mu_xi_1_11 = d_mu_xi_1_11_1 + d_mu_xi_1_11_1;
     let d_mu_xi_1_14 = poses.cos_joint_1 * inertias.composite_link_2_yz;
@@ -3175,16 +3529,13 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         + (poses.cos_joint_1 * inertias.composite_link_2_yy
             - inertias.inside_joint_2_mx_0_1
             - poses.cos_joint_1 * inertias.composite_link_2_zz
-            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3))
-            * qd[1]
+            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3)) * qd[1]
         + (poses.cos_joint_1 * inertias.inertia_link_3_yy
             - inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
-            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4))
-            * qd[2];
+            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2];
     let d_mu_xi_1_5 = d_mu_xi_0_31_2_0 - velocities.minus_velocity_base_vx;
-    let d_mu_xi_1_31 = d_mu_xi_0_33_2 * d_mu_xi_0_31_3
-        - d_mu_xi_0_31_0 * d_mu_xi_0_33_1
+    let d_mu_xi_1_31 = d_mu_xi_0_33_2 * d_mu_xi_0_31_3 - d_mu_xi_0_31_0 * d_mu_xi_0_33_1
         - (mu[1] * d_mu_xi_0_31_7 - mu[2] * d_mu_xi_0_33_5) * 0.5;
     d_mu_xi[1] = d_mu_xi_0_2 * d_mu_xi_0_31_1 - d_mu_xi_1_2 * d_mu_xi_0_31_3
         + (d_mu_xi_0_31_0 * d_mu_xi_1_5 - d_mu_xi_0_31_2 * d_mu_xi_0_5)
@@ -3192,91 +3543,95 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
             + ((d_mu_xi_0_9 + d_mu_xi_1_11) * qd[0]
                 - (d_mu_xi_1_14 + d_mu_xi_1_14 + (d_mu_xi_1_15 + d_mu_xi_0_14)) * qd[1]
                 + (d_mu_xi_0_19 - d_mu_xi_1_19 - (d_mu_xi_1_21 + d_mu_xi_1_21)) * qd[2])
-                * mu[1]
-            + d_mu_xi_1_24 * mu[2]
+                * mu[1] + d_mu_xi_1_24 * mu[2]
             + (d_mu_xi_0_31_7 * d_mu_xi_0_31_2_0 - d_mu_xi_0_31_5 * d_mu_xi_0_31_0_0))
-            * 0.5
-        + (d_mu_xi_1_31 * d_mu_xi_0_31_2_0_2 - d_mu_xi_0_33 * poses.com_x)
+            * 0.5 + (d_mu_xi_1_31 * d_mu_xi_0_31_2_0_2 - d_mu_xi_0_33 * poses.com_x)
         + 0.0;
     let d_mu_xi_2_16 = d_mu_xi_1_14 - d_mu_xi_0_12;
     let d_mu_xi_2_21 = d_mu_xi_1_21 - d_mu_xi_0_17;
     d_mu_xi[2] = d_mu_xi_1_2 * d_mu_xi_0_33_1 - d_mu_xi_0_0 * d_mu_xi_0_31_1
         + (d_mu_xi_0_31_2 * d_mu_xi_0_7 - d_mu_xi_0_33_2 * d_mu_xi_1_5)
-        - (d_mu_xi_0_24 * mu[0]
-            + d_mu_xi_1_24 * mu[1]
+        - (d_mu_xi_0_24 * mu[0] + d_mu_xi_1_24 * mu[1]
             + ((d_mu_xi_1_11 + d_mu_xi_0_8) * qd[0]
                 + (d_mu_xi_2_16 + d_mu_xi_2_16 + (d_mu_xi_0_13 - d_mu_xi_1_15)) * qd[1]
                 + (d_mu_xi_2_21 + d_mu_xi_2_21 + (d_mu_xi_0_18 - d_mu_xi_1_19)) * qd[2])
                 * mu[2]
             + (d_mu_xi_0_31_5 * d_mu_xi_0_33_2_0 - d_mu_xi_0_33_5 * d_mu_xi_0_31_2_0))
-            * 0.5
-        + (d_mu_xi_1_31 * poses.origin_base_y + d_mu_xi_0_31 * poses.com_x)
+            * 0.5 + (d_mu_xi_1_31 * poses.origin_base_y + d_mu_xi_0_31 * poses.com_x)
         + 0.0;
     d_mu_xi[3] = d_mu_xi_1_31 + 0.0;
     d_mu_xi[4] = d_mu_xi_0_31 + 0.0;
     d_mu_xi[5] = d_mu_xi_0_33 + 0.0;
-    let wrench_outside_link_1_my_0_1 =
-        (inertias.inertia_base_xx + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
+    let wrench_outside_link_1_my_0_1 = (inertias.inertia_base_xx
+        + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
     let wrench_outside_link_1_my_0 = mu[0] * wrench_outside_link_1_my_0_1
         - (inertias.inertia_base_xx * mu[0] + inertias.inertia_base_xy * mu[1]
             - inertias.minus_inertia_base_xz * mu[2]);
     let wrench_outside_link_1_mx_2 = mu[1] * wrench_outside_link_1_my_0_1
-        - (inertias.inertia_base_xy * mu[0] + inertias.inertia_base_yy * mu[1] + inertias.inertia_base_yz * mu[2]);
+        - (inertias.inertia_base_xy * mu[0] + inertias.inertia_base_yy * mu[1]
+            + inertias.inertia_base_yz * mu[2]);
     let wrench_outside_link_1_mx_0 = mu[2] * wrench_outside_link_1_my_0_1
         - (inertias.inertia_base_yz * mu[1] - inertias.minus_inertia_base_xz * mu[0]
             + inertias.inertia_base_zz * mu[2]);
-    let wrench_link_3_my_2_1 =
-        (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy + inertias.inertia_link_3_zz) * 0.5;
+    let wrench_link_3_my_2_1 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
+        + inertias.inertia_link_3_zz) * 0.5;
     let wrench_link_3_my_2 = mu[0] * wrench_link_3_my_2_1
-        - (inertias.inertia_link_3_xx * mu[0]
-            + inertias.inertia_link_3_xy * mu[1]
+        - (inertias.inertia_link_3_xx * mu[0] + inertias.inertia_link_3_xy * mu[1]
             + inertias.inertia_link_3_xz * mu[2]);
     let wrench_link_3_mx_0 = mu[1] * wrench_link_3_my_2_1
-        - (inertias.inertia_link_3_xy * mu[0]
-            + inertias.inertia_link_3_yy * mu[1]
+        - (inertias.inertia_link_3_xy * mu[0] + inertias.inertia_link_3_yy * mu[1]
             + inertias.inertia_link_3_yz * mu[2]);
     let wrench_link_3_mx_2 = mu[2] * wrench_link_3_my_2_1
-        - (inertias.inertia_link_3_xz * mu[0]
-            + inertias.inertia_link_3_yz * mu[1]
+        - (inertias.inertia_link_3_xz * mu[0] + inertias.inertia_link_3_yz * mu[1]
             + inertias.inertia_link_3_zz * mu[2]);
-    let wrench_outside_link_1_fy_3 = velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
+    let wrench_outside_link_1_fy_3 = velocities.minus_velocity_base_wy
+        * inertias.minus_inertia_base_hz
         + velocities.minus_velocity_base_wz * inertias.inertia_base_hy;
-    let wrench_outside_link_1_fx_5 = velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx
+    let wrench_outside_link_1_fx_5 = velocities.minus_velocity_base_wz
+        * inertias.minus_inertia_base_hx
         - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz;
-    let wrench_outside_link_1_fx_3 = velocities.minus_velocity_base_wx * inertias.inertia_base_hy
+    let wrench_outside_link_1_fx_3 = velocities.minus_velocity_base_wx
+        * inertias.inertia_base_hy
         + velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hx;
-    let wrench_link_1_my_0_6_1 =
-        (inertias.inertia_link_1_xx + inertias.inertia_link_1_yy + inertias.inertia_link_1_zz) * 0.5;
-    let wrench_link_2_my_0_2_1 =
-        (inertias.inertia_link_2_xx + inertias.inertia_link_2_yy + inertias.inertia_link_2_zz) * 0.5;
+    let wrench_link_1_my_0_6_1 = (inertias.inertia_link_1_xx + inertias.inertia_link_1_yy
+        + inertias.inertia_link_1_zz) * 0.5;
+    let wrench_link_2_my_0_2_1 = (inertias.inertia_link_2_xx + inertias.inertia_link_2_yy
+        + inertias.inertia_link_2_zz) * 0.5;
     let wrench_outside_link_1_my_7_2 = mu[1] * velocities.minus_velocity_base_vz;
-    let wrench_outside_link_1_my_7 = mu[2] * velocities.minus_velocity_base_vy - wrench_outside_link_1_my_7_2;
+    let wrench_outside_link_1_my_7 = mu[2] * velocities.minus_velocity_base_vy
+        - wrench_outside_link_1_my_7_2;
     let wrench_outside_link_1_mx_7_0 = mu[0] * velocities.minus_velocity_base_vz;
-    let wrench_outside_link_1_mx_7 = wrench_outside_link_1_mx_7_0 - mu[2] * velocities.minus_velocity_base_vx;
-    let wrench_outside_link_1_mx_5 =
-        mu[1] * velocities.minus_velocity_base_vx - mu[0] * velocities.minus_velocity_base_vy;
-    let wrench_outside_link_1_mx = wrench_outside_link_1_mx_0 * velocities.minus_velocity_base_wy
+    let wrench_outside_link_1_mx_7 = wrench_outside_link_1_mx_7_0
+        - mu[2] * velocities.minus_velocity_base_vx;
+    let wrench_outside_link_1_mx_5 = mu[1] * velocities.minus_velocity_base_vx
+        - mu[0] * velocities.minus_velocity_base_vy;
+    let wrench_outside_link_1_mx = wrench_outside_link_1_mx_0
+        * velocities.minus_velocity_base_wy
         - wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wz
         + (inertias.inertia_base_hy * wrench_outside_link_1_mx_5
             + inertias.minus_inertia_base_hz * wrench_outside_link_1_mx_7);
-    let wrench_outside_link_1_my = wrench_outside_link_1_my_0 * velocities.minus_velocity_base_wz
+    let wrench_outside_link_1_my = wrench_outside_link_1_my_0
+        * velocities.minus_velocity_base_wz
         - wrench_outside_link_1_mx_0 * velocities.minus_velocity_base_wx
         + (inertias.minus_inertia_base_hx * wrench_outside_link_1_mx_5
             - inertias.minus_inertia_base_hz * wrench_outside_link_1_my_7);
-    let wrench_outside_link_1_mz = wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wx
+    let wrench_outside_link_1_mz = wrench_outside_link_1_mx_2
+        * velocities.minus_velocity_base_wx
         - wrench_outside_link_1_my_0 * velocities.minus_velocity_base_wy
         - (inertias.minus_inertia_base_hx * wrench_outside_link_1_mx_7
             + inertias.inertia_base_hy * wrench_outside_link_1_my_7);
-    let wrench_outside_link_1_fx =
-        wrench_outside_link_1_my_7 * 105.0 - (mu[1] * wrench_outside_link_1_fx_3 + mu[2] * wrench_outside_link_1_fx_5);
-    let wrench_outside_link_1_fy =
-        wrench_outside_link_1_mx_7 * 105.0 + (mu[2] * wrench_outside_link_1_fy_3 + mu[0] * wrench_outside_link_1_fx_3);
-    let wrench_outside_link_2_fx_1 = wrench_outside_link_1_my_7_2 + mu[2] * velocities.velocity_link_1_vy;
-    let wrench_outside_link_2_fy_0 = mu[2] * velocities.velocity_link_1_vx + wrench_outside_link_1_mx_7_0;
-    let wrench_outside_link_2_fz_0 = mu[0] * velocities.velocity_link_1_vy - mu[1] * velocities.velocity_link_1_vx;
+    let wrench_outside_link_1_fx = wrench_outside_link_1_my_7 * 105.0
+        - (mu[1] * wrench_outside_link_1_fx_3 + mu[2] * wrench_outside_link_1_fx_5);
+    let wrench_outside_link_1_fy = wrench_outside_link_1_mx_7 * 105.0
+        + (mu[2] * wrench_outside_link_1_fy_3 + mu[0] * wrench_outside_link_1_fx_3);
+    let wrench_outside_link_2_fx_1 = wrench_outside_link_1_my_7_2
+        + mu[2] * velocities.velocity_link_1_vy;
+    let wrench_outside_link_2_fy_0 = mu[2] * velocities.velocity_link_1_vx
+        + wrench_outside_link_1_mx_7_0;
+    let wrench_outside_link_2_fz_0 = mu[0] * velocities.velocity_link_1_vy
+        - mu[1] * velocities.velocity_link_1_vx;
     let wrench_link_1_my_0_6 = mu[0] * wrench_link_1_my_0_6_1
-        - (inertias.inertia_link_1_xx * mu[0]
-            + inertias.inertia_link_1_xy * mu[1]
+        - (inertias.inertia_link_1_xx * mu[0] + inertias.inertia_link_1_xy * mu[1]
             + inertias.inertia_link_1_xz * mu[2]);
     let wrench_link_1_mx_0_0 = mu[1] * wrench_link_1_my_0_6_1
         - (inertias.inertia_link_1_xy * mu[0] + inertias.inertia_link_1_yy * mu[1]
@@ -3288,7 +3643,8 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         + wrench_link_1_mx_0_2 * velocities.minus_velocity_base_wy
         + (inertias.inertia_link_1_hy * wrench_outside_link_2_fz_0
             - inertias.inertia_link_1_hz * wrench_outside_link_2_fy_0);
-    let wrench_link_1_my_0 = inertias.minus_inertia_link_1_hx * wrench_outside_link_2_fz_0
+    let wrench_link_1_my_0 = inertias.minus_inertia_link_1_hx
+        * wrench_outside_link_2_fz_0
         - inertias.inertia_link_1_hz * wrench_outside_link_2_fx_1
         - (wrench_link_1_mx_0_2 * velocities.minus_velocity_base_wx
             + wrench_link_1_my_0_6 * velocities.velocity_link_1_wz);
@@ -3296,42 +3652,51 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         - wrench_link_1_my_0_6 * velocities.minus_velocity_base_wy
         + (inertias.inertia_link_1_hy * wrench_outside_link_2_fx_1
             - inertias.minus_inertia_link_1_hx * wrench_outside_link_2_fy_0);
-    let wrench_link_2_my_0_5 = mu[1] * velocities.minus_velocity_link_2_vz + mu[2] * velocities.velocity_link_2_vy;
-    let wrench_link_2_mx_0_7 = mu[2] * velocities.velocity_link_2_vx + mu[0] * velocities.minus_velocity_link_2_vz;
-    let wrench_link_2_mx_0_5 = mu[0] * velocities.velocity_link_2_vy - mu[1] * velocities.velocity_link_2_vx;
+    let wrench_link_2_my_0_5 = mu[1] * velocities.minus_velocity_link_2_vz
+        + mu[2] * velocities.velocity_link_2_vy;
+    let wrench_link_2_mx_0_7 = mu[2] * velocities.velocity_link_2_vx
+        + mu[0] * velocities.minus_velocity_link_2_vz;
+    let wrench_link_2_mx_0_5 = mu[0] * velocities.velocity_link_2_vy
+        - mu[1] * velocities.velocity_link_2_vx;
     let wrench_link_2_my_0_2 = mu[0] * wrench_link_2_my_0_2_1
-        - (inertias.inertia_link_2_xx * mu[0]
-            + inertias.inertia_link_2_xy * mu[1]
+        - (inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1]
             + inertias.inertia_link_2_xz * mu[2]);
     let wrench_link_2_mx_0_0 = mu[1] * wrench_link_2_my_0_2_1
-        - (inertias.inertia_link_2_xy * mu[0]
-            + inertias.inertia_link_2_yy * mu[1]
+        - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
             + inertias.inertia_link_2_yz * mu[2]);
     let wrench_link_2_mx_0_2 = mu[2] * wrench_link_2_my_0_2_1
-        - (inertias.inertia_link_2_xz * mu[0]
-            + inertias.inertia_link_2_yz * mu[1]
+        - (inertias.inertia_link_2_xz * mu[0] + inertias.inertia_link_2_yz * mu[1]
             + inertias.inertia_link_2_zz * mu[2]);
     let wrench_link_2_mx_0 = wrench_link_2_mx_0_0 * velocities.velocity_link_1_wz
         - wrench_link_2_mx_0_2 * velocities.velocity_link_2_wy
-        + (inertias.inertia_link_2_hy * wrench_link_2_mx_0_5 - inertias.inertia_link_2_hz * wrench_link_2_mx_0_7);
+        + (inertias.inertia_link_2_hy * wrench_link_2_mx_0_5
+            - inertias.inertia_link_2_hz * wrench_link_2_mx_0_7);
     let wrench_link_2_my_0 = wrench_link_2_mx_0_2 * velocities.velocity_link_2_wx
         - wrench_link_2_my_0_2 * velocities.velocity_link_1_wz
-        - (inertias.inertia_link_2_hz * wrench_link_2_my_0_5 + inertias.inertia_link_2_hx * wrench_link_2_mx_0_5);
+        - (inertias.inertia_link_2_hz * wrench_link_2_my_0_5
+            + inertias.inertia_link_2_hx * wrench_link_2_mx_0_5);
     let wrench_link_2_mz_0 = wrench_link_2_my_0_2 * velocities.velocity_link_2_wy
         - wrench_link_2_mx_0_0 * velocities.velocity_link_2_wx
-        + (inertias.inertia_link_2_hx * wrench_link_2_mx_0_7 + inertias.inertia_link_2_hy * wrench_link_2_my_0_5);
-    let wrench_link_3_my_5 = mu[1] * velocities.velocity_link_3_vz - mu[2] * velocities.velocity_link_3_vy;
-    let wrench_link_3_mx_7 = mu[2] * velocities.velocity_link_3_vx - mu[0] * velocities.velocity_link_3_vz;
-    let wrench_link_3_mx_5 = mu[0] * velocities.velocity_link_3_vy - mu[1] * velocities.velocity_link_3_vx;
+        + (inertias.inertia_link_2_hx * wrench_link_2_mx_0_7
+            + inertias.inertia_link_2_hy * wrench_link_2_my_0_5);
+    let wrench_link_3_my_5 = mu[1] * velocities.velocity_link_3_vz
+        - mu[2] * velocities.velocity_link_3_vy;
+    let wrench_link_3_mx_7 = mu[2] * velocities.velocity_link_3_vx
+        - mu[0] * velocities.velocity_link_3_vz;
+    let wrench_link_3_mx_5 = mu[0] * velocities.velocity_link_3_vy
+        - mu[1] * velocities.velocity_link_3_vx;
     let wrench_link_3_mx = wrench_link_3_mx_0 * velocities.velocity_link_1_wz
         - wrench_link_3_mx_2 * velocities.velocity_link_3_wy
-        + (inertias.inertia_link_3_hy * wrench_link_3_mx_5 - inertias.inertia_link_3_hz * wrench_link_3_mx_7);
+        + (inertias.inertia_link_3_hy * wrench_link_3_mx_5
+            - inertias.inertia_link_3_hz * wrench_link_3_mx_7);
     let wrench_link_3_my = wrench_link_3_mx_2 * velocities.velocity_link_3_wx
         - wrench_link_3_my_2 * velocities.velocity_link_1_wz
-        + (inertias.inertia_link_3_hz * wrench_link_3_my_5 - inertias.inertia_link_3_hx * wrench_link_3_mx_5);
+        + (inertias.inertia_link_3_hz * wrench_link_3_my_5
+            - inertias.inertia_link_3_hx * wrench_link_3_mx_5);
     let wrench_link_3_mz = wrench_link_3_my_2 * velocities.velocity_link_3_wy
         - wrench_link_3_mx_0 * velocities.velocity_link_3_wx
-        + (inertias.inertia_link_3_hx * wrench_link_3_mx_7 - inertias.inertia_link_3_hy * wrench_link_3_my_5);
+        + (inertias.inertia_link_3_hx * wrench_link_3_mx_7
+            - inertias.inertia_link_3_hy * wrench_link_3_my_5);
     let wrench_link_2_mx = wrench_link_2_mx_0 + wrench_link_3_mx;
     let wrench_link_2_my = wrench_link_2_my_0 + wrench_link_3_my;
     let wrench_link_2_mz = wrench_link_2_mz_0 + wrench_link_3_mz;
@@ -3346,12 +3711,16 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
             + screws.connection_joint_1_wz * wrench_outside_link_1_mz
             + screws.connection_joint_1_vx * wrench_outside_link_1_fx
             + screws.connection_joint_1_vy * wrench_outside_link_1_fy);
-    d_mu_xi[6] = common_coupling_torque_d_mu_xi.coupling_torque_0 - d_mu_xi_6_2 - d_mu_xi_6_2 + 0.0;
-    let wrench_outside_link_2_fy_3 = velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
+    d_mu_xi[6] = common_coupling_torque_d_mu_xi.coupling_torque_0 - d_mu_xi_6_2
+        - d_mu_xi_6_2 + 0.0;
+    let wrench_outside_link_2_fy_3 = velocities.minus_velocity_base_wy
+        * inertias.inertia_link_1_hz
         + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy;
-    let wrench_outside_link_2_fx_6 = velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
+    let wrench_outside_link_2_fx_6 = velocities.minus_velocity_base_wx
+        * inertias.inertia_link_1_hz
         - velocities.velocity_link_1_wz * inertias.minus_inertia_link_1_hx;
-    let wrench_outside_link_2_fx_4 = velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
+    let wrench_outside_link_2_fx_4 = velocities.minus_velocity_base_wx
+        * inertias.inertia_link_1_hy
         + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx;
     let wrench_link_2_fy_0_5 = velocities.velocity_link_2_wy * inertias.inertia_link_2_hz
         - velocities.velocity_link_1_wz * inertias.inertia_link_2_hy;
@@ -3365,17 +3734,20 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         - velocities.velocity_link_3_wx * inertias.inertia_link_3_hz;
     let wrench_link_3_fx_5 = velocities.velocity_link_3_wx * inertias.inertia_link_3_hy
         - velocities.velocity_link_3_wy * inertias.inertia_link_3_hx;
-    let wrench_outside_link_1_fz =
-        wrench_outside_link_1_mx_5 * 105.0 - (mu[1] * wrench_outside_link_1_fy_3 - mu[0] * wrench_outside_link_1_fx_5);
-    let wrench_link_2_fx_1 =
-        wrench_link_2_my_0_5 * 10.0 + (mu[2] * wrench_link_2_fx_1_3 - mu[1] * wrench_link_2_fx_1_5);
-    let wrench_link_2_fy_0 =
-        wrench_link_2_mx_0_7 * 10.0 - (mu[0] * wrench_link_2_fx_1_5 - mu[2] * wrench_link_2_fy_0_5);
-    let wrench_link_2_fz_0 =
-        wrench_link_2_mx_0_5 * 10.0 - (mu[1] * wrench_link_2_fy_0_5 - mu[0] * wrench_link_2_fx_1_3);
-    let wrench_link_3_fx = wrench_link_3_my_5 * 10.0 - (mu[2] * wrench_link_3_fx_3 - mu[1] * wrench_link_3_fx_5);
-    let wrench_link_3_fy = wrench_link_3_mx_7 * 10.0 - (mu[0] * wrench_link_3_fx_5 - mu[2] * wrench_link_3_fy_5);
-    let wrench_link_3_fz = wrench_link_3_mx_5 * 10.0 - (mu[1] * wrench_link_3_fy_5 - mu[0] * wrench_link_3_fx_3);
+    let wrench_outside_link_1_fz = wrench_outside_link_1_mx_5 * 105.0
+        - (mu[1] * wrench_outside_link_1_fy_3 - mu[0] * wrench_outside_link_1_fx_5);
+    let wrench_link_2_fx_1 = wrench_link_2_my_0_5 * 10.0
+        + (mu[2] * wrench_link_2_fx_1_3 - mu[1] * wrench_link_2_fx_1_5);
+    let wrench_link_2_fy_0 = wrench_link_2_mx_0_7 * 10.0
+        - (mu[0] * wrench_link_2_fx_1_5 - mu[2] * wrench_link_2_fy_0_5);
+    let wrench_link_2_fz_0 = wrench_link_2_mx_0_5 * 10.0
+        - (mu[1] * wrench_link_2_fy_0_5 - mu[0] * wrench_link_2_fx_1_3);
+    let wrench_link_3_fx = wrench_link_3_my_5 * 10.0
+        - (mu[2] * wrench_link_3_fx_3 - mu[1] * wrench_link_3_fx_5);
+    let wrench_link_3_fy = wrench_link_3_mx_7 * 10.0
+        - (mu[0] * wrench_link_3_fx_5 - mu[2] * wrench_link_3_fy_5);
+    let wrench_link_3_fz = wrench_link_3_mx_5 * 10.0
+        - (mu[1] * wrench_link_3_fy_5 - mu[0] * wrench_link_3_fx_3);
     let wrench_link_2_fx = wrench_link_3_fx - wrench_link_2_fx_1;
     let wrench_link_2_fy = wrench_link_2_fy_0 + wrench_link_3_fy;
     let wrench_link_2_fz = wrench_link_2_fz_0 + wrench_link_3_fz;
@@ -3403,7 +3775,8 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
             + screws.connection_joint_2_vx * wrench_outside_link_2_fx
             + screws.connection_joint_2_vy * wrench_outside_link_2_fy
             + screws.connection_joint_2_vz * wrench_outside_link_2_fz);
-    d_mu_xi[7] = common_coupling_torque_d_mu_xi.coupling_torque_1 - d_mu_xi_7_2 - d_mu_xi_7_2 + 0.0;
+    d_mu_xi[7] = common_coupling_torque_d_mu_xi.coupling_torque_1 - d_mu_xi_7_2
+        - d_mu_xi_7_2 + 0.0;
     let wrench_outside_link_3_mx = wrench_link_2_mx_0 + wrench_outside_link_2_mx;
     let wrench_outside_link_3_my = wrench_link_2_my_0 + wrench_outside_link_2_my;
     let wrench_outside_link_3_mz = wrench_link_2_mz_0 + wrench_outside_link_2_mz;
@@ -3422,7 +3795,8 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
             + screws.connection_joint_3_vx * wrench_outside_link_3_fx
             + screws.connection_joint_3_vy * wrench_outside_link_3_fy
             + screws.connection_joint_3_vz * wrench_outside_link_3_fz);
-    d_mu_xi[8] = common_coupling_torque_d_mu_xi.coupling_torque_2 - d_mu_xi_8_2 - d_mu_xi_8_2 + 0.0;
+    d_mu_xi[8] = common_coupling_torque_d_mu_xi.coupling_torque_2 - d_mu_xi_8_2
+        - d_mu_xi_8_2 + 0.0;
 }
 /// D_q̇ ξ = [½ P(q̇) μ; Γ'_q(q̇) q̇], without forming D_q̇.
 ///
@@ -3431,7 +3805,7 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (9; N·m, N)
 ///
-/// 1330 operations: 615 + −, 712 ×, 3 ÷; 3 sin cos; about 11.8 KiB of code.
+/// 1330 operations: 615 + −, 712 ×, 3 ÷; 3 sin cos; about 15.7 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3456,46 +3830,39 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_0_11_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let d_qdot_xi_0_10 = d_qdot_xi_0_10_1 + d_qdot_xi_0_10_1;
     let d_qdot_xi_0_11 = d_qdot_xi_0_11_1 + d_qdot_xi_0_11_1;
-    let d_qdot_xi_0_23_1 =
-        screws.inside_joint_1_fx * qd[0] + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let d_qdot_xi_0_25_1 =
-        screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let d_qdot_xi_0_23_3 = screws.inside_joint_2_fz * qd[1] + screws.inside_joint_3_fz * qd[2];
-    let d_qdot_xi_0_14 = (inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1))
-        * qd[0]
-        + (inertias.inside_joint_2_mz_0_1
-            - inertias.inside_joint_2_mz_0_0
-            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3))
-            * qd[1]
-        + (inertias.inside_joint_3_mz_0_1
-            - inertias.inside_joint_3_mz_0_0
-            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3))
-            * qd[2];
+    let d_qdot_xi_0_23_1 = screws.inside_joint_1_fx * qd[0]
+        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
+    let d_qdot_xi_0_25_1 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
+    let d_qdot_xi_0_23_3 = screws.inside_joint_2_fz * qd[1]
+        + screws.inside_joint_3_fz * qd[2];
+    let d_qdot_xi_0_14 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
+        + (inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
+            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3)) * qd[1]
+        + (inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
+            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3)) * qd[2];
     let d_qdot_xi_0_16 = (poses.sin_joint_1 * inertias.composite_link_2_zz
-        + (inertias.inside_joint_2_my_0_0 - poses.sin_joint_1 * inertias.composite_link_2_xx)
-        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4))
-        * qd[1]
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4)) * qd[1]
         - screws.inside_joint_1_my * qd[0]
         + (poses.sin_joint_1 * inertias.inertia_link_3_zz
-            + (inertias.inside_joint_3_my_0_0 - poses.sin_joint_1 * inertias.inertia_link_3_xx)
-            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3))
-            * qd[2];
+            + (inertias.inside_joint_3_my_0_0
+                - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2];
     let d_qdot_xi_0_23 = (mu[2] * d_qdot_xi_0_23_1 - mu[0] * d_qdot_xi_0_23_3) * 0.5;
     let d_qdot_xi_0_25 = (mu[0] * d_qdot_xi_0_25_1 - mu[1] * d_qdot_xi_0_23_1) * 0.5;
     // D_q\u{307} ξ
     d_qdot_xi[0] = (((d_qdot_xi_0_0 - d_qdot_xi_0_1) * qd[0]
         + (d_qdot_xi_0_4 + d_qdot_xi_0_4 + (d_qdot_xi_0_5 - d_qdot_xi_0_6)) * qd[1]
         + (d_qdot_xi_0_9 + d_qdot_xi_0_9 + (d_qdot_xi_0_10 + d_qdot_xi_0_11)) * qd[2])
-        * mu[0]
-        + d_qdot_xi_0_14 * mu[1]
-        + d_qdot_xi_0_16 * mu[2]
-        + (d_qdot_xi_0_25_1 * d_qdot_xi_0_19 - d_qdot_xi_0_23_3 * d_qdot_xi_0_21))
-        * 0.5
+        * mu[0] + d_qdot_xi_0_14 * mu[1] + d_qdot_xi_0_16 * mu[2]
+        + (d_qdot_xi_0_25_1 * d_qdot_xi_0_19 - d_qdot_xi_0_23_3 * d_qdot_xi_0_21)) * 0.5
         - (d_qdot_xi_0_23 * d_qdot_xi_0_21_4 + d_qdot_xi_0_25 * poses.origin_base_y)
         + 0.0;
-    let d_qdot_xi_1_19 = mu[3] + (mu[1] * d_qdot_xi_0_21_4 + mu[2] * poses.origin_base_y);
+    let d_qdot_xi_1_19 = mu[3]
+        + (mu[1] * d_qdot_xi_0_21_4 + mu[2] * poses.origin_base_y);
     let d_qdot_xi_1_3_1 = inertias.composite_link_1_hx * poses.origin_base_y;
     let d_qdot_xi_1_3 = d_qdot_xi_1_3_1 + d_qdot_xi_1_3_1;
     let d_qdot_xi_1_6 = poses.cos_joint_1 * inertias.composite_link_2_yz;
@@ -3508,43 +3875,37 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
         + (poses.cos_joint_1 * inertias.composite_link_2_yy
             - inertias.inside_joint_2_mx_0_1
             - poses.cos_joint_1 * inertias.composite_link_2_zz
-            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3))
-            * qd[1]
+            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3)) * qd[1]
         + (poses.cos_joint_1 * inertias.inertia_link_3_yy
             - inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
-            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4))
-            * qd[2];
+            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2];
     let d_qdot_xi_1_23 = (mu[1] * d_qdot_xi_0_23_3 - mu[2] * d_qdot_xi_0_25_1) * 0.5;
     d_qdot_xi[1] = (d_qdot_xi_0_14 * mu[0]
         + ((d_qdot_xi_0_1 + d_qdot_xi_1_3) * qd[0]
             - (d_qdot_xi_1_6 + d_qdot_xi_1_6 + (d_qdot_xi_1_7 + d_qdot_xi_0_6)) * qd[1]
-            + (d_qdot_xi_0_11 - d_qdot_xi_1_11 - (d_qdot_xi_1_13 + d_qdot_xi_1_13)) * qd[2])
-            * mu[1]
-        + d_qdot_xi_1_16 * mu[2]
-        + (d_qdot_xi_0_23_3 * d_qdot_xi_1_19 - d_qdot_xi_0_23_1 * d_qdot_xi_0_19))
-        * 0.5
-        + (d_qdot_xi_1_23 * d_qdot_xi_0_21_4 - d_qdot_xi_0_25 * poses.com_x)
-        + 0.0;
+            + (d_qdot_xi_0_11 - d_qdot_xi_1_11 - (d_qdot_xi_1_13 + d_qdot_xi_1_13))
+                * qd[2]) * mu[1] + d_qdot_xi_1_16 * mu[2]
+        + (d_qdot_xi_0_23_3 * d_qdot_xi_1_19 - d_qdot_xi_0_23_1 * d_qdot_xi_0_19)) * 0.5
+        + (d_qdot_xi_1_23 * d_qdot_xi_0_21_4 - d_qdot_xi_0_25 * poses.com_x) + 0.0;
     let d_qdot_xi_2_8 = d_qdot_xi_1_6 - d_qdot_xi_0_4;
     let d_qdot_xi_2_13 = d_qdot_xi_1_13 - d_qdot_xi_0_9;
-    d_qdot_xi[2] = (d_qdot_xi_0_16 * mu[0]
-        + d_qdot_xi_1_16 * mu[1]
+    d_qdot_xi[2] = (d_qdot_xi_0_16 * mu[0] + d_qdot_xi_1_16 * mu[1]
         + ((d_qdot_xi_1_3 + d_qdot_xi_0_0) * qd[0]
             + (d_qdot_xi_2_8 + d_qdot_xi_2_8 + (d_qdot_xi_0_5 - d_qdot_xi_1_7)) * qd[1]
-            + (d_qdot_xi_2_13 + d_qdot_xi_2_13 + (d_qdot_xi_0_10 - d_qdot_xi_1_11)) * qd[2])
-            * mu[2]
-        + (d_qdot_xi_0_23_1 * d_qdot_xi_0_21 - d_qdot_xi_0_25_1 * d_qdot_xi_1_19))
-        * 0.5
-        + (d_qdot_xi_1_23 * poses.origin_base_y + d_qdot_xi_0_23 * poses.com_x)
-        + 0.0;
+            + (d_qdot_xi_2_13 + d_qdot_xi_2_13 + (d_qdot_xi_0_10 - d_qdot_xi_1_11))
+                * qd[2]) * mu[2]
+        + (d_qdot_xi_0_23_1 * d_qdot_xi_0_21 - d_qdot_xi_0_25_1 * d_qdot_xi_1_19)) * 0.5
+        + (d_qdot_xi_1_23 * poses.origin_base_y + d_qdot_xi_0_23 * poses.com_x) + 0.0;
     d_qdot_xi[3] = d_qdot_xi_1_23 + 0.0;
     d_qdot_xi[4] = d_qdot_xi_0_23 + 0.0;
     d_qdot_xi[5] = d_qdot_xi_0_25 + 0.0;
-    let minus_wrench_outside_link_1_my_6 = velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
+    let minus_wrench_outside_link_1_my_6 = velocities.minus_velocity_base_wy
+        * inertias.minus_inertia_base_hz
         + velocities.minus_velocity_base_wz * inertias.inertia_base_hy
         - velocities.minus_velocity_base_vx * 105.0;
-    let minus_wrench_outside_link_1_mx_4 = velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx
+    let minus_wrench_outside_link_1_mx_4 = velocities.minus_velocity_base_wz
+        * inertias.minus_inertia_base_hx
         - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz
         - velocities.minus_velocity_base_vy * 105.0;
     let minus_wrench_outside_link_1_mx_6 = velocities.minus_velocity_base_vz * 105.0
@@ -3565,7 +3926,8 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let wrench_link_2_mx_0_14 = velocities.velocity_link_2_vy * 10.0
         + (velocities.velocity_link_1_wz * inertias.inertia_link_2_hx
             - velocities.velocity_link_2_wx * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_0_16 = velocities.velocity_link_2_wx * inertias.inertia_link_2_hy
+    let wrench_link_2_mx_0_16 = velocities.velocity_link_2_wx
+        * inertias.inertia_link_2_hy
         - velocities.velocity_link_2_wy * inertias.inertia_link_2_hx
         - velocities.minus_velocity_link_2_vz * 10.0;
     let wrench_link_3_my_16 = velocities.velocity_link_3_vx * 10.0
@@ -3579,45 +3941,55 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - velocities.velocity_link_3_wy * inertias.inertia_link_3_hx);
     let minus_twist_link_2_wx_1 = velocities.velocity_link_1_wz * poses.sin_joint_1;
     let twist_link_2_wy_1 = velocities.velocity_link_1_wz * poses.cos_joint_1;
-    let minus_wrench_outside_link_1_my_0 = inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wz
+    let minus_wrench_outside_link_1_my_0 = inertias.minus_inertia_base_xz
+        * velocities.minus_velocity_base_wz
         - (inertias.inertia_base_xx * velocities.minus_velocity_base_wx
             + inertias.inertia_base_xy * velocities.minus_velocity_base_wy)
         - (velocities.minus_velocity_base_vz * inertias.inertia_base_hy
             + velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
-    let minus_wrench_outside_link_1_mx_2 = velocities.minus_velocity_base_vx * inertias.minus_inertia_base_hz
+    let minus_wrench_outside_link_1_mx_2 = velocities.minus_velocity_base_vx
+        * inertias.minus_inertia_base_hz
         - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx
         - (inertias.inertia_base_xy * velocities.minus_velocity_base_wx
             + inertias.inertia_base_yy * velocities.minus_velocity_base_wy
             + inertias.inertia_base_yz * velocities.minus_velocity_base_wz);
-    let minus_wrench_outside_link_1_mx_0 = inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wx
+    let minus_wrench_outside_link_1_mx_0 = inertias.minus_inertia_base_xz
+        * velocities.minus_velocity_base_wx
         - inertias.inertia_base_yz * velocities.minus_velocity_base_wy
         - inertias.inertia_base_zz * velocities.minus_velocity_base_wz
         + (velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
             + velocities.minus_velocity_base_vx * inertias.inertia_base_hy);
-    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0 * velocities.minus_velocity_base_wy
+    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
+        * velocities.minus_velocity_base_wy
         - minus_wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wz
         - (minus_wrench_outside_link_1_mx_4 * velocities.minus_velocity_base_vz
             + minus_wrench_outside_link_1_mx_6 * velocities.minus_velocity_base_vy);
-    let minus_wrench_outside_link_1_my = minus_wrench_outside_link_1_my_0 * velocities.minus_velocity_base_wz
+    let minus_wrench_outside_link_1_my = minus_wrench_outside_link_1_my_0
+        * velocities.minus_velocity_base_wz
         - minus_wrench_outside_link_1_mx_0 * velocities.minus_velocity_base_wx
         + (minus_wrench_outside_link_1_mx_6 * velocities.minus_velocity_base_vx
             + minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_vz);
-    let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wx
+    let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_mx_2
+        * velocities.minus_velocity_base_wx
         - minus_wrench_outside_link_1_my_0 * velocities.minus_velocity_base_wy
         + (minus_wrench_outside_link_1_mx_4 * velocities.minus_velocity_base_vx
             - minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_vy);
-    let wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4 * velocities.minus_velocity_base_wz
+    let wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4
+        * velocities.minus_velocity_base_wz
         + minus_wrench_outside_link_1_mx_6 * velocities.minus_velocity_base_wy;
-    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6 * velocities.minus_velocity_base_wx
+    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6
+        * velocities.minus_velocity_base_wx
         + minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_wz;
     let minus_twist_link_1_wx = velocities.minus_velocity_base_wy * qd[0];
     let twist_link_1_wy = velocities.minus_velocity_base_wx * qd[0];
-    let twist_link_1_vx = (velocities.velocity_link_1_vy - velocities.velocity_link_1_wz * poses.com_x) * qd[0];
-    let twist_link_1_vy = (velocities.velocity_link_1_wz * poses.origin_base_y - velocities.velocity_link_1_vx) * qd[0];
+    let twist_link_1_vx = (velocities.velocity_link_1_vy
+        - velocities.velocity_link_1_wz * poses.com_x) * qd[0];
+    let twist_link_1_vy = (velocities.velocity_link_1_wz * poses.origin_base_y
+        - velocities.velocity_link_1_vx) * qd[0];
     let twist_link_1_vz = (velocities.minus_velocity_base_wy * poses.origin_base_y
-        - velocities.minus_velocity_base_wx * poses.com_x)
-        * qd[0];
-    let wrench_link_1_my_0_14 = inertias.inertia_link_1_xz * velocities.velocity_link_1_wz
+        - velocities.minus_velocity_base_wx * poses.com_x) * qd[0];
+    let wrench_link_1_my_0_14 = inertias.inertia_link_1_xz
+        * velocities.velocity_link_1_wz
         - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
             + inertias.inertia_link_1_xy * velocities.minus_velocity_base_wy)
         - (velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
@@ -3627,62 +3999,67 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
         - (inertias.inertia_link_1_xy * velocities.minus_velocity_base_wx
             + inertias.inertia_link_1_yy * velocities.minus_velocity_base_wy
             + inertias.minus_inertia_link_1_yz * velocities.velocity_link_1_wz);
-    let wrench_link_1_mx_0_10 = inertias.minus_inertia_link_1_yz * velocities.minus_velocity_base_wy
+    let wrench_link_1_mx_0_10 = inertias.minus_inertia_link_1_yz
+        * velocities.minus_velocity_base_wy
         - inertias.inertia_link_1_xz * velocities.minus_velocity_base_wx
         + inertias.inertia_link_1_zz * velocities.velocity_link_1_wz
         - (velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
             + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy);
     let wrench_link_1_mx_0 = inertias.inertia_link_1_xy * twist_link_1_wy
         - inertias.inertia_link_1_xx * minus_twist_link_1_wx
-        + (inertias.inertia_link_1_hy * twist_link_1_vz - inertias.inertia_link_1_hz * twist_link_1_vy)
+        + (inertias.inertia_link_1_hy * twist_link_1_vz
+            - inertias.inertia_link_1_hz * twist_link_1_vy)
         - (wrench_link_1_mx_0_8 * velocities.velocity_link_1_wz
             + wrench_link_1_mx_0_10 * velocities.minus_velocity_base_wy
             + (wrench_outside_link_2_fx_6 * velocities.velocity_link_1_vy
                 - wrench_outside_link_2_fx_4 * velocities.minus_velocity_base_vz));
     let wrench_link_1_my_0 = inertias.inertia_link_1_yy * twist_link_1_wy
         - inertias.inertia_link_1_xy * minus_twist_link_1_wx
-        + (inertias.inertia_link_1_hz * twist_link_1_vx + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
+        + (inertias.inertia_link_1_hz * twist_link_1_vx
+            + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
         - (wrench_outside_link_2_fy_6 * velocities.minus_velocity_base_vz
             - wrench_outside_link_2_fx_6 * velocities.velocity_link_1_vx
             - (wrench_link_1_mx_0_10 * velocities.minus_velocity_base_wx
                 + wrench_link_1_my_0_14 * velocities.velocity_link_1_wz));
     let wrench_link_1_mz_1 = inertias.inertia_link_1_xz * minus_twist_link_1_wx
         + inertias.minus_inertia_link_1_yz * twist_link_1_wy
-        + (inertias.minus_inertia_link_1_hx * twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx)
+        + (inertias.minus_inertia_link_1_hx * twist_link_1_vy
+            + inertias.inertia_link_1_hy * twist_link_1_vx)
         + (wrench_link_1_mx_0_8 * velocities.minus_velocity_base_wx
             - wrench_link_1_my_0_14 * velocities.minus_velocity_base_wy
             + (wrench_outside_link_2_fy_6 * velocities.velocity_link_1_vy
                 - wrench_outside_link_2_fx_4 * velocities.velocity_link_1_vx));
-    let twist_link_2_wz =
-        (velocities.velocity_link_2_wx * poses.sin_joint_1 - velocities.velocity_link_2_wy * poses.cos_joint_1) * qd[1];
+    let twist_link_2_wz = (velocities.velocity_link_2_wx * poses.sin_joint_1
+        - velocities.velocity_link_2_wy * poses.cos_joint_1) * qd[1];
     let minus_twist_link_2_wx = minus_twist_link_1_wx + minus_twist_link_2_wx_1 * qd[1];
     let twist_link_2_wy = twist_link_1_wy + twist_link_2_wy_1 * qd[1];
     let twist_link_2_vx = twist_link_1_vx
         + (velocities.minus_velocity_link_2_vz * poses.sin_joint_1
             - (velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vz
-                + velocities.velocity_link_1_wz * screws.screw_joint_2_vy))
-            * qd[1];
+                + velocities.velocity_link_1_wz * screws.screw_joint_2_vy)) * qd[1];
     let twist_link_2_vy = twist_link_1_vy
         + (velocities.velocity_link_2_wx * screws.minus_screw_joint_2_vz
             - velocities.velocity_link_1_wz * screws.minus_screw_joint_2_vx
-            - velocities.minus_velocity_link_2_vz * poses.cos_joint_1)
-            * qd[1];
+            - velocities.minus_velocity_link_2_vz * poses.cos_joint_1) * qd[1];
     let twist_link_2_vz = twist_link_1_vz
         + (velocities.velocity_link_2_wx * screws.screw_joint_2_vy
             + velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vx
-            + (velocities.velocity_link_2_vx * poses.sin_joint_1 - velocities.velocity_link_2_vy * poses.cos_joint_1))
-            * qd[1];
-    let wrench_link_2_my_0_12 = inertias.inertia_link_2_xx * velocities.velocity_link_2_wx
+            + (velocities.velocity_link_2_vx * poses.sin_joint_1
+                - velocities.velocity_link_2_vy * poses.cos_joint_1)) * qd[1];
+    let wrench_link_2_my_0_12 = inertias.inertia_link_2_xx
+        * velocities.velocity_link_2_wx
         + inertias.inertia_link_2_xy * velocities.velocity_link_2_wy
         + inertias.inertia_link_2_xz * velocities.velocity_link_1_wz
         - (velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hy
             + velocities.velocity_link_2_vy * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_0_10 = inertias.inertia_link_2_xy * velocities.velocity_link_2_wx
+    let wrench_link_2_mx_0_10 = inertias.inertia_link_2_xy
+        * velocities.velocity_link_2_wx
         + inertias.inertia_link_2_yy * velocities.velocity_link_2_wy
         + inertias.inertia_link_2_yz * velocities.velocity_link_1_wz
         + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
             + velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hx);
-    let wrench_link_2_mx_0_12 = inertias.inertia_link_2_xz * velocities.velocity_link_2_wx
+    let wrench_link_2_mx_0_12 = inertias.inertia_link_2_xz
+        * velocities.velocity_link_2_wx
         + inertias.inertia_link_2_yz * velocities.velocity_link_2_wy
         + inertias.inertia_link_2_zz * velocities.velocity_link_1_wz
         + (velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
@@ -3690,7 +4067,8 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let wrench_link_2_mx_0 = inertias.inertia_link_2_xy * twist_link_2_wy
         - inertias.inertia_link_2_xx * minus_twist_link_2_wx
         + inertias.inertia_link_2_xz * twist_link_2_wz
-        + (inertias.inertia_link_2_hy * twist_link_2_vz - inertias.inertia_link_2_hz * twist_link_2_vy)
+        + (inertias.inertia_link_2_hy * twist_link_2_vz
+            - inertias.inertia_link_2_hz * twist_link_2_vy)
         - (wrench_link_2_mx_0_10 * velocities.velocity_link_1_wz
             - wrench_link_2_mx_0_12 * velocities.velocity_link_2_wy
             - (wrench_link_2_mx_0_14 * velocities.minus_velocity_link_2_vz
@@ -3698,7 +4076,8 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let wrench_link_2_my_0 = inertias.inertia_link_2_yy * twist_link_2_wy
         - inertias.inertia_link_2_xy * minus_twist_link_2_wx
         + inertias.inertia_link_2_yz * twist_link_2_wz
-        + (inertias.inertia_link_2_hz * twist_link_2_vx - inertias.inertia_link_2_hx * twist_link_2_vz)
+        + (inertias.inertia_link_2_hz * twist_link_2_vx
+            - inertias.inertia_link_2_hx * twist_link_2_vz)
         - (wrench_link_2_mx_0_12 * velocities.velocity_link_2_wx
             - wrench_link_2_my_0_12 * velocities.velocity_link_1_wz
             + (wrench_link_2_mx_0_16 * velocities.velocity_link_2_vx
@@ -3706,7 +4085,8 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let wrench_link_2_mz_0 = inertias.inertia_link_2_yz * twist_link_2_wy
         - inertias.inertia_link_2_xz * minus_twist_link_2_wx
         + inertias.inertia_link_2_zz * twist_link_2_wz
-        + (inertias.inertia_link_2_hx * twist_link_2_vy - inertias.inertia_link_2_hy * twist_link_2_vx)
+        + (inertias.inertia_link_2_hx * twist_link_2_vy
+            - inertias.inertia_link_2_hy * twist_link_2_vx)
         - (wrench_link_2_my_0_12 * velocities.velocity_link_2_wy
             - wrench_link_2_mx_0_10 * velocities.velocity_link_2_wx
             + (wrench_link_2_my_0_16 * velocities.velocity_link_2_vy
@@ -3714,23 +4094,21 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let minus_twist_link_3_wx = minus_twist_link_2_wx + minus_twist_link_2_wx_1 * qd[2];
     let twist_link_3_wy = twist_link_2_wy + twist_link_2_wy_1 * qd[2];
     let twist_link_3_wz = twist_link_2_wz
-        + (velocities.velocity_link_3_wx * poses.sin_joint_1 - velocities.velocity_link_3_wy * poses.cos_joint_1)
-            * qd[2];
+        + (velocities.velocity_link_3_wx * poses.sin_joint_1
+            - velocities.velocity_link_3_wy * poses.cos_joint_1) * qd[2];
     let twist_link_3_vx = twist_link_2_vx
         + (velocities.velocity_link_3_wy * screws.screw_joint_3_vz
             - velocities.velocity_link_1_wz * screws.screw_joint_3_vy
-            - velocities.velocity_link_3_vz * poses.sin_joint_1)
-            * qd[2];
+            - velocities.velocity_link_3_vz * poses.sin_joint_1) * qd[2];
     let twist_link_3_vy = twist_link_2_vy
         + (velocities.velocity_link_3_vz * poses.cos_joint_1
             - (velocities.velocity_link_1_wz * screws.minus_screw_joint_3_vx
-                + velocities.velocity_link_3_wx * screws.screw_joint_3_vz))
-            * qd[2];
+                + velocities.velocity_link_3_wx * screws.screw_joint_3_vz)) * qd[2];
     let twist_link_3_vz = twist_link_2_vz
         + (velocities.velocity_link_3_wx * screws.screw_joint_3_vy
             + velocities.velocity_link_3_wy * screws.minus_screw_joint_3_vx
-            + (velocities.velocity_link_3_vx * poses.sin_joint_1 - velocities.velocity_link_3_vy * poses.cos_joint_1))
-            * qd[2];
+            + (velocities.velocity_link_3_vx * poses.sin_joint_1
+                - velocities.velocity_link_3_vy * poses.cos_joint_1)) * qd[2];
     let wrench_link_3_my_12 = inertias.inertia_link_3_xx * velocities.velocity_link_3_wx
         + inertias.inertia_link_3_xy * velocities.velocity_link_3_wy
         + inertias.inertia_link_3_xz * velocities.velocity_link_1_wz
@@ -3749,22 +4127,28 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let wrench_link_3_mx = inertias.inertia_link_3_xy * twist_link_3_wy
         - inertias.inertia_link_3_xx * minus_twist_link_3_wx
         + inertias.inertia_link_3_xz * twist_link_3_wz
-        + (inertias.inertia_link_3_hy * twist_link_3_vz - inertias.inertia_link_3_hz * twist_link_3_vy)
-        - (wrench_link_3_mx_10 * velocities.velocity_link_1_wz - wrench_link_3_mx_12 * velocities.velocity_link_3_wy
+        + (inertias.inertia_link_3_hy * twist_link_3_vz
+            - inertias.inertia_link_3_hz * twist_link_3_vy)
+        - (wrench_link_3_mx_10 * velocities.velocity_link_1_wz
+            - wrench_link_3_mx_12 * velocities.velocity_link_3_wy
             + (wrench_link_3_mx_14 * velocities.velocity_link_3_vz
                 - wrench_link_3_mx_16 * velocities.velocity_link_3_vy));
     let wrench_link_3_my = inertias.inertia_link_3_yy * twist_link_3_wy
         - inertias.inertia_link_3_xy * minus_twist_link_3_wx
         + inertias.inertia_link_3_yz * twist_link_3_wz
-        + (inertias.inertia_link_3_hz * twist_link_3_vx - inertias.inertia_link_3_hx * twist_link_3_vz)
-        - (wrench_link_3_mx_12 * velocities.velocity_link_3_wx - wrench_link_3_my_12 * velocities.velocity_link_1_wz
+        + (inertias.inertia_link_3_hz * twist_link_3_vx
+            - inertias.inertia_link_3_hx * twist_link_3_vz)
+        - (wrench_link_3_mx_12 * velocities.velocity_link_3_wx
+            - wrench_link_3_my_12 * velocities.velocity_link_1_wz
             + (wrench_link_3_mx_16 * velocities.velocity_link_3_vx
                 - wrench_link_3_my_16 * velocities.velocity_link_3_vz));
     let wrench_link_3_mz = inertias.inertia_link_3_yz * twist_link_3_wy
         - inertias.inertia_link_3_xz * minus_twist_link_3_wx
         + inertias.inertia_link_3_zz * twist_link_3_wz
-        + (inertias.inertia_link_3_hx * twist_link_3_vy - inertias.inertia_link_3_hy * twist_link_3_vx)
-        - (wrench_link_3_my_12 * velocities.velocity_link_3_wy - wrench_link_3_mx_10 * velocities.velocity_link_3_wx
+        + (inertias.inertia_link_3_hx * twist_link_3_vy
+            - inertias.inertia_link_3_hy * twist_link_3_vx)
+        - (wrench_link_3_my_12 * velocities.velocity_link_3_wy
+            - wrench_link_3_mx_10 * velocities.velocity_link_3_wx
             + (wrench_link_3_my_16 * velocities.velocity_link_3_vy
                 - wrench_link_3_mx_14 * velocities.velocity_link_3_vx));
     let wrench_link_2_mx = wrench_link_2_mx_0 + wrench_link_3_mx;
@@ -3780,47 +4164,60 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - (screws.connection_joint_1_wx * minus_wrench_outside_link_1_mx
                 + screws.connection_joint_1_wy * minus_wrench_outside_link_1_my
                 + screws.connection_joint_1_wz * minus_wrench_outside_link_1_mz)
-            - screws.connection_joint_1_vy * minus_wrench_outside_link_1_fy)
-        + 0.0;
-    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_mx_4 * velocities.minus_velocity_base_wx
+            - screws.connection_joint_1_vy * minus_wrench_outside_link_1_fy) + 0.0;
+    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_mx_4
+        * velocities.minus_velocity_base_wx
         - minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_wy;
     let wrench_link_2_fx_0 = twist_link_2_vx * 10.0
-        + (twist_link_2_wy * inertias.inertia_link_2_hz - twist_link_2_wz * inertias.inertia_link_2_hy)
+        + (twist_link_2_wy * inertias.inertia_link_2_hz
+            - twist_link_2_wz * inertias.inertia_link_2_hy)
         - (wrench_link_2_mx_0_14 * velocities.velocity_link_1_wz
             - wrench_link_2_mx_0_16 * velocities.velocity_link_2_wy);
     let wrench_link_2_fy_0 = twist_link_2_vy * 10.0
-        + (twist_link_2_wz * inertias.inertia_link_2_hx + minus_twist_link_2_wx * inertias.inertia_link_2_hz)
+        + (twist_link_2_wz * inertias.inertia_link_2_hx
+            + minus_twist_link_2_wx * inertias.inertia_link_2_hz)
         - (wrench_link_2_mx_0_16 * velocities.velocity_link_2_wx
             - wrench_link_2_my_0_16 * velocities.velocity_link_1_wz);
     let wrench_link_2_fz_0 = twist_link_2_vz * 10.0
-        - (minus_twist_link_2_wx * inertias.inertia_link_2_hy + twist_link_2_wy * inertias.inertia_link_2_hx)
+        - (minus_twist_link_2_wx * inertias.inertia_link_2_hy
+            + twist_link_2_wy * inertias.inertia_link_2_hx)
         - (wrench_link_2_my_0_16 * velocities.velocity_link_2_wy
             - wrench_link_2_mx_0_14 * velocities.velocity_link_2_wx);
     let wrench_link_3_fx = twist_link_3_vx * 10.0
-        + (twist_link_3_wy * inertias.inertia_link_3_hz - twist_link_3_wz * inertias.inertia_link_3_hy)
-        - (wrench_link_3_mx_14 * velocities.velocity_link_1_wz - wrench_link_3_mx_16 * velocities.velocity_link_3_wy);
+        + (twist_link_3_wy * inertias.inertia_link_3_hz
+            - twist_link_3_wz * inertias.inertia_link_3_hy)
+        - (wrench_link_3_mx_14 * velocities.velocity_link_1_wz
+            - wrench_link_3_mx_16 * velocities.velocity_link_3_wy);
     let wrench_link_3_fy = twist_link_3_vy * 10.0
-        + (twist_link_3_wz * inertias.inertia_link_3_hx + minus_twist_link_3_wx * inertias.inertia_link_3_hz)
-        - (wrench_link_3_mx_16 * velocities.velocity_link_3_wx - wrench_link_3_my_16 * velocities.velocity_link_1_wz);
+        + (twist_link_3_wz * inertias.inertia_link_3_hx
+            + minus_twist_link_3_wx * inertias.inertia_link_3_hz)
+        - (wrench_link_3_mx_16 * velocities.velocity_link_3_wx
+            - wrench_link_3_my_16 * velocities.velocity_link_1_wz);
     let wrench_link_3_fz = twist_link_3_vz * 10.0
-        - (minus_twist_link_3_wx * inertias.inertia_link_3_hy + twist_link_3_wy * inertias.inertia_link_3_hx)
-        - (wrench_link_3_my_16 * velocities.velocity_link_3_wy - wrench_link_3_mx_14 * velocities.velocity_link_3_wx);
+        - (minus_twist_link_3_wx * inertias.inertia_link_3_hy
+            + twist_link_3_wy * inertias.inertia_link_3_hx)
+        - (wrench_link_3_my_16 * velocities.velocity_link_3_wy
+            - wrench_link_3_mx_14 * velocities.velocity_link_3_wx);
     let wrench_link_2_fx = wrench_link_2_fx_0 + wrench_link_3_fx;
     let wrench_link_2_fy = wrench_link_2_fy_0 + wrench_link_3_fy;
     let wrench_link_2_fz = wrench_link_2_fz_0 + wrench_link_3_fz;
     let wrench_outside_link_2_mx = wrench_link_1_mx_0 - minus_wrench_outside_link_1_mx;
     let wrench_outside_link_2_my = wrench_link_1_my_0 - minus_wrench_outside_link_1_my;
-    let minus_wrench_outside_link_2_mz = wrench_link_1_mz_1 + minus_wrench_outside_link_1_mz;
-    let wrench_outside_link_2_fx = twist_link_1_vx * 5.0 + twist_link_1_wy * inertias.inertia_link_1_hz
+    let minus_wrench_outside_link_2_mz = wrench_link_1_mz_1
+        + minus_wrench_outside_link_1_mz;
+    let wrench_outside_link_2_fx = twist_link_1_vx * 5.0
+        + twist_link_1_wy * inertias.inertia_link_1_hz
         - (wrench_outside_link_2_fx_4 * velocities.velocity_link_1_wz
             - wrench_outside_link_2_fx_6 * velocities.minus_velocity_base_wy)
         + wrench_outside_link_1_fx;
-    let wrench_outside_link_2_fy = twist_link_1_vy * 5.0 + minus_twist_link_1_wx * inertias.inertia_link_1_hz
+    let wrench_outside_link_2_fy = twist_link_1_vy * 5.0
+        + minus_twist_link_1_wx * inertias.inertia_link_1_hz
         - (wrench_outside_link_2_fx_6 * velocities.minus_velocity_base_wx
             - wrench_outside_link_2_fy_6 * velocities.velocity_link_1_wz)
         - minus_wrench_outside_link_1_fy;
     let wrench_outside_link_2_fz = twist_link_1_vz * 5.0
-        + (twist_link_1_wy * inertias.minus_inertia_link_1_hx - minus_twist_link_1_wx * inertias.inertia_link_1_hy)
+        + (twist_link_1_wy * inertias.minus_inertia_link_1_hx
+            - minus_twist_link_1_wx * inertias.inertia_link_1_hy)
         - (wrench_outside_link_2_fx_4 * velocities.minus_velocity_base_wx
             - wrench_outside_link_2_fy_6 * velocities.minus_velocity_base_wy)
         - minus_wrench_outside_link_1_fz;
@@ -3835,8 +4232,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - screws.connection_joint_2_wz * minus_wrench_outside_link_2_mz
             + screws.connection_joint_2_vx * wrench_outside_link_2_fx
             + screws.connection_joint_2_vy * wrench_outside_link_2_fy
-            + screws.connection_joint_2_vz * wrench_outside_link_2_fz)
-        + 0.0;
+            + screws.connection_joint_2_vz * wrench_outside_link_2_fz) + 0.0;
     let wrench_outside_link_3_mx = wrench_link_2_mx_0 + wrench_outside_link_2_mx;
     let wrench_outside_link_3_my = wrench_link_2_my_0 + wrench_outside_link_2_my;
     let wrench_outside_link_3_mz = wrench_link_2_mz_0 - minus_wrench_outside_link_2_mz;
@@ -3854,8 +4250,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + screws.connection_joint_3_wz * wrench_outside_link_3_mz
             + screws.connection_joint_3_vx * wrench_outside_link_3_fx
             + screws.connection_joint_3_vy * wrench_outside_link_3_fy
-            + screws.connection_joint_3_vz * wrench_outside_link_3_fz)
-        + 0.0;
+            + screws.connection_joint_3_vz * wrench_outside_link_3_fz) + 0.0;
 }
 /// C(q, V) V in M V̇ + C V = [F₁; τ], V = [V₁; q̇], by one Newton-Euler sweep.
 ///
@@ -3864,37 +4259,54 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (9; N·m, N)
 ///
-/// 1013 operations: 464 + −, 546 ×, 3 ÷; 3 sin cos; about 9.0 KiB of code.
-pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias: &mut [f64; 9]) {
+/// 1013 operations: 464 + −, 546 ×, 3 ÷; 3 sin cos; about 12.0 KiB of code.
+pub fn hamel_bias(
+    q: &[f64; 3],
+    qd: &[f64; 3],
+    base_twist: &[f64; 6],
+    hamel_bias: &mut [f64; 9],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
     let velocities = velocities(qd, &poses, &screws);
     let minus_wrench_outside_link_1_my_5_0_2 = poses.com_z + 0.023809523809523808;
-    let minus_wrench_outside_link_1_fy_1_0 = base_twist[0] + velocities.minus_velocity_base_wx;
-    let minus_wrench_outside_link_1_mx_3_0 = base_twist[1] + velocities.minus_velocity_base_wy;
-    let minus_wrench_outside_link_1_mx_1_0 = base_twist[2] + velocities.minus_velocity_base_wz;
+    let minus_wrench_outside_link_1_fy_1_0 = base_twist[0]
+        + velocities.minus_velocity_base_wx;
+    let minus_wrench_outside_link_1_mx_3_0 = base_twist[1]
+        + velocities.minus_velocity_base_wy;
+    let minus_wrench_outside_link_1_mx_1_0 = base_twist[2]
+        + velocities.minus_velocity_base_wz;
     let minus_wrench_outside_link_1_my_5_0 = base_twist[3]
-        + (base_twist[1] * minus_wrench_outside_link_1_my_5_0_2 + base_twist[2] * poses.origin_base_y)
-        + velocities.minus_velocity_base_vx;
+        + (base_twist[1] * minus_wrench_outside_link_1_my_5_0_2
+            + base_twist[2] * poses.origin_base_y) + velocities.minus_velocity_base_vx;
     let minus_wrench_outside_link_1_mx_7_0 = base_twist[4]
-        + (base_twist[2] * poses.com_x - base_twist[0] * minus_wrench_outside_link_1_my_5_0_2)
+        + (base_twist[2] * poses.com_x
+            - base_twist[0] * minus_wrench_outside_link_1_my_5_0_2)
         + velocities.minus_velocity_base_vy;
     let minus_wrench_outside_link_1_mx_5_0 = base_twist[5]
         - (base_twist[0] * poses.origin_base_y + base_twist[1] * poses.com_x)
         + velocities.minus_velocity_base_vz;
-    let minus_wrench_outside_link_1_fy_1 = minus_wrench_outside_link_1_fy_1_0 - velocities.minus_velocity_base_wx;
-    let minus_wrench_outside_link_1_mx_3 = minus_wrench_outside_link_1_mx_3_0 - velocities.minus_velocity_base_wy;
-    let minus_wrench_outside_link_1_mx_1 = minus_wrench_outside_link_1_mx_1_0 - velocities.minus_velocity_base_wz;
-    let minus_wrench_outside_link_1_my_5 = minus_wrench_outside_link_1_my_5_0 - velocities.minus_velocity_base_vx;
-    let minus_wrench_outside_link_1_mx_7 = minus_wrench_outside_link_1_mx_7_0 - velocities.minus_velocity_base_vy;
-    let minus_wrench_outside_link_1_mx_5 = minus_wrench_outside_link_1_mx_5_0 - velocities.minus_velocity_base_vz;
-    let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_xy * minus_wrench_outside_link_1_fy_1
+    let minus_wrench_outside_link_1_fy_1 = minus_wrench_outside_link_1_fy_1_0
+        - velocities.minus_velocity_base_wx;
+    let minus_wrench_outside_link_1_mx_3 = minus_wrench_outside_link_1_mx_3_0
+        - velocities.minus_velocity_base_wy;
+    let minus_wrench_outside_link_1_mx_1 = minus_wrench_outside_link_1_mx_1_0
+        - velocities.minus_velocity_base_wz;
+    let minus_wrench_outside_link_1_my_5 = minus_wrench_outside_link_1_my_5_0
+        - velocities.minus_velocity_base_vx;
+    let minus_wrench_outside_link_1_mx_7 = minus_wrench_outside_link_1_mx_7_0
+        - velocities.minus_velocity_base_vy;
+    let minus_wrench_outside_link_1_mx_5 = minus_wrench_outside_link_1_mx_5_0
+        - velocities.minus_velocity_base_vz;
+    let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_xy
+        * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_base_yy * minus_wrench_outside_link_1_mx_3
         + inertias.inertia_base_yz * minus_wrench_outside_link_1_mx_1
         + (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_5
             - inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_my_5);
-    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_yz * minus_wrench_outside_link_1_mx_3
+    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_yz
+        * minus_wrench_outside_link_1_mx_3
         - inertias.minus_inertia_base_xz * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_base_zz * minus_wrench_outside_link_1_mx_1
         - (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_7
@@ -3908,29 +4320,37 @@ pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias
     let minus_wrench_outside_link_1_mx_6 = minus_wrench_outside_link_1_mx_5 * 105.0
         + (minus_wrench_outside_link_1_fy_1 * inertias.inertia_base_hy
             + minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_base_hx);
-    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0 * minus_wrench_outside_link_1_mx_1
+    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
+        * minus_wrench_outside_link_1_mx_1
         - minus_wrench_outside_link_1_mx_2 * minus_wrench_outside_link_1_mx_3
         + (minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_5
             - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_7);
-    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_fy_1
+    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6
+        * minus_wrench_outside_link_1_fy_1
         - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_1;
-    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_3
+    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fy_2
+        * minus_wrench_outside_link_1_mx_3
         - minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_fy_1;
-    let twist_link_1_vy_0 = velocities.velocity_link_1_wz + minus_wrench_outside_link_1_mx_1_0;
-    let twist_link_1_vy_2 = velocities.velocity_link_1_vx + minus_wrench_outside_link_1_my_5_0;
-    let wrench_outside_link_2_mx_15 = velocities.velocity_link_1_vy + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_1_vy_0 = velocities.velocity_link_1_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let twist_link_1_vy_2 = velocities.velocity_link_1_vx
+        + minus_wrench_outside_link_1_my_5_0;
+    let wrench_outside_link_2_mx_15 = velocities.velocity_link_1_vy
+        + minus_wrench_outside_link_1_mx_7_0;
     let twist_link_1_wx = minus_wrench_outside_link_1_mx_3 * qd[0];
     let minus_twist_link_1_wy = minus_wrench_outside_link_1_fy_1 * qd[0];
-    let twist_link_1_vy = (twist_link_1_vy_0 * poses.origin_base_y - twist_link_1_vy_2) * qd[0];
-    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.com_x
-        - minus_wrench_outside_link_1_mx_3 * poses.origin_base_y)
+    let twist_link_1_vy = (twist_link_1_vy_0 * poses.origin_base_y - twist_link_1_vy_2)
         * qd[0];
-    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy * minus_wrench_outside_link_1_fy_1
+    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.com_x
+        - minus_wrench_outside_link_1_mx_3 * poses.origin_base_y) * qd[0];
+    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy
+        * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_link_1_yy * minus_wrench_outside_link_1_mx_3
         - inertias.minus_inertia_link_1_yz * twist_link_1_vy_0
         + (inertias.inertia_link_1_hz * twist_link_1_vy_2
             + inertias.minus_inertia_link_1_hx * minus_wrench_outside_link_1_mx_5);
-    let wrench_outside_link_2_mx_10 = inertias.inertia_link_1_xz * minus_wrench_outside_link_1_fy_1
+    let wrench_outside_link_2_mx_10 = inertias.inertia_link_1_xz
+        * minus_wrench_outside_link_1_fy_1
         - inertias.minus_inertia_link_1_yz * minus_wrench_outside_link_1_mx_3
         + inertias.inertia_link_1_zz * twist_link_1_vy_0
         - (inertias.minus_inertia_link_1_hx * wrench_outside_link_2_mx_15
@@ -3946,7 +4366,8 @@ pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias
             + minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_link_1_hx);
     let wrench_outside_link_2_mx = inertias.inertia_link_1_xx * twist_link_1_wx
         - inertias.inertia_link_1_xy * minus_twist_link_1_wy
-        + (inertias.inertia_link_1_hy * twist_link_1_vz - inertias.inertia_link_1_hz * twist_link_1_vy)
+        + (inertias.inertia_link_1_hy * twist_link_1_vz
+            - inertias.inertia_link_1_hz * twist_link_1_vy)
         - (wrench_outside_link_2_mx_8 * twist_link_1_vy_0
             - wrench_outside_link_2_mx_10 * minus_wrench_outside_link_1_mx_3
             + (wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_mx_5
@@ -3956,98 +4377,135 @@ pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias
         - (wrench_outside_link_2_mx_14 * minus_wrench_outside_link_1_fy_1
             - wrench_outside_link_2_fy_6 * twist_link_1_vy_0);
     let wrench_outside_link_2_fz = twist_link_1_vz * 5.0
-        + (twist_link_1_wx * inertias.inertia_link_1_hy - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
+        + (twist_link_1_wx * inertias.inertia_link_1_hy
+            - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
         - (wrench_outside_link_2_fy_6 * minus_wrench_outside_link_1_mx_3
             - wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_fy_1);
-    let twist_link_2_wz_0 = velocities.velocity_link_2_wx + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_2_wz_2 = velocities.velocity_link_2_wy + minus_wrench_outside_link_1_mx_3_0;
-    let twist_link_2_vz_5 = velocities.velocity_link_2_vx + minus_wrench_outside_link_1_my_5_0;
-    let twist_link_2_vz_7 = velocities.velocity_link_2_vy + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_2_vy_5 = minus_wrench_outside_link_1_mx_5_0 - velocities.minus_velocity_link_2_vz;
+    let twist_link_2_wz_0 = velocities.velocity_link_2_wx
+        + minus_wrench_outside_link_1_fy_1_0;
+    let twist_link_2_wz_2 = velocities.velocity_link_2_wy
+        + minus_wrench_outside_link_1_mx_3_0;
+    let twist_link_2_vz_5 = velocities.velocity_link_2_vx
+        + minus_wrench_outside_link_1_my_5_0;
+    let twist_link_2_vz_7 = velocities.velocity_link_2_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_2_vy_5 = minus_wrench_outside_link_1_mx_5_0
+        - velocities.minus_velocity_link_2_vz;
     let twist_link_2_wx_1 = twist_link_1_vy_0 * poses.sin_joint_1;
     let twist_link_2_wy_0 = twist_link_1_vy_0 * poses.cos_joint_1;
-    let twist_link_2_wz = (twist_link_2_wz_0 * poses.sin_joint_1 - twist_link_2_wz_2 * poses.cos_joint_1) * qd[1];
+    let twist_link_2_wz = (twist_link_2_wz_0 * poses.sin_joint_1
+        - twist_link_2_wz_2 * poses.cos_joint_1) * qd[1];
     let twist_link_2_wx = twist_link_1_wx - twist_link_2_wx_1 * qd[1];
     let twist_link_2_wy = twist_link_2_wy_0 * qd[1] - minus_twist_link_1_wy;
     let twist_link_2_vy = twist_link_1_vy
-        + (twist_link_2_wz_0 * screws.minus_screw_joint_2_vz - twist_link_1_vy_0 * screws.minus_screw_joint_2_vx
-            + twist_link_2_vy_5 * poses.cos_joint_1)
-            * qd[1];
+        + (twist_link_2_wz_0 * screws.minus_screw_joint_2_vz
+            - twist_link_1_vy_0 * screws.minus_screw_joint_2_vx
+            + twist_link_2_vy_5 * poses.cos_joint_1) * qd[1];
     let twist_link_2_vz = twist_link_1_vz
         + (twist_link_2_wz_0 * screws.screw_joint_2_vy
             + twist_link_2_wz_2 * screws.minus_screw_joint_2_vx
-            + (twist_link_2_vz_5 * poses.sin_joint_1 - twist_link_2_vz_7 * poses.cos_joint_1))
-            * qd[1];
+            + (twist_link_2_vz_5 * poses.sin_joint_1
+                - twist_link_2_vz_7 * poses.cos_joint_1)) * qd[1];
     let wrench_outside_link_3_mx_10 = inertias.inertia_link_2_xy * twist_link_2_wz_0
         + inertias.inertia_link_2_yy * twist_link_2_wz_2
         + inertias.inertia_link_2_yz * twist_link_1_vy_0
-        + (inertias.inertia_link_2_hz * twist_link_2_vz_5 - inertias.inertia_link_2_hx * twist_link_2_vy_5);
+        + (inertias.inertia_link_2_hz * twist_link_2_vz_5
+            - inertias.inertia_link_2_hx * twist_link_2_vy_5);
     let wrench_outside_link_3_mx_12 = inertias.inertia_link_2_xz * twist_link_2_wz_0
         + inertias.inertia_link_2_yz * twist_link_2_wz_2
         + inertias.inertia_link_2_zz * twist_link_1_vy_0
-        + (inertias.inertia_link_2_hx * twist_link_2_vz_7 - inertias.inertia_link_2_hy * twist_link_2_vz_5);
+        + (inertias.inertia_link_2_hx * twist_link_2_vz_7
+            - inertias.inertia_link_2_hy * twist_link_2_vz_5);
     let wrench_outside_link_3_fy_8 = twist_link_2_vz_5 * 10.0
-        + (twist_link_2_wz_2 * inertias.inertia_link_2_hz - twist_link_1_vy_0 * inertias.inertia_link_2_hy);
+        + (twist_link_2_wz_2 * inertias.inertia_link_2_hz
+            - twist_link_1_vy_0 * inertias.inertia_link_2_hy);
     let wrench_outside_link_3_mx_14 = twist_link_2_vz_7 * 10.0
-        + (twist_link_1_vy_0 * inertias.inertia_link_2_hx - twist_link_2_wz_0 * inertias.inertia_link_2_hz);
+        + (twist_link_1_vy_0 * inertias.inertia_link_2_hx
+            - twist_link_2_wz_0 * inertias.inertia_link_2_hz);
     let wrench_outside_link_3_mx_16 = twist_link_2_vy_5 * 10.0
-        + (twist_link_2_wz_0 * inertias.inertia_link_2_hy - twist_link_2_wz_2 * inertias.inertia_link_2_hx);
+        + (twist_link_2_wz_0 * inertias.inertia_link_2_hy
+            - twist_link_2_wz_2 * inertias.inertia_link_2_hx);
     let wrench_outside_link_3_mx = inertias.inertia_link_2_xx * twist_link_2_wx
         + inertias.inertia_link_2_xy * twist_link_2_wy
         + inertias.inertia_link_2_xz * twist_link_2_wz
-        + (inertias.inertia_link_2_hy * twist_link_2_vz - inertias.inertia_link_2_hz * twist_link_2_vy)
-        - (wrench_outside_link_3_mx_10 * twist_link_1_vy_0 - wrench_outside_link_3_mx_12 * twist_link_2_wz_2
-            + (wrench_outside_link_3_mx_14 * twist_link_2_vy_5 - wrench_outside_link_3_mx_16 * twist_link_2_vz_7));
+        + (inertias.inertia_link_2_hy * twist_link_2_vz
+            - inertias.inertia_link_2_hz * twist_link_2_vy)
+        - (wrench_outside_link_3_mx_10 * twist_link_1_vy_0
+            - wrench_outside_link_3_mx_12 * twist_link_2_wz_2
+            + (wrench_outside_link_3_mx_14 * twist_link_2_vy_5
+                - wrench_outside_link_3_mx_16 * twist_link_2_vz_7));
     let wrench_outside_link_3_fy = twist_link_2_vy * 10.0
-        + (twist_link_2_wz * inertias.inertia_link_2_hx - twist_link_2_wx * inertias.inertia_link_2_hz)
-        - (wrench_outside_link_3_mx_16 * twist_link_2_wz_0 - wrench_outside_link_3_fy_8 * twist_link_1_vy_0);
+        + (twist_link_2_wz * inertias.inertia_link_2_hx
+            - twist_link_2_wx * inertias.inertia_link_2_hz)
+        - (wrench_outside_link_3_mx_16 * twist_link_2_wz_0
+            - wrench_outside_link_3_fy_8 * twist_link_1_vy_0);
     let wrench_outside_link_3_fz = twist_link_2_vz * 10.0
-        + (twist_link_2_wx * inertias.inertia_link_2_hy - twist_link_2_wy * inertias.inertia_link_2_hx)
-        - (wrench_outside_link_3_fy_8 * twist_link_2_wz_2 - wrench_outside_link_3_mx_14 * twist_link_2_wz_0);
-    let twist_link_3_wz_1 = velocities.velocity_link_3_wx + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_3_wz_3 = velocities.velocity_link_3_wy + minus_wrench_outside_link_1_mx_3_0;
-    let twist_link_3_vz_5 = velocities.velocity_link_3_vx + minus_wrench_outside_link_1_my_5_0;
-    let twist_link_3_vz_7 = velocities.velocity_link_3_vy + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_3_vy_1 = velocities.velocity_link_3_vz + minus_wrench_outside_link_1_mx_5_0;
+        + (twist_link_2_wx * inertias.inertia_link_2_hy
+            - twist_link_2_wy * inertias.inertia_link_2_hx)
+        - (wrench_outside_link_3_fy_8 * twist_link_2_wz_2
+            - wrench_outside_link_3_mx_14 * twist_link_2_wz_0);
+    let twist_link_3_wz_1 = velocities.velocity_link_3_wx
+        + minus_wrench_outside_link_1_fy_1_0;
+    let twist_link_3_wz_3 = velocities.velocity_link_3_wy
+        + minus_wrench_outside_link_1_mx_3_0;
+    let twist_link_3_vz_5 = velocities.velocity_link_3_vx
+        + minus_wrench_outside_link_1_my_5_0;
+    let twist_link_3_vz_7 = velocities.velocity_link_3_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_3_vy_1 = velocities.velocity_link_3_vz
+        + minus_wrench_outside_link_1_mx_5_0;
     let twist_link_3_wx = twist_link_2_wx - twist_link_2_wx_1 * qd[2];
     let twist_link_3_wy = twist_link_2_wy + twist_link_2_wy_0 * qd[2];
-    let twist_link_3_wz =
-        twist_link_2_wz + (twist_link_3_wz_1 * poses.sin_joint_1 - twist_link_3_wz_3 * poses.cos_joint_1) * qd[2];
+    let twist_link_3_wz = twist_link_2_wz
+        + (twist_link_3_wz_1 * poses.sin_joint_1 - twist_link_3_wz_3 * poses.cos_joint_1)
+            * qd[2];
     let twist_link_3_vy = twist_link_2_vy
         + (twist_link_3_vy_1 * poses.cos_joint_1
-            - (twist_link_1_vy_0 * screws.minus_screw_joint_3_vx + twist_link_3_wz_1 * screws.screw_joint_3_vz))
-            * qd[2];
+            - (twist_link_1_vy_0 * screws.minus_screw_joint_3_vx
+                + twist_link_3_wz_1 * screws.screw_joint_3_vz)) * qd[2];
     let twist_link_3_vz = twist_link_2_vz
         + (twist_link_3_wz_1 * screws.screw_joint_3_vy
             + twist_link_3_wz_3 * screws.minus_screw_joint_3_vx
-            + (twist_link_3_vz_5 * poses.sin_joint_1 - twist_link_3_vz_7 * poses.cos_joint_1))
-            * qd[2];
+            + (twist_link_3_vz_5 * poses.sin_joint_1
+                - twist_link_3_vz_7 * poses.cos_joint_1)) * qd[2];
     let wrench_link_3_mx_10 = inertias.inertia_link_3_xy * twist_link_3_wz_1
         + inertias.inertia_link_3_yy * twist_link_3_wz_3
         + inertias.inertia_link_3_yz * twist_link_1_vy_0
-        + (inertias.inertia_link_3_hz * twist_link_3_vz_5 - inertias.inertia_link_3_hx * twist_link_3_vy_1);
+        + (inertias.inertia_link_3_hz * twist_link_3_vz_5
+            - inertias.inertia_link_3_hx * twist_link_3_vy_1);
     let wrench_link_3_mx_12 = inertias.inertia_link_3_xz * twist_link_3_wz_1
         + inertias.inertia_link_3_yz * twist_link_3_wz_3
         + inertias.inertia_link_3_zz * twist_link_1_vy_0
-        + (inertias.inertia_link_3_hx * twist_link_3_vz_7 - inertias.inertia_link_3_hy * twist_link_3_vz_5);
+        + (inertias.inertia_link_3_hx * twist_link_3_vz_7
+            - inertias.inertia_link_3_hy * twist_link_3_vz_5);
     let wrench_link_3_fy_8 = twist_link_3_vz_5 * 10.0
-        + (twist_link_3_wz_3 * inertias.inertia_link_3_hz - twist_link_1_vy_0 * inertias.inertia_link_3_hy);
+        + (twist_link_3_wz_3 * inertias.inertia_link_3_hz
+            - twist_link_1_vy_0 * inertias.inertia_link_3_hy);
     let wrench_link_3_mx_14 = twist_link_3_vz_7 * 10.0
-        + (twist_link_1_vy_0 * inertias.inertia_link_3_hx - twist_link_3_wz_1 * inertias.inertia_link_3_hz);
+        + (twist_link_1_vy_0 * inertias.inertia_link_3_hx
+            - twist_link_3_wz_1 * inertias.inertia_link_3_hz);
     let wrench_link_3_mx_16 = twist_link_3_vy_1 * 10.0
-        + (twist_link_3_wz_1 * inertias.inertia_link_3_hy - twist_link_3_wz_3 * inertias.inertia_link_3_hx);
+        + (twist_link_3_wz_1 * inertias.inertia_link_3_hy
+            - twist_link_3_wz_3 * inertias.inertia_link_3_hx);
     let wrench_link_3_mx = inertias.inertia_link_3_xx * twist_link_3_wx
         + inertias.inertia_link_3_xy * twist_link_3_wy
         + inertias.inertia_link_3_xz * twist_link_3_wz
-        + (inertias.inertia_link_3_hy * twist_link_3_vz - inertias.inertia_link_3_hz * twist_link_3_vy)
-        - (wrench_link_3_mx_10 * twist_link_1_vy_0 - wrench_link_3_mx_12 * twist_link_3_wz_3
-            + (wrench_link_3_mx_14 * twist_link_3_vy_1 - wrench_link_3_mx_16 * twist_link_3_vz_7));
+        + (inertias.inertia_link_3_hy * twist_link_3_vz
+            - inertias.inertia_link_3_hz * twist_link_3_vy)
+        - (wrench_link_3_mx_10 * twist_link_1_vy_0
+            - wrench_link_3_mx_12 * twist_link_3_wz_3
+            + (wrench_link_3_mx_14 * twist_link_3_vy_1
+                - wrench_link_3_mx_16 * twist_link_3_vz_7));
     let wrench_link_3_fy = twist_link_3_vy * 10.0
-        + (twist_link_3_wz * inertias.inertia_link_3_hx - twist_link_3_wx * inertias.inertia_link_3_hz)
-        - (wrench_link_3_mx_16 * twist_link_3_wz_1 - wrench_link_3_fy_8 * twist_link_1_vy_0);
+        + (twist_link_3_wz * inertias.inertia_link_3_hx
+            - twist_link_3_wx * inertias.inertia_link_3_hz)
+        - (wrench_link_3_mx_16 * twist_link_3_wz_1
+            - wrench_link_3_fy_8 * twist_link_1_vy_0);
     let wrench_link_3_fz = twist_link_3_vz * 10.0
-        + (twist_link_3_wx * inertias.inertia_link_3_hy - twist_link_3_wy * inertias.inertia_link_3_hx)
-        - (wrench_link_3_fy_8 * twist_link_3_wz_3 - wrench_link_3_mx_14 * twist_link_3_wz_1);
+        + (twist_link_3_wx * inertias.inertia_link_3_hy
+            - twist_link_3_wy * inertias.inertia_link_3_hx)
+        - (wrench_link_3_fy_8 * twist_link_3_wz_3
+            - wrench_link_3_mx_14 * twist_link_3_wz_1);
     let wrench_link_2_mx = wrench_outside_link_3_mx + wrench_link_3_mx;
     let wrench_link_2_fy = wrench_outside_link_3_fy + wrench_link_3_fy;
     let wrench_link_2_fz = wrench_outside_link_3_fz + wrench_link_3_fz;
@@ -4059,28 +4517,34 @@ pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias
     let wrench_base_fz = wrench_link_1_fz - minus_wrench_outside_link_1_fz;
     // C V
     hamel_bias[0] = wrench_base_mx
-        - (wrench_base_fy * minus_wrench_outside_link_1_my_5_0_2 + wrench_base_fz * poses.origin_base_y)
-        + 0.0;
-    let minus_wrench_outside_link_1_my_2 = inertias.inertia_base_xx * minus_wrench_outside_link_1_fy_1
+        - (wrench_base_fy * minus_wrench_outside_link_1_my_5_0_2
+            + wrench_base_fz * poses.origin_base_y) + 0.0;
+    let minus_wrench_outside_link_1_my_2 = inertias.inertia_base_xx
+        * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_base_xy * minus_wrench_outside_link_1_mx_3
         - inertias.minus_inertia_base_xz * minus_wrench_outside_link_1_mx_1
         + (inertias.inertia_base_hy * minus_wrench_outside_link_1_mx_5
             + inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_mx_7);
-    let minus_wrench_outside_link_1_my = minus_wrench_outside_link_1_mx_2 * minus_wrench_outside_link_1_fy_1
+    let minus_wrench_outside_link_1_my = minus_wrench_outside_link_1_mx_2
+        * minus_wrench_outside_link_1_fy_1
         - minus_wrench_outside_link_1_my_2 * minus_wrench_outside_link_1_mx_1
         + (minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_my_5
             - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_5);
-    let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_1
+    let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4
+        * minus_wrench_outside_link_1_mx_1
         - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_3;
-    let twist_link_1_vx = (wrench_outside_link_2_mx_15 - twist_link_1_vy_0 * poses.com_x) * qd[0];
-    let wrench_outside_link_2_my_10 = inertias.inertia_link_1_xx * minus_wrench_outside_link_1_fy_1
+    let twist_link_1_vx = (wrench_outside_link_2_mx_15 - twist_link_1_vy_0 * poses.com_x)
+        * qd[0];
+    let wrench_outside_link_2_my_10 = inertias.inertia_link_1_xx
+        * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_link_1_xy * minus_wrench_outside_link_1_mx_3
         + inertias.inertia_link_1_xz * twist_link_1_vy_0
         + (inertias.inertia_link_1_hy * minus_wrench_outside_link_1_mx_5
             - inertias.inertia_link_1_hz * wrench_outside_link_2_mx_15);
     let wrench_outside_link_2_my = inertias.inertia_link_1_xy * twist_link_1_wx
         - inertias.inertia_link_1_yy * minus_twist_link_1_wy
-        + (inertias.inertia_link_1_hz * twist_link_1_vx + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
+        + (inertias.inertia_link_1_hz * twist_link_1_vx
+            + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
         - (wrench_outside_link_2_mx_10 * minus_wrench_outside_link_1_fy_1
             - wrench_outside_link_2_my_10 * twist_link_1_vy_0
             + (wrench_outside_link_2_mx_14 * twist_link_1_vy_2
@@ -4092,54 +4556,67 @@ pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias
     let twist_link_2_vx = twist_link_1_vx
         - (twist_link_2_wz_2 * screws.minus_screw_joint_2_vz
             + twist_link_1_vy_0 * screws.screw_joint_2_vy
-            + twist_link_2_vy_5 * poses.sin_joint_1)
-            * qd[1];
+            + twist_link_2_vy_5 * poses.sin_joint_1) * qd[1];
     let wrench_outside_link_3_my_12 = inertias.inertia_link_2_xx * twist_link_2_wz_0
         + inertias.inertia_link_2_xy * twist_link_2_wz_2
         + inertias.inertia_link_2_xz * twist_link_1_vy_0
-        + (inertias.inertia_link_2_hy * twist_link_2_vy_5 - inertias.inertia_link_2_hz * twist_link_2_vz_7);
+        + (inertias.inertia_link_2_hy * twist_link_2_vy_5
+            - inertias.inertia_link_2_hz * twist_link_2_vz_7);
     let wrench_outside_link_3_my = inertias.inertia_link_2_xy * twist_link_2_wx
         + inertias.inertia_link_2_yy * twist_link_2_wy
         + inertias.inertia_link_2_yz * twist_link_2_wz
-        + (inertias.inertia_link_2_hz * twist_link_2_vx - inertias.inertia_link_2_hx * twist_link_2_vz)
-        - (wrench_outside_link_3_mx_12 * twist_link_2_wz_0 - wrench_outside_link_3_my_12 * twist_link_1_vy_0
-            + (wrench_outside_link_3_mx_16 * twist_link_2_vz_5 - wrench_outside_link_3_fy_8 * twist_link_2_vy_5));
+        + (inertias.inertia_link_2_hz * twist_link_2_vx
+            - inertias.inertia_link_2_hx * twist_link_2_vz)
+        - (wrench_outside_link_3_mx_12 * twist_link_2_wz_0
+            - wrench_outside_link_3_my_12 * twist_link_1_vy_0
+            + (wrench_outside_link_3_mx_16 * twist_link_2_vz_5
+                - wrench_outside_link_3_fy_8 * twist_link_2_vy_5));
     let wrench_outside_link_3_fx = twist_link_2_vx * 10.0
-        + (twist_link_2_wy * inertias.inertia_link_2_hz - twist_link_2_wz * inertias.inertia_link_2_hy)
-        - (wrench_outside_link_3_mx_14 * twist_link_1_vy_0 - wrench_outside_link_3_mx_16 * twist_link_2_wz_2);
+        + (twist_link_2_wy * inertias.inertia_link_2_hz
+            - twist_link_2_wz * inertias.inertia_link_2_hy)
+        - (wrench_outside_link_3_mx_14 * twist_link_1_vy_0
+            - wrench_outside_link_3_mx_16 * twist_link_2_wz_2);
     let twist_link_3_vx = twist_link_2_vx
         + (twist_link_3_wz_3 * screws.screw_joint_3_vz
             - twist_link_1_vy_0 * screws.screw_joint_3_vy
-            - twist_link_3_vy_1 * poses.sin_joint_1)
-            * qd[2];
+            - twist_link_3_vy_1 * poses.sin_joint_1) * qd[2];
     let wrench_link_3_my_12 = inertias.inertia_link_3_xx * twist_link_3_wz_1
         + inertias.inertia_link_3_xy * twist_link_3_wz_3
         + inertias.inertia_link_3_xz * twist_link_1_vy_0
-        + (inertias.inertia_link_3_hy * twist_link_3_vy_1 - inertias.inertia_link_3_hz * twist_link_3_vz_7);
+        + (inertias.inertia_link_3_hy * twist_link_3_vy_1
+            - inertias.inertia_link_3_hz * twist_link_3_vz_7);
     let wrench_link_3_my = inertias.inertia_link_3_xy * twist_link_3_wx
         + inertias.inertia_link_3_yy * twist_link_3_wy
         + inertias.inertia_link_3_yz * twist_link_3_wz
-        + (inertias.inertia_link_3_hz * twist_link_3_vx - inertias.inertia_link_3_hx * twist_link_3_vz)
-        - (wrench_link_3_mx_12 * twist_link_3_wz_1 - wrench_link_3_my_12 * twist_link_1_vy_0
-            + (wrench_link_3_mx_16 * twist_link_3_vz_5 - wrench_link_3_fy_8 * twist_link_3_vy_1));
+        + (inertias.inertia_link_3_hz * twist_link_3_vx
+            - inertias.inertia_link_3_hx * twist_link_3_vz)
+        - (wrench_link_3_mx_12 * twist_link_3_wz_1
+            - wrench_link_3_my_12 * twist_link_1_vy_0
+            + (wrench_link_3_mx_16 * twist_link_3_vz_5
+                - wrench_link_3_fy_8 * twist_link_3_vy_1));
     let wrench_link_3_fx = twist_link_3_vx * 10.0
-        + (twist_link_3_wy * inertias.inertia_link_3_hz - twist_link_3_wz * inertias.inertia_link_3_hy)
-        - (wrench_link_3_mx_14 * twist_link_1_vy_0 - wrench_link_3_mx_16 * twist_link_3_wz_3);
+        + (twist_link_3_wy * inertias.inertia_link_3_hz
+            - twist_link_3_wz * inertias.inertia_link_3_hy)
+        - (wrench_link_3_mx_14 * twist_link_1_vy_0
+            - wrench_link_3_mx_16 * twist_link_3_wz_3);
     let wrench_link_2_my = wrench_outside_link_3_my + wrench_link_3_my;
     let wrench_link_2_fx = wrench_outside_link_3_fx + wrench_link_3_fx;
     let wrench_link_1_my = wrench_outside_link_2_my + wrench_link_2_my;
     let wrench_link_1_fx = wrench_outside_link_2_fx + wrench_link_2_fx;
     let wrench_base_my = wrench_link_1_my - minus_wrench_outside_link_1_my;
     let wrench_base_fx = wrench_link_1_fx - minus_wrench_outside_link_1_fx;
-    hamel_bias[1] =
-        wrench_base_my + (wrench_base_fx * minus_wrench_outside_link_1_my_5_0_2 - wrench_base_fz * poses.com_x) + 0.0;
-    let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_my_2 * minus_wrench_outside_link_1_mx_3
+    hamel_bias[1] = wrench_base_my
+        + (wrench_base_fx * minus_wrench_outside_link_1_my_5_0_2
+            - wrench_base_fz * poses.com_x) + 0.0;
+    let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_my_2
+        * minus_wrench_outside_link_1_mx_3
         - minus_wrench_outside_link_1_mx_0 * minus_wrench_outside_link_1_fy_1
         + (minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_7
             - minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_my_5);
     let wrench_outside_link_2_mz = inertias.inertia_link_1_xz * twist_link_1_wx
         + inertias.minus_inertia_link_1_yz * minus_twist_link_1_wy
-        - (inertias.minus_inertia_link_1_hx * twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx)
+        - (inertias.minus_inertia_link_1_hx * twist_link_1_vy
+            + inertias.inertia_link_1_hy * twist_link_1_vx)
         - (wrench_outside_link_2_my_10 * minus_wrench_outside_link_1_mx_3
             - wrench_outside_link_2_mx_8 * minus_wrench_outside_link_1_fy_1
             + (wrench_outside_link_2_fy_6 * wrench_outside_link_2_mx_15
@@ -4147,33 +4624,41 @@ pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias
     let wrench_outside_link_3_mz = inertias.inertia_link_2_xz * twist_link_2_wx
         + inertias.inertia_link_2_yz * twist_link_2_wy
         + inertias.inertia_link_2_zz * twist_link_2_wz
-        + (inertias.inertia_link_2_hx * twist_link_2_vy - inertias.inertia_link_2_hy * twist_link_2_vx)
-        - (wrench_outside_link_3_my_12 * twist_link_2_wz_2 - wrench_outside_link_3_mx_10 * twist_link_2_wz_0
-            + (wrench_outside_link_3_fy_8 * twist_link_2_vz_7 - wrench_outside_link_3_mx_14 * twist_link_2_vz_5));
+        + (inertias.inertia_link_2_hx * twist_link_2_vy
+            - inertias.inertia_link_2_hy * twist_link_2_vx)
+        - (wrench_outside_link_3_my_12 * twist_link_2_wz_2
+            - wrench_outside_link_3_mx_10 * twist_link_2_wz_0
+            + (wrench_outside_link_3_fy_8 * twist_link_2_vz_7
+                - wrench_outside_link_3_mx_14 * twist_link_2_vz_5));
     let wrench_link_3_mz = inertias.inertia_link_3_xz * twist_link_3_wx
         + inertias.inertia_link_3_yz * twist_link_3_wy
         + inertias.inertia_link_3_zz * twist_link_3_wz
-        + (inertias.inertia_link_3_hx * twist_link_3_vy - inertias.inertia_link_3_hy * twist_link_3_vx)
-        - (wrench_link_3_my_12 * twist_link_3_wz_3 - wrench_link_3_mx_10 * twist_link_3_wz_1
-            + (wrench_link_3_fy_8 * twist_link_3_vz_7 - wrench_link_3_mx_14 * twist_link_3_vz_5));
+        + (inertias.inertia_link_3_hx * twist_link_3_vy
+            - inertias.inertia_link_3_hy * twist_link_3_vx)
+        - (wrench_link_3_my_12 * twist_link_3_wz_3
+            - wrench_link_3_mx_10 * twist_link_3_wz_1
+            + (wrench_link_3_fy_8 * twist_link_3_vz_7
+                - wrench_link_3_mx_14 * twist_link_3_vz_5));
     let wrench_link_2_mz = wrench_outside_link_3_mz + wrench_link_3_mz;
     let wrench_link_1_mz = wrench_outside_link_2_mz + wrench_link_2_mz;
     let wrench_base_mz = wrench_link_1_mz - minus_wrench_outside_link_1_mz;
-    hamel_bias[2] = wrench_base_mz + (wrench_base_fx * poses.origin_base_y + wrench_base_fy * poses.com_x) + 0.0;
+    hamel_bias[2] = wrench_base_mz
+        + (wrench_base_fx * poses.origin_base_y + wrench_base_fy * poses.com_x) + 0.0;
     hamel_bias[3] = wrench_base_fx + 0.0;
     hamel_bias[4] = wrench_base_fy + 0.0;
     hamel_bias[5] = wrench_base_fz + 0.0;
-    hamel_bias[6] = wrench_link_1_mz + poses.origin_base_y * wrench_link_1_fx + poses.com_x * wrench_link_1_fy + 0.0;
-    hamel_bias[7] = poses.cos_joint_1 * wrench_link_2_mx + poses.sin_joint_1 * wrench_link_2_my
+    hamel_bias[6] = wrench_link_1_mz + poses.origin_base_y * wrench_link_1_fx
+        + poses.com_x * wrench_link_1_fy + 0.0;
+    hamel_bias[7] = poses.cos_joint_1 * wrench_link_2_mx
+        + poses.sin_joint_1 * wrench_link_2_my
         - screws.minus_screw_joint_2_vx * wrench_link_2_fx
         + screws.screw_joint_2_vy * wrench_link_2_fy
-        - screws.minus_screw_joint_2_vz * wrench_link_2_fz
-        + 0.0;
-    hamel_bias[8] = poses.cos_joint_1 * wrench_link_3_mx + poses.sin_joint_1 * wrench_link_3_my
+        - screws.minus_screw_joint_2_vz * wrench_link_2_fz + 0.0;
+    hamel_bias[8] = poses.cos_joint_1 * wrench_link_3_mx
+        + poses.sin_joint_1 * wrench_link_3_my
         - screws.minus_screw_joint_3_vx * wrench_link_3_fx
         + screws.screw_joint_3_vy * wrench_link_3_fy
-        + screws.screw_joint_3_vz * wrench_link_3_fz
-        + 0.0;
+        + screws.screw_joint_3_vz * wrench_link_3_fz + 0.0;
 }
 /// 𝓑(e_i, e_j) = ∂_i A_j − ∂_j A_i − ad_{A_i} A_j for all pairs of coordinates.
 ///
@@ -4181,7 +4666,7 @@ pub fn hamel_bias(q: &[f64; 3], qd: &[f64; 3], base_twist: &[f64; 6], hamel_bias
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 3×3, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 847 operations: 403 + −, 441 ×, 3 ÷; 3 sin cos; about 7.6 KiB of code.
+/// 847 operations: 403 + −, 441 ×, 3 ÷; 3 sin cos; about 10.0 KiB of code.
 pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -4191,7 +4676,8 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     let reactions = reactions(&inertias, &outside);
     // 𝓑_ω(e_i, e_j) x, column joint_1
     curvature[0][0][0] = 0.0;
-    let inertia_rate_base_xx_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let inertia_rate_base_xx_1 = inertias.composite_link_1_xy
+        + inertias.composite_link_1_xy;
     let inertia_rate_base_zz_0_1 = inertias.composite_link_1_hx * poses.origin_base_y;
     let inertia_rate_base_zz_1_1 = inertias.composite_link_1_hy * poses.com_x;
     let inertia_rate_base_zz_1 = inertia_rate_base_zz_1_1 + inertia_rate_base_zz_1_1;
@@ -4203,21 +4689,30 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
     let inertia_rate_base_yy = inertia_rate_base_xx_1 + inertia_rate_base_zz_0;
     let inertia_rate_link_1_xx_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
-    let minus_inertia_rate_link_1_yy_1 = poses.cos_joint_1 * inertias.composite_link_2_yz;
-    let inertia_rate_link_1_zz_1 = minus_inertia_rate_link_1_yy_1 - inertia_rate_link_1_xx_1;
-    let minus_inertia_rate_link_1_yy_2_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
-    let inertia_rate_link_1_xx_2_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
-    let inertia_rate_link_1_xx_3_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
-    let inertia_rate_link_1_xx_2 = inertia_rate_link_1_xx_2_1 + inertia_rate_link_1_xx_2_1;
-    let inertia_rate_link_1_xx_3 = inertia_rate_link_1_xx_3_1 + inertia_rate_link_1_xx_3_1;
-    let minus_inertia_rate_link_1_yy_2 = minus_inertia_rate_link_1_yy_2_1 + minus_inertia_rate_link_1_yy_2_1;
-    let inertia_rate_link_1_xx =
-        inertia_rate_link_1_xx_1 + inertia_rate_link_1_xx_1 + (inertia_rate_link_1_xx_2 - inertia_rate_link_1_xx_3);
+    let minus_inertia_rate_link_1_yy_1 = poses.cos_joint_1
+        * inertias.composite_link_2_yz;
+    let inertia_rate_link_1_zz_1 = minus_inertia_rate_link_1_yy_1
+        - inertia_rate_link_1_xx_1;
+    let minus_inertia_rate_link_1_yy_2_1 = inertias.composite_link_2_hx
+        * screws.minus_screw_joint_2_vx;
+    let inertia_rate_link_1_xx_2_1 = inertias.composite_link_2_hy
+        * screws.screw_joint_2_vy;
+    let inertia_rate_link_1_xx_3_1 = inertias.composite_link_2_hz
+        * screws.minus_screw_joint_2_vz;
+    let inertia_rate_link_1_xx_2 = inertia_rate_link_1_xx_2_1
+        + inertia_rate_link_1_xx_2_1;
+    let inertia_rate_link_1_xx_3 = inertia_rate_link_1_xx_3_1
+        + inertia_rate_link_1_xx_3_1;
+    let minus_inertia_rate_link_1_yy_2 = minus_inertia_rate_link_1_yy_2_1
+        + minus_inertia_rate_link_1_yy_2_1;
+    let inertia_rate_link_1_xx = inertia_rate_link_1_xx_1 + inertia_rate_link_1_xx_1
+        + (inertia_rate_link_1_xx_2 - inertia_rate_link_1_xx_3);
     let inertia_rate_link_1_xy = inertias.inside_joint_2_mz_0_1
         - inertias.inside_joint_2_mz_0_0
         - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3);
     let inertia_rate_link_1_xz = poses.sin_joint_1 * inertias.composite_link_2_zz
-        + (inertias.inside_joint_2_my_0_0 - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
         + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
     let minus_inertia_rate_link_1_yy = minus_inertia_rate_link_1_yy_1
         + minus_inertia_rate_link_1_yy_1
@@ -4226,17 +4721,19 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
         - inertias.inside_joint_2_mx_0_1
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
-    let inertia_rate_link_1_zz = inertia_rate_link_1_zz_1
-        + inertia_rate_link_1_zz_1
+    let inertia_rate_link_1_zz = inertia_rate_link_1_zz_1 + inertia_rate_link_1_zz_1
         + (inertia_rate_link_1_xx_2 - minus_inertia_rate_link_1_yy_2);
-    let curvature_x_1_0_3_3_23_1 = screws.inside_joint_2_my - screws.inside_joint_2_fz * poses.com_x
-        + (inertia_rate_base_xx * screws.connection_joint_2_wx + inertia_rate_base_xy * screws.connection_joint_2_wy
+    let curvature_x_1_0_3_3_23_1 = screws.inside_joint_2_my
+        - screws.inside_joint_2_fz * poses.com_x
+        + (inertia_rate_base_xx * screws.connection_joint_2_wx
+            + inertia_rate_base_xy * screws.connection_joint_2_wy
             - screws.inside_joint_1_my * screws.connection_joint_2_wz
             + screws.inside_joint_1_fy * screws.connection_joint_2_vz)
         + (inertia_rate_link_1_xx * reactions.reaction_joint_1_wx
             + inertia_rate_link_1_xy * reactions.reaction_joint_1_wy
             + inertia_rate_link_1_xz * reactions.reaction_joint_1_wz);
-    let curvature_x_1_0_3_3_23 = inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_3_3_23_1
+    let curvature_x_1_0_3_3_23 = inertias.locked_inverse_pivot_y_2
+        * curvature_x_1_0_3_3_23_1
         - (screws.inside_joint_2_fz * poses.origin_base_y - screws.inside_joint_2_mx
             + (inertia_rate_base_xy * screws.connection_joint_2_wx
                 + inertia_rate_base_yy * screws.connection_joint_2_wy
@@ -4245,8 +4742,10 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
             + (inertia_rate_link_1_xy * reactions.reaction_joint_1_wx
                 - minus_inertia_rate_link_1_yy * reactions.reaction_joint_1_wy
                 + inertia_rate_link_1_yz * reactions.reaction_joint_1_wz));
-    let curvature_x_1_0_3_3 = (inertias.locked_inverse_pivot_z_2 * curvature_x_1_0_3_3_23_1
-        - (screws.inside_joint_2_fx * poses.com_x - screws.inside_joint_2_fy * poses.origin_base_y
+    let curvature_x_1_0_3_3 = (inertias.locked_inverse_pivot_z_2
+        * curvature_x_1_0_3_3_23_1
+        - (screws.inside_joint_2_fx * poses.com_x
+            - screws.inside_joint_2_fy * poses.origin_base_y
             + (screws.inside_joint_1_mx * screws.connection_joint_2_wy
                 - screws.inside_joint_1_my * screws.connection_joint_2_wx
                 + inertia_rate_base_zz * screws.connection_joint_2_wz
@@ -4268,36 +4767,45 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     let inertia_rate_link_2_xx_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
     let inertia_rate_link_2_yy_3 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
     let inertia_rate_link_2_zz_1 = inertia_rate_link_2_yy_3 - inertia_rate_link_2_xx_1;
-    let inertia_rate_link_2_yy_1_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
-    let inertia_rate_link_2_xx_2_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
-    let inertia_rate_link_2_xx_3_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
-    let inertia_rate_link_2_xx_2 = inertia_rate_link_2_xx_2_1 + inertia_rate_link_2_xx_2_1;
-    let inertia_rate_link_2_xx_3 = inertia_rate_link_2_xx_3_1 + inertia_rate_link_2_xx_3_1;
-    let inertia_rate_link_2_yy_1 = inertia_rate_link_2_yy_1_1 + inertia_rate_link_2_yy_1_1;
-    let inertia_rate_link_2_xx =
-        inertia_rate_link_2_xx_1 + inertia_rate_link_2_xx_1 + (inertia_rate_link_2_xx_2 + inertia_rate_link_2_xx_3);
+    let inertia_rate_link_2_yy_1_1 = inertias.inertia_link_3_hx
+        * screws.minus_screw_joint_3_vx;
+    let inertia_rate_link_2_xx_2_1 = inertias.inertia_link_3_hy
+        * screws.screw_joint_3_vy;
+    let inertia_rate_link_2_xx_3_1 = inertias.inertia_link_3_hz
+        * screws.screw_joint_3_vz;
+    let inertia_rate_link_2_xx_2 = inertia_rate_link_2_xx_2_1
+        + inertia_rate_link_2_xx_2_1;
+    let inertia_rate_link_2_xx_3 = inertia_rate_link_2_xx_3_1
+        + inertia_rate_link_2_xx_3_1;
+    let inertia_rate_link_2_yy_1 = inertia_rate_link_2_yy_1_1
+        + inertia_rate_link_2_yy_1_1;
+    let inertia_rate_link_2_xx = inertia_rate_link_2_xx_1 + inertia_rate_link_2_xx_1
+        + (inertia_rate_link_2_xx_2 + inertia_rate_link_2_xx_3);
     let inertia_rate_link_2_xy = inertias.inside_joint_3_mz_0_1
         - inertias.inside_joint_3_mz_0_0
         - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3);
     let inertia_rate_link_2_xz = poses.sin_joint_1 * inertias.inertia_link_3_zz
-        + (inertias.inside_joint_3_my_0_0 - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+        + (inertias.inside_joint_3_my_0_0
+            - poses.sin_joint_1 * inertias.inertia_link_3_xx)
         - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
-    let inertia_rate_link_2_yy =
-        inertia_rate_link_2_xx_3 - inertia_rate_link_2_yy_1 - (inertia_rate_link_2_yy_3 + inertia_rate_link_2_yy_3);
+    let inertia_rate_link_2_yy = inertia_rate_link_2_xx_3 - inertia_rate_link_2_yy_1
+        - (inertia_rate_link_2_yy_3 + inertia_rate_link_2_yy_3);
     let inertia_rate_link_2_yz = poses.cos_joint_1 * inertias.inertia_link_3_yy
-        - inertias.inside_joint_3_mx_0_1
-        - poses.cos_joint_1 * inertias.inertia_link_3_zz
+        - inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
         - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
-    let inertia_rate_link_2_zz =
-        inertia_rate_link_2_zz_1 + inertia_rate_link_2_zz_1 + (inertia_rate_link_2_xx_2 - inertia_rate_link_2_yy_1);
-    let curvature_x_2_0_3_3_23_1 = screws.inside_joint_3_my - screws.inside_joint_3_fz * poses.com_x
-        + (inertia_rate_base_xx * screws.connection_joint_3_wx + inertia_rate_base_xy * screws.connection_joint_3_wy
+    let inertia_rate_link_2_zz = inertia_rate_link_2_zz_1 + inertia_rate_link_2_zz_1
+        + (inertia_rate_link_2_xx_2 - inertia_rate_link_2_yy_1);
+    let curvature_x_2_0_3_3_23_1 = screws.inside_joint_3_my
+        - screws.inside_joint_3_fz * poses.com_x
+        + (inertia_rate_base_xx * screws.connection_joint_3_wx
+            + inertia_rate_base_xy * screws.connection_joint_3_wy
             - screws.inside_joint_1_my * screws.connection_joint_3_wz
             + screws.inside_joint_1_fy * screws.connection_joint_3_vz)
         + (inertia_rate_link_2_xx * reactions.reaction_joint_1_wx
             + inertia_rate_link_2_xy * reactions.reaction_joint_1_wy
             + inertia_rate_link_2_xz * reactions.reaction_joint_1_wz);
-    let curvature_x_2_0_3_3_23 = inertias.locked_inverse_pivot_y_2 * curvature_x_2_0_3_3_23_1
+    let curvature_x_2_0_3_3_23 = inertias.locked_inverse_pivot_y_2
+        * curvature_x_2_0_3_3_23_1
         - (screws.inside_joint_3_fz * poses.origin_base_y - screws.inside_joint_3_mx
             + (inertia_rate_base_xy * screws.connection_joint_3_wx
                 + inertia_rate_base_yy * screws.connection_joint_3_wy
@@ -4306,8 +4814,10 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
             + (inertia_rate_link_2_xy * reactions.reaction_joint_1_wx
                 + inertia_rate_link_2_yy * reactions.reaction_joint_1_wy
                 + inertia_rate_link_2_yz * reactions.reaction_joint_1_wz));
-    let curvature_x_2_0_3_3 = (inertias.locked_inverse_pivot_z_2 * curvature_x_2_0_3_3_23_1
-        - (screws.inside_joint_3_fx * poses.com_x - screws.inside_joint_3_fy * poses.origin_base_y
+    let curvature_x_2_0_3_3 = (inertias.locked_inverse_pivot_z_2
+        * curvature_x_2_0_3_3_23_1
+        - (screws.inside_joint_3_fx * poses.com_x
+            - screws.inside_joint_3_fy * poses.origin_base_y
             + (screws.inside_joint_1_mx * screws.connection_joint_3_wy
                 - screws.inside_joint_1_my * screws.connection_joint_3_wx
                 + inertia_rate_base_zz * screws.connection_joint_3_wz
@@ -4357,7 +4867,8 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
                 - screws.inside_joint_3_fx * reactions.reaction_joint_2_vz))
         + inertias.locked_inverse_pivot_y_2 * curvature_x_2_1_3_3_1_27;
     let curvature_x_2_1_3_3 = (inertias.locked_inverse_pivot_z_4 * curvature_x_2_1_3_3_1
-        - (screws.inside_joint_3_mx * poses.sin_joint_1 - screws.inside_joint_3_my * poses.cos_joint_1
+        - (screws.inside_joint_3_mx * poses.sin_joint_1
+            - screws.inside_joint_3_my * poses.cos_joint_1
             + (screws.inside_joint_3_fx * screws.screw_joint_2_vy
                 + screws.inside_joint_3_fy * screws.minus_screw_joint_2_vx)
             + (inertia_rate_link_1_xz * screws.connection_joint_3_wx
@@ -4438,27 +4949,38 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 290 operations: 125 + −, 162 ×, 3 ÷; 3 sin cos; about 2.7 KiB of code.
-pub fn momentum(q: &[f64; 3], mu: &[f64; 6], body_momentum: &mut [f64; 6], centroidal_momentum: &mut [f64; 6]) {
+/// 290 operations: 125 + −, 162 ×, 3 ÷; 3 sin cos; about 3.5 KiB of code.
+pub fn momentum(
+    q: &[f64; 3],
+    mu: &[f64; 6],
+    body_momentum: &mut [f64; 6],
+    centroidal_momentum: &mut [f64; 6],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let body_momentum_0_1_4 = poses.com_z + 0.023809523809523808;
-    let body_momentum_0_0 =
-        inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let body_momentum_0_1 = (mu[4] + (mu[2] * poses.com_x - mu[0] * body_momentum_0_1_4)) * 130.0;
-    let body_momentum_0_3 = (mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x)) * 130.0;
+    let body_momentum_0_0 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+    let body_momentum_0_1 = (mu[4] + (mu[2] * poses.com_x - mu[0] * body_momentum_0_1_4))
+        * 130.0;
+    let body_momentum_0_3 = (mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x))
+        * 130.0;
     // Λ_b μ
-    body_momentum[0] =
-        body_momentum_0_0 - (body_momentum_0_1 * body_momentum_0_1_4 + body_momentum_0_3 * poses.origin_base_y) + 0.0;
-    let body_momentum_1_0 =
-        inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let body_momentum_1_1 = (mu[3] + (mu[1] * body_momentum_0_1_4 + mu[2] * poses.origin_base_y)) * 130.0;
-    body_momentum[1] =
-        body_momentum_1_0 + (body_momentum_1_1 * body_momentum_0_1_4 - body_momentum_0_3 * poses.com_x) + 0.0;
-    let body_momentum_2_0 =
-        inertias.composite_base_xz * mu[0] + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    body_momentum[2] =
-        body_momentum_2_0 + (body_momentum_1_1 * poses.origin_base_y + body_momentum_0_1 * poses.com_x) + 0.0;
+    body_momentum[0] = body_momentum_0_0
+        - (body_momentum_0_1 * body_momentum_0_1_4
+            + body_momentum_0_3 * poses.origin_base_y) + 0.0;
+    let body_momentum_1_0 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    let body_momentum_1_1 = (mu[3]
+        + (mu[1] * body_momentum_0_1_4 + mu[2] * poses.origin_base_y)) * 130.0;
+    body_momentum[1] = body_momentum_1_0
+        + (body_momentum_1_1 * body_momentum_0_1_4 - body_momentum_0_3 * poses.com_x)
+        + 0.0;
+    let body_momentum_2_0 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    body_momentum[2] = body_momentum_2_0
+        + (body_momentum_1_1 * poses.origin_base_y + body_momentum_0_1 * poses.com_x)
+        + 0.0;
     body_momentum[3] = body_momentum_1_1 + 0.0;
     body_momentum[4] = body_momentum_0_1 + 0.0;
     body_momentum[5] = body_momentum_0_3 + 0.0;
@@ -4477,8 +4999,13 @@ pub fn momentum(q: &[f64; 3], mu: &[f64; 6], body_momentum: &mut [f64; 6], centr
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 443 operations: 194 + −, 246 ×, 3 ÷; 3 sin cos; about 4.0 KiB of code.
-pub fn base_twist(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], base_twist: &mut [f64; 6]) {
+/// 443 operations: 194 + −, 246 ×, 3 ÷; 3 sin cos; about 5.3 KiB of code.
+pub fn base_twist(
+    q: &[f64; 3],
+    qd: &[f64; 3],
+    mu: &[f64; 6],
+    base_twist: &mut [f64; 6],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
@@ -4491,18 +5018,15 @@ pub fn base_twist(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], base_twist: &mut [
     base_twist[3] = mu[3]
         + (velocities.minus_velocity_base_wy * base_twist_3_2
             + velocities.minus_velocity_base_wz * poses.origin_base_y
-            - velocities.minus_velocity_base_vx)
-        + 0.0;
+            - velocities.minus_velocity_base_vx) + 0.0;
     base_twist[4] = mu[4]
         + (velocities.minus_velocity_base_wz * poses.com_x
             - velocities.minus_velocity_base_wx * base_twist_3_2
-            - velocities.minus_velocity_base_vy)
-        + 0.0;
+            - velocities.minus_velocity_base_vy) + 0.0;
     base_twist[5] = mu[5]
         - (velocities.minus_velocity_base_vz
             + (velocities.minus_velocity_base_wx * poses.origin_base_y
-                + velocities.minus_velocity_base_wy * poses.com_x))
-        + 0.0;
+                + velocities.minus_velocity_base_wy * poses.com_x)) + 0.0;
 }
 /// ½ μᵀ Λ_b μ + ½ q̇ᵀ Λ_q q̇.
 ///
@@ -4511,27 +5035,32 @@ pub fn base_twist(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], base_twist: &mut [
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 683 operations: 295 + −, 385 ×, 3 ÷; 3 sin cos; about 6.1 KiB of code.
-pub fn kinetic_energy(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], kinetic_energy: &mut f64) {
+/// 683 operations: 295 + −, 385 ×, 3 ÷; 3 sin cos; about 8.1 KiB of code.
+pub fn kinetic_energy(
+    q: &[f64; 3],
+    qd: &[f64; 3],
+    mu: &[f64; 6],
+    kinetic_energy: &mut f64,
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
     let velocities = velocities(qd, &poses, &screws);
     let kinetic_energy_0_0_22_2 = poses.com_z + 0.023809523809523808;
-    let kinetic_energy_0_0_22 = mu[3] + (mu[1] * kinetic_energy_0_0_22_2 + mu[2] * poses.origin_base_y);
-    let kinetic_energy_0_0_25 = mu[4] + (mu[2] * poses.com_x - mu[0] * kinetic_energy_0_0_22_2);
-    let kinetic_energy_0_0_28 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let kinetic_energy_0_0_22 = mu[3]
+        + (mu[1] * kinetic_energy_0_0_22_2 + mu[2] * poses.origin_base_y);
+    let kinetic_energy_0_0_25 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * kinetic_energy_0_0_22_2);
+    let kinetic_energy_0_0_28 = mu[5]
+        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let kinetic_energy_0_0 = mu[0]
-        * (inertias.composite_base_xx * mu[0]
-            + inertias.composite_base_xy * mu[1]
+        * (inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1]
             + inertias.composite_base_xz * mu[2])
         + mu[1]
-            * (inertias.composite_base_xy * mu[0]
-                + inertias.composite_base_yy * mu[1]
+            * (inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1]
                 + inertias.composite_base_yz * mu[2])
         + mu[2]
-            * (inertias.composite_base_xz * mu[0]
-                + inertias.composite_base_yz * mu[1]
+            * (inertias.composite_base_xz * mu[0] + inertias.composite_base_yz * mu[1]
                 + inertias.composite_base_zz * mu[2])
         + kinetic_energy_0_0_22 * (kinetic_energy_0_0_22 * 130.0)
         + kinetic_energy_0_0_25 * (kinetic_energy_0_0_25 * 130.0)
@@ -4539,32 +5068,40 @@ pub fn kinetic_energy(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], kinetic_energy
         + (velocities.minus_velocity_base_vz
             * (velocities.minus_velocity_base_vz * 105.0
                 + (velocities.minus_velocity_base_wx * inertias.inertia_base_hy
-                    + velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hx))
+                    + velocities.minus_velocity_base_wy
+                        * inertias.minus_inertia_base_hx))
             - (velocities.minus_velocity_base_wx
                 * (inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wz
                     - (inertias.inertia_base_xx * velocities.minus_velocity_base_wx
                         + inertias.inertia_base_xy * velocities.minus_velocity_base_wy)
                     - (velocities.minus_velocity_base_vz * inertias.inertia_base_hy
-                        + velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz))
+                        + velocities.minus_velocity_base_vy
+                            * inertias.minus_inertia_base_hz))
                 + velocities.minus_velocity_base_wy
                     * (velocities.minus_velocity_base_vx * inertias.minus_inertia_base_hz
-                        - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx
+                        - velocities.minus_velocity_base_vz
+                            * inertias.minus_inertia_base_hx
                         - (inertias.inertia_base_xy * velocities.minus_velocity_base_wx
-                            + inertias.inertia_base_yy * velocities.minus_velocity_base_wy
-                            + inertias.inertia_base_yz * velocities.minus_velocity_base_wz))
+                            + inertias.inertia_base_yy
+                                * velocities.minus_velocity_base_wy
+                            + inertias.inertia_base_yz
+                                * velocities.minus_velocity_base_wz))
                 + velocities.minus_velocity_base_wz
                     * (inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wx
                         - inertias.inertia_base_yz * velocities.minus_velocity_base_wy
                         - inertias.inertia_base_zz * velocities.minus_velocity_base_wz
-                        + (velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
-                            + velocities.minus_velocity_base_vx * inertias.inertia_base_hy))
+                        + (velocities.minus_velocity_base_vy
+                            * inertias.minus_inertia_base_hx
+                            + velocities.minus_velocity_base_vx
+                                * inertias.inertia_base_hy))
                 + velocities.minus_velocity_base_vx
                     * (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
                         + velocities.minus_velocity_base_wz * inertias.inertia_base_hy
                         - velocities.minus_velocity_base_vx * 105.0)
                 + velocities.minus_velocity_base_vy
                     * (velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx
-                        - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz
+                        - velocities.minus_velocity_base_wx
+                            * inertias.minus_inertia_base_hz
                         - velocities.minus_velocity_base_vy * 105.0)))
         + (velocities.velocity_link_1_wz
             * (inertias.minus_inertia_link_1_yz * velocities.minus_velocity_base_wy
@@ -4580,10 +5117,13 @@ pub fn kinetic_energy(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], kinetic_energy
                         + velocities.velocity_link_1_vy * inertias.inertia_link_1_hz))
                 + velocities.minus_velocity_base_wy
                     * (velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
-                        - velocities.minus_velocity_base_vz * inertias.minus_inertia_link_1_hx
+                        - velocities.minus_velocity_base_vz
+                            * inertias.minus_inertia_link_1_hx
                         - (inertias.inertia_link_1_xy * velocities.minus_velocity_base_wx
-                            + inertias.inertia_link_1_yy * velocities.minus_velocity_base_wy
-                            + inertias.minus_inertia_link_1_yz * velocities.velocity_link_1_wz)))
+                            + inertias.inertia_link_1_yy
+                                * velocities.minus_velocity_base_wy
+                            + inertias.minus_inertia_link_1_yz
+                                * velocities.velocity_link_1_wz)))
             + velocities.velocity_link_1_vx
                 * (velocities.velocity_link_1_vx * 5.0
                     - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
@@ -4591,11 +5131,13 @@ pub fn kinetic_energy(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], kinetic_energy
             + velocities.velocity_link_1_vy
                 * (velocities.velocity_link_1_vy * 5.0
                     + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
-                        - velocities.velocity_link_1_wz * inertias.minus_inertia_link_1_hx))
+                        - velocities.velocity_link_1_wz
+                            * inertias.minus_inertia_link_1_hx))
             + velocities.minus_velocity_base_vz
                 * (velocities.minus_velocity_base_vz * 5.0
                     + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
-                        + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx)))
+                        + velocities.minus_velocity_base_wy
+                            * inertias.minus_inertia_link_1_hx)))
         + (velocities.velocity_link_2_wx
             * (inertias.inertia_link_2_xx * velocities.velocity_link_2_wx
                 + inertias.inertia_link_2_xy * velocities.velocity_link_2_wy
@@ -4607,7 +5149,8 @@ pub fn kinetic_energy(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], kinetic_energy
                     + inertias.inertia_link_2_yy * velocities.velocity_link_2_wy
                     + inertias.inertia_link_2_yz * velocities.velocity_link_1_wz
                     + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
-                        + velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hx))
+                        + velocities.minus_velocity_link_2_vz
+                            * inertias.inertia_link_2_hx))
             + velocities.velocity_link_1_wz
                 * (inertias.inertia_link_2_xz * velocities.velocity_link_2_wx
                     + inertias.inertia_link_2_yz * velocities.velocity_link_2_wy
@@ -4658,8 +5201,7 @@ pub fn kinetic_energy(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], kinetic_energy
                 * (velocities.velocity_link_3_vz * 10.0
                     + (velocities.velocity_link_3_wx * inertias.inertia_link_3_hy
                         - velocities.velocity_link_3_wy * inertias.inertia_link_3_hx))))
-        * 0.5
-        + 0.0;
+        * 0.5 + 0.0;
 }
 /// ξ̇ = Λ⁻¹ (D_μ ξ − D_q̇ ξ + [F₁; τ − A_lᵀ F₁]) + [0; γ; 0], in O(n); factoring Λ_q where joints mimic.
 ///
@@ -4671,7 +5213,7 @@ pub fn kinetic_energy(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], kinetic_energy
 /// - `tau`: joint torques (3; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (9; rad/s², m/s²)
 ///
-/// 1939 operations: 932 + −, 995 ×, 12 ÷; 3 sin cos; about 17.2 KiB of code.
+/// 1939 operations: 932 + −, 995 ×, 12 ÷; 3 sin cos; about 22.8 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -4685,22 +5227,32 @@ pub fn forward_dynamics(
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
     let velocities = velocities(qd, &poses, &screws);
-    let common_forward_dynamics_inverse_dynamics =
-        common_forward_dynamics_inverse_dynamics(mu, qd, &poses, &inertias, &screws, &velocities);
+    let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
+        mu,
+        qd,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+    );
     let xi_dot_0_3_3_34_6_0_2 = poses.com_z + 0.023809523809523808;
-    let xi_dot_0_3_3_34_2 =
-        inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let xi_dot_0_3_3_34_32_0 =
-        inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let xi_dot_0_3_3_34_32_2 =
-        inertias.composite_base_xz * mu[0] + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let xi_dot_0_3_3_34_6_0 = mu[3] + (mu[1] * xi_dot_0_3_3_34_6_0_2 + mu[2] * poses.origin_base_y);
-    let xi_dot_0_3_3_34_32_4_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * xi_dot_0_3_3_34_6_0_2);
-    let xi_dot_0_3_3_34_32_6_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let xi_dot_0_3_3_34_2 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+    let xi_dot_0_3_3_34_32_0 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    let xi_dot_0_3_3_34_32_2 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let xi_dot_0_3_3_34_6_0 = mu[3]
+        + (mu[1] * xi_dot_0_3_3_34_6_0_2 + mu[2] * poses.origin_base_y);
+    let xi_dot_0_3_3_34_32_4_0 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * xi_dot_0_3_3_34_6_0_2);
+    let xi_dot_0_3_3_34_32_6_0 = mu[5]
+        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let xi_dot_0_3_3_34_6 = xi_dot_0_3_3_34_6_0 * 130.0;
     let xi_dot_0_3_3_34_32_4 = xi_dot_0_3_3_34_32_4_0 * 130.0;
     let xi_dot_0_3_3_34_32_6 = xi_dot_0_3_3_34_32_6_0 * 130.0;
-    let xi_dot_0_3_3_34_32_9 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let xi_dot_0_3_3_34_32_9 = inertias.composite_link_1_xy
+        + inertias.composite_link_1_xy;
     let xi_dot_0_3_3_34_11_1 = inertias.composite_link_1_hx * poses.origin_base_y;
     let xi_dot_0_3_3_34_32_8_1 = inertias.composite_link_1_hy * poses.com_x;
     let xi_dot_0_3_3_34_32_8 = xi_dot_0_3_3_34_32_8_1 + xi_dot_0_3_3_34_32_8_1;
@@ -4708,104 +5260,113 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_16_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
     let xi_dot_0_3_3_16_0 = poses.cos_joint_1 * inertias.composite_link_2_yz;
     let xi_dot_0_3_3_16 = xi_dot_0_3_3_16_0 - xi_dot_0_3_3_16_1;
-    let xi_dot_0_3_3_34_15_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
+    let xi_dot_0_3_3_34_15_1 = inertias.composite_link_2_hx
+        * screws.minus_screw_joint_2_vx;
     let xi_dot_0_3_3_34_32_13_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
-    let xi_dot_0_3_3_34_32_14_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
+    let xi_dot_0_3_3_34_32_14_1 = inertias.composite_link_2_hz
+        * screws.minus_screw_joint_2_vz;
     let xi_dot_0_3_3_34_32_13 = xi_dot_0_3_3_34_32_13_1 + xi_dot_0_3_3_34_32_13_1;
     let xi_dot_0_3_3_34_32_14 = xi_dot_0_3_3_34_32_14_1 + xi_dot_0_3_3_34_32_14_1;
     let xi_dot_0_3_3_34_15 = xi_dot_0_3_3_34_15_1 + xi_dot_0_3_3_34_15_1;
     let xi_dot_0_3_3_21_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
     let xi_dot_0_3_3_21_0 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
     let xi_dot_0_3_3_21 = xi_dot_0_3_3_21_0 - xi_dot_0_3_3_21_1;
-    let xi_dot_0_3_3_34_19_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
+    let xi_dot_0_3_3_34_19_1 = inertias.inertia_link_3_hx
+        * screws.minus_screw_joint_3_vx;
     let xi_dot_0_3_3_34_32_18_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
     let xi_dot_0_3_3_34_32_19_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let xi_dot_0_3_3_34_32_18 = xi_dot_0_3_3_34_32_18_1 + xi_dot_0_3_3_34_32_18_1;
     let xi_dot_0_3_3_34_32_19 = xi_dot_0_3_3_34_32_19_1 + xi_dot_0_3_3_34_32_19_1;
     let xi_dot_0_3_3_34_19 = xi_dot_0_3_3_34_19_1 + xi_dot_0_3_3_34_19_1;
-    let xi_dot_0_3_3_34_28 =
-        screws.inside_joint_1_fx * qd[0] + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let xi_dot_0_3_3_34_32_26 =
-        screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let xi_dot_0_3_3_34_32_28 = screws.inside_joint_2_fz * qd[1] + screws.inside_joint_3_fz * qd[2];
+    let xi_dot_0_3_3_34_28 = screws.inside_joint_1_fx * qd[0]
+        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
+    let xi_dot_0_3_3_34_32_26 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
+    let xi_dot_0_3_3_34_32_28 = screws.inside_joint_2_fz * qd[1]
+        + screws.inside_joint_3_fz * qd[2];
     let xi_dot_0_3_3_34_32_22 = (inertias.composite_link_1_xx
         - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1))
-        * qd[0]
-        + (inertias.inside_joint_2_mz_0_1
-            - inertias.inside_joint_2_mz_0_0
-            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3))
-            * qd[1]
-        + (inertias.inside_joint_3_mz_0_1
-            - inertias.inside_joint_3_mz_0_0
-            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3))
-            * qd[2];
+        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
+        + (inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
+            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3)) * qd[1]
+        + (inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
+            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3)) * qd[2];
     let xi_dot_0_3_3_34_32_24 = (poses.sin_joint_1 * inertias.composite_link_2_zz
-        + (inertias.inside_joint_2_my_0_0 - poses.sin_joint_1 * inertias.composite_link_2_xx)
-        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4))
-        * qd[1]
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4)) * qd[1]
         - screws.inside_joint_1_my * qd[0]
         + (poses.sin_joint_1 * inertias.inertia_link_3_zz
-            + (inertias.inside_joint_3_my_0_0 - poses.sin_joint_1 * inertias.inertia_link_3_xx)
-            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3))
-            * qd[2];
+            + (inertias.inside_joint_3_my_0_0
+                - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2];
     let xi_dot_0_3_3_34_24 = screws.inside_joint_1_mx * qd[0]
         + (poses.cos_joint_1 * inertias.composite_link_2_yy
             - inertias.inside_joint_2_mx_0_1
             - poses.cos_joint_1 * inertias.composite_link_2_zz
-            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3))
-            * qd[1]
+            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3)) * qd[1]
         + (poses.cos_joint_1 * inertias.inertia_link_3_yy
             - inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
-            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4))
-            * qd[2];
+            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2];
     let xi_dot_0_3_3_34_1 = mu[0] - velocities.minus_velocity_base_wx;
     let xi_dot_0_3_3_34_32_3 = mu[1] - velocities.minus_velocity_base_wy;
     let xi_dot_0_3_3_34_32_1 = mu[2] - velocities.minus_velocity_base_wz;
     let xi_dot_0_3_3_34_5 = xi_dot_0_3_3_34_6_0 - velocities.minus_velocity_base_vx;
-    let xi_dot_0_3_3_34_32_7 = xi_dot_0_3_3_34_32_4_0 - velocities.minus_velocity_base_vy;
-    let xi_dot_0_3_3_34_32_5 = xi_dot_0_3_3_34_32_6_0 - velocities.minus_velocity_base_vz;
-    let wrench_base_mx_14 =
-        base_wrench[0] + (base_wrench[4] * xi_dot_0_3_3_34_6_0_2 + base_wrench[5] * poses.origin_base_y);
-    let wrench_base_my_14 = base_wrench[1] + (base_wrench[5] * poses.com_x - base_wrench[3] * xi_dot_0_3_3_34_6_0_2);
-    let wrench_base_mz_14 = base_wrench[2] - (base_wrench[3] * poses.origin_base_y + base_wrench[4] * poses.com_x);
-    let xi_dot_0_3_3_34_32 = xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_32_1 - xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_32_3
-        + (xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_32_5 - xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_32_7)
+    let xi_dot_0_3_3_34_32_7 = xi_dot_0_3_3_34_32_4_0
+        - velocities.minus_velocity_base_vy;
+    let xi_dot_0_3_3_34_32_5 = xi_dot_0_3_3_34_32_6_0
+        - velocities.minus_velocity_base_vz;
+    let wrench_base_mx_14 = base_wrench[0]
+        + (base_wrench[4] * xi_dot_0_3_3_34_6_0_2
+            + base_wrench[5] * poses.origin_base_y);
+    let wrench_base_my_14 = base_wrench[1]
+        + (base_wrench[5] * poses.com_x - base_wrench[3] * xi_dot_0_3_3_34_6_0_2);
+    let wrench_base_mz_14 = base_wrench[2]
+        - (base_wrench[3] * poses.origin_base_y + base_wrench[4] * poses.com_x);
+    let xi_dot_0_3_3_34_32 = xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_32_1
+        - xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_32_3
+        + (xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_32_5
+            - xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_32_7)
         - (((xi_dot_0_3_3_34_32_8 - xi_dot_0_3_3_34_32_9) * qd[0]
-            + (xi_dot_0_3_3_16_1 + xi_dot_0_3_3_16_1 + (xi_dot_0_3_3_34_32_13 - xi_dot_0_3_3_34_32_14)) * qd[1]
-            + (xi_dot_0_3_3_21_1 + xi_dot_0_3_3_21_1 + (xi_dot_0_3_3_34_32_18 + xi_dot_0_3_3_34_32_19)) * qd[2])
-            * mu[0]
-            + xi_dot_0_3_3_34_32_22 * mu[1]
-            + xi_dot_0_3_3_34_32_24 * mu[2]
-            + (xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_32_6_0 - xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_32_4_0))
-        + wrench_base_mx_14;
-    let xi_dot_0_3_3_34 = xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_1 - xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_1
-        + (xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_5 - xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_5)
+            + (xi_dot_0_3_3_16_1 + xi_dot_0_3_3_16_1
+                + (xi_dot_0_3_3_34_32_13 - xi_dot_0_3_3_34_32_14)) * qd[1]
+            + (xi_dot_0_3_3_21_1 + xi_dot_0_3_3_21_1
+                + (xi_dot_0_3_3_34_32_18 + xi_dot_0_3_3_34_32_19)) * qd[2]) * mu[0]
+            + xi_dot_0_3_3_34_32_22 * mu[1] + xi_dot_0_3_3_34_32_24 * mu[2]
+            + (xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_32_6_0
+                - xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_32_4_0)) + wrench_base_mx_14;
+    let xi_dot_0_3_3_34 = xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_1
+        - xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_1
+        + (xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_5
+            - xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_5)
         - (xi_dot_0_3_3_34_32_22 * mu[0]
             + ((xi_dot_0_3_3_34_32_9 + xi_dot_0_3_3_34_11) * qd[0]
-                - (xi_dot_0_3_3_16_0 + xi_dot_0_3_3_16_0 + (xi_dot_0_3_3_34_15 + xi_dot_0_3_3_34_32_14)) * qd[1]
-                + (xi_dot_0_3_3_34_32_19 - xi_dot_0_3_3_34_19 - (xi_dot_0_3_3_21_0 + xi_dot_0_3_3_21_0)) * qd[2])
-                * mu[1]
+                - (xi_dot_0_3_3_16_0 + xi_dot_0_3_3_16_0
+                    + (xi_dot_0_3_3_34_15 + xi_dot_0_3_3_34_32_14)) * qd[1]
+                + (xi_dot_0_3_3_34_32_19 - xi_dot_0_3_3_34_19
+                    - (xi_dot_0_3_3_21_0 + xi_dot_0_3_3_21_0)) * qd[2]) * mu[1]
             + xi_dot_0_3_3_34_24 * mu[2]
-            + (xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_6_0 - xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_6_0))
-        + wrench_base_my_14
+            + (xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_6_0
+                - xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_6_0)) + wrench_base_my_14
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_34_32;
-    let xi_dot_0_3_3 = (xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_3 - xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_1
-        + (xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_7 - xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_5)
-        - (xi_dot_0_3_3_34_32_24 * mu[0]
-            + xi_dot_0_3_3_34_24 * mu[1]
+    let xi_dot_0_3_3 = (xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_3
+        - xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_1
+        + (xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_7
+            - xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_5)
+        - (xi_dot_0_3_3_34_32_24 * mu[0] + xi_dot_0_3_3_34_24 * mu[1]
             + ((xi_dot_0_3_3_34_11 + xi_dot_0_3_3_34_32_8) * qd[0]
-                + (xi_dot_0_3_3_16 + xi_dot_0_3_3_16 + (xi_dot_0_3_3_34_32_13 - xi_dot_0_3_3_34_15)) * qd[1]
-                + (xi_dot_0_3_3_21 + xi_dot_0_3_3_21 + (xi_dot_0_3_3_34_32_18 - xi_dot_0_3_3_34_19)) * qd[2])
-                * mu[2]
-            + (xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_4_0 - xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_6_0))
-        + wrench_base_mz_14
+                + (xi_dot_0_3_3_16 + xi_dot_0_3_3_16
+                    + (xi_dot_0_3_3_34_32_13 - xi_dot_0_3_3_34_15)) * qd[1]
+                + (xi_dot_0_3_3_21 + xi_dot_0_3_3_21
+                    + (xi_dot_0_3_3_34_32_18 - xi_dot_0_3_3_34_19)) * qd[2]) * mu[2]
+            + (xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_4_0
+                - xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_6_0)) + wrench_base_mz_14
         - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_34_32
         - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_34)
         * inertias.locked_inverse_pivot_z;
-    let xi_dot_0_3 =
-        xi_dot_0_3_3_34 * inertias.locked_inverse_pivot_y - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
+    let xi_dot_0_3 = xi_dot_0_3_3_34 * inertias.locked_inverse_pivot_y
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
     let xi_dot_0 = xi_dot_0_3_3_34_32 * inertias.locked_inverse_pivot_x
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
         - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
@@ -4816,132 +5377,181 @@ pub fn forward_dynamics(
     xi_dot[3] = (xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_32_1
         - xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_32_3
         - (mu[1] * xi_dot_0_3_3_34_32_28 - mu[2] * xi_dot_0_3_3_34_32_26)
-        + base_wrench[3])
-        * 0.007692307692307693
+        + base_wrench[3]) * 0.007692307692307693
         - (xi_dot_0_3 * xi_dot_0_3_3_34_6_0_2 + xi_dot_0_3_3 * poses.origin_base_y)
-        + gravity[0]
-        + 0.0;
+        + gravity[0] + 0.0;
     xi_dot[4] = (xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_1
         - xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_1
-        - (mu[2] * xi_dot_0_3_3_34_28 - mu[0] * xi_dot_0_3_3_34_32_28)
-        + base_wrench[4])
+        - (mu[2] * xi_dot_0_3_3_34_28 - mu[0] * xi_dot_0_3_3_34_32_28) + base_wrench[4])
         * 0.007692307692307693
-        + (xi_dot_0 * xi_dot_0_3_3_34_6_0_2 - xi_dot_0_3_3 * poses.com_x)
-        + gravity[1]
+        + (xi_dot_0 * xi_dot_0_3_3_34_6_0_2 - xi_dot_0_3_3 * poses.com_x) + gravity[1]
         + 0.0;
     xi_dot[5] = (xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_3
         - xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_1
-        - (mu[0] * xi_dot_0_3_3_34_32_26 - mu[1] * xi_dot_0_3_3_34_28)
-        + base_wrench[5])
+        - (mu[0] * xi_dot_0_3_3_34_32_26 - mu[1] * xi_dot_0_3_3_34_28) + base_wrench[5])
         * 0.007692307692307693
-        + (xi_dot_0 * poses.origin_base_y + xi_dot_0_3 * poses.com_x)
-        + gravity[2]
-        + 0.0;
+        + (xi_dot_0 * poses.origin_base_y + xi_dot_0_3 * poses.com_x) + gravity[2] + 0.0;
     let inverse_pivot_joint_3_d = 1.0
-        / (poses.cos_joint_1 * screws.inside_joint_3_mx + poses.sin_joint_1 * screws.inside_joint_3_my
+        / (poses.cos_joint_1 * screws.inside_joint_3_mx
+            + poses.sin_joint_1 * screws.inside_joint_3_my
             - screws.minus_screw_joint_3_vx * screws.inside_joint_3_fx
             + screws.screw_joint_3_vy * screws.inside_joint_3_fy
             + screws.screw_joint_3_vz * screws.inside_joint_3_fz);
     let wrench_link_2_mx_12_0 = tau[2]
-        - (screws.minus_screw_joint_3_vx * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fx
-            - (poses.cos_joint_1 * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mx
-                + poses.sin_joint_1 * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_my)
-            - screws.screw_joint_3_vy * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fy
-            - screws.screw_joint_3_vz * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fz);
+        - (screws.minus_screw_joint_3_vx
+            * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fx
+            - (poses.cos_joint_1
+                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mx
+                + poses.sin_joint_1
+                    * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_my)
+            - screws.screw_joint_3_vy
+                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fy
+            - screws.screw_joint_3_vz
+                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fz);
     let wrench_link_2_mx_12 = (wrench_link_2_mx_12_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1 * screws.inside_joint_3_my
-            - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1 * screws.inside_joint_3_mx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1 * screws.inside_joint_3_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1 * screws.inside_joint_3_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1 * screws.inside_joint_3_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1 * screws.inside_joint_3_fz))
-        * inverse_pivot_joint_3_d;
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1
+            * screws.inside_joint_3_my
+            - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
+                * screws.inside_joint_3_mx
+            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
+                * screws.inside_joint_3_mz
+            + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
+                * screws.inside_joint_3_fx
+            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
+                * screws.inside_joint_3_fy
+            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1
+                * screws.inside_joint_3_fz)) * inverse_pivot_joint_3_d;
     let wrench_link_2_mx = inertias.inertia_link_3_xy
         * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1
-        - inertias.inertia_link_3_xx * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
-        + inertias.inertia_link_3_xz * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-        + (inertias.inertia_link_3_hy * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1
-            - inertias.inertia_link_3_hz * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1)
+        - inertias.inertia_link_3_xx
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
+        + inertias.inertia_link_3_xz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
+        + (inertias.inertia_link_3_hy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1
+            - inertias.inertia_link_3_hz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mx
         + screws.inside_joint_3_mx * wrench_link_2_mx_12
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_1;
     let wrench_link_2_my = inertias.inertia_link_3_yy
         * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1
-        - inertias.inertia_link_3_xy * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
-        + inertias.inertia_link_3_yz * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-        + (inertias.inertia_link_3_hz * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
-            - inertias.inertia_link_3_hx * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1)
+        - inertias.inertia_link_3_xy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
+        + inertias.inertia_link_3_yz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
+        + (inertias.inertia_link_3_hz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
+            - inertias.inertia_link_3_hx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_my
         + screws.inside_joint_3_my * wrench_link_2_mx_12
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_1;
     let wrench_link_2_mz = inertias.inertia_link_3_yz
         * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1
-        - inertias.inertia_link_3_xz * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
-        + inertias.inertia_link_3_zz * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-        + (inertias.inertia_link_3_hx * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
-            - inertias.inertia_link_3_hy * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1)
+        - inertias.inertia_link_3_xz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
+        + inertias.inertia_link_3_zz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
+        + (inertias.inertia_link_3_hx
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
+            - inertias.inertia_link_3_hy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mz
         + screws.inside_joint_3_mz * wrench_link_2_mx_12
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_1;
     let wrench_link_2_fx = inertias.inertia_link_3_hz
         * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1
-        - inertias.inertia_link_3_hy * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
+        - inertias.inertia_link_3_hy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
         + 10.0 * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fx
         + screws.inside_joint_3_fx * wrench_link_2_mx_12
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_1;
     let wrench_link_2_fy = inertias.inertia_link_3_hz
         * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
-        + inertias.inertia_link_3_hx * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
+        + inertias.inertia_link_3_hx
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
         + 10.0 * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fy
         + screws.inside_joint_3_fy * wrench_link_2_mx_12
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_1;
-    let wrench_link_2_fz = 10.0 * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1
-        - (inertias.inertia_link_3_hy * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
-            + inertias.inertia_link_3_hx * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1)
+    let wrench_link_2_fz = 10.0
+        * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1
+        - (inertias.inertia_link_3_hy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
+            + inertias.inertia_link_3_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_2_mx_0_0_0_0_0_0_1)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fz
         + screws.inside_joint_3_fz * wrench_link_2_mx_12
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_1;
-    let minus_articulated_link_2_hxx_0 = screws.inside_joint_3_mx * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_hyy_0 = screws.inside_joint_3_my * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_hzz_0 = screws.inside_joint_3_mz * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_mxy_0 = screws.inside_joint_3_fx * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_myz_0 = screws.inside_joint_3_fy * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_hxx = minus_articulated_link_2_hxx_0 * screws.inside_joint_3_fx;
-    let minus_articulated_link_2_hyy = minus_articulated_link_2_hyy_0 * screws.inside_joint_3_fy;
-    let minus_articulated_link_2_hzz = minus_articulated_link_2_hzz_0 * screws.inside_joint_3_fz;
-    let minus_articulated_link_2_mxy = minus_articulated_link_2_mxy_0 * screws.inside_joint_3_fy;
-    let minus_articulated_link_2_mxz = minus_articulated_link_2_mxy_0 * screws.inside_joint_3_fz;
-    let minus_articulated_link_2_myz = minus_articulated_link_2_myz_0 * screws.inside_joint_3_fz;
+    let minus_articulated_link_2_hxx_0 = screws.inside_joint_3_mx
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_hyy_0 = screws.inside_joint_3_my
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_hzz_0 = screws.inside_joint_3_mz
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_mxy_0 = screws.inside_joint_3_fx
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_myz_0 = screws.inside_joint_3_fy
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_hxx = minus_articulated_link_2_hxx_0
+        * screws.inside_joint_3_fx;
+    let minus_articulated_link_2_hyy = minus_articulated_link_2_hyy_0
+        * screws.inside_joint_3_fy;
+    let minus_articulated_link_2_hzz = minus_articulated_link_2_hzz_0
+        * screws.inside_joint_3_fz;
+    let minus_articulated_link_2_mxy = minus_articulated_link_2_mxy_0
+        * screws.inside_joint_3_fy;
+    let minus_articulated_link_2_mxz = minus_articulated_link_2_mxy_0
+        * screws.inside_joint_3_fz;
+    let minus_articulated_link_2_myz = minus_articulated_link_2_myz_0
+        * screws.inside_joint_3_fz;
     let articulated_link_2_jxx = inertias.inertia_link_2_xx
-        + (inertias.inertia_link_3_xx - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_mx);
+        + (inertias.inertia_link_3_xx
+            - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_mx);
     let articulated_link_2_jxy = inertias.inertia_link_2_xy
-        + (inertias.inertia_link_3_xy - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_my);
+        + (inertias.inertia_link_3_xy
+            - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_my);
     let articulated_link_2_jxz = inertias.inertia_link_2_xz
-        + (inertias.inertia_link_3_xz - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_mz);
+        + (inertias.inertia_link_3_xz
+            - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_mz);
     let articulated_link_2_jyy = inertias.inertia_link_2_yy
-        + (inertias.inertia_link_3_yy - minus_articulated_link_2_hyy_0 * screws.inside_joint_3_my);
+        + (inertias.inertia_link_3_yy
+            - minus_articulated_link_2_hyy_0 * screws.inside_joint_3_my);
     let articulated_link_2_jyz = inertias.inertia_link_2_yz
-        + (inertias.inertia_link_3_yz - minus_articulated_link_2_hyy_0 * screws.inside_joint_3_mz);
+        + (inertias.inertia_link_3_yz
+            - minus_articulated_link_2_hyy_0 * screws.inside_joint_3_mz);
     let articulated_link_2_jzz = inertias.inertia_link_2_zz
-        + (inertias.inertia_link_3_zz - minus_articulated_link_2_hzz_0 * screws.inside_joint_3_mz);
+        + (inertias.inertia_link_3_zz
+            - minus_articulated_link_2_hzz_0 * screws.inside_joint_3_mz);
     let articulated_link_2_hyx = inertias.inertia_link_2_hz
-        + (inertias.inertia_link_3_hz - minus_articulated_link_2_hyy_0 * screws.inside_joint_3_fx);
+        + (inertias.inertia_link_3_hz
+            - minus_articulated_link_2_hyy_0 * screws.inside_joint_3_fx);
     let minus_articulated_link_2_hzx = inertias.inertia_link_2_hy
-        + (inertias.inertia_link_3_hy + minus_articulated_link_2_hzz_0 * screws.inside_joint_3_fx);
+        + (inertias.inertia_link_3_hy
+            + minus_articulated_link_2_hzz_0 * screws.inside_joint_3_fx);
     let minus_articulated_link_2_hxy = inertias.inertia_link_2_hz
-        + (inertias.inertia_link_3_hz + minus_articulated_link_2_hxx_0 * screws.inside_joint_3_fy);
+        + (inertias.inertia_link_3_hz
+            + minus_articulated_link_2_hxx_0 * screws.inside_joint_3_fy);
     let articulated_link_2_hzy = inertias.inertia_link_2_hx
-        + (inertias.inertia_link_3_hx - minus_articulated_link_2_hzz_0 * screws.inside_joint_3_fy);
+        + (inertias.inertia_link_3_hx
+            - minus_articulated_link_2_hzz_0 * screws.inside_joint_3_fy);
     let articulated_link_2_hxz = inertias.inertia_link_2_hy
-        + (inertias.inertia_link_3_hy - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_fz);
+        + (inertias.inertia_link_3_hy
+            - minus_articulated_link_2_hxx_0 * screws.inside_joint_3_fz);
     let minus_articulated_link_2_hyz = inertias.inertia_link_2_hx
-        + (inertias.inertia_link_3_hx + minus_articulated_link_2_hyy_0 * screws.inside_joint_3_fz);
-    let articulated_link_2_mxx = 10.0 + (10.0 - minus_articulated_link_2_mxy_0 * screws.inside_joint_3_fx);
-    let articulated_link_2_myy = 10.0 + (10.0 - minus_articulated_link_2_myz_0 * screws.inside_joint_3_fy);
-    let articulated_link_2_mzz =
-        10.0 + (10.0 - screws.inside_joint_3_fz * inverse_pivot_joint_3_d * screws.inside_joint_3_fz);
+        + (inertias.inertia_link_3_hx
+            + minus_articulated_link_2_hyy_0 * screws.inside_joint_3_fz);
+    let articulated_link_2_mxx = 10.0
+        + (10.0 - minus_articulated_link_2_mxy_0 * screws.inside_joint_3_fx);
+    let articulated_link_2_myy = 10.0
+        + (10.0 - minus_articulated_link_2_myz_0 * screws.inside_joint_3_fy);
+    let articulated_link_2_mzz = 10.0
+        + (10.0
+            - screws.inside_joint_3_fz * inverse_pivot_joint_3_d
+                * screws.inside_joint_3_fz);
     let wrench_outside_link_2_mx = articulated_link_2_jxx * poses.cos_joint_1
         + articulated_link_2_jxy * poses.sin_joint_1
         + (minus_articulated_link_2_hxx * screws.minus_screw_joint_2_vx
@@ -4962,17 +5572,20 @@ pub fn forward_dynamics(
         + (minus_articulated_link_2_mxz * screws.minus_screw_joint_2_vz
             - (articulated_link_2_mxx * screws.minus_screw_joint_2_vx
                 + minus_articulated_link_2_mxy * screws.screw_joint_2_vy));
-    let wrench_outside_link_2_fy = minus_articulated_link_2_mxy * screws.minus_screw_joint_2_vx
+    let wrench_outside_link_2_fy = minus_articulated_link_2_mxy
+        * screws.minus_screw_joint_2_vx
         + articulated_link_2_myy * screws.screw_joint_2_vy
         + minus_articulated_link_2_myz * screws.minus_screw_joint_2_vz
-        - (minus_articulated_link_2_hxy * poses.cos_joint_1 + minus_articulated_link_2_hyy * poses.sin_joint_1);
+        - (minus_articulated_link_2_hxy * poses.cos_joint_1
+            + minus_articulated_link_2_hyy * poses.sin_joint_1);
     let wrench_outside_link_2_fz = articulated_link_2_hxz * poses.cos_joint_1
         - minus_articulated_link_2_hyz * poses.sin_joint_1
         + (minus_articulated_link_2_mxz * screws.minus_screw_joint_2_vx
             - minus_articulated_link_2_myz * screws.screw_joint_2_vy
             - articulated_link_2_mzz * screws.minus_screw_joint_2_vz);
     let inverse_pivot_joint_2_d = 1.0
-        / (poses.cos_joint_1 * wrench_outside_link_2_mx + poses.sin_joint_1 * wrench_outside_link_2_my
+        / (poses.cos_joint_1 * wrench_outside_link_2_mx
+            + poses.sin_joint_1 * wrench_outside_link_2_my
             - screws.minus_screw_joint_2_vx * wrench_outside_link_2_fx
             + screws.screw_joint_2_vy * wrench_outside_link_2_fy
             - screws.minus_screw_joint_2_vz * wrench_outside_link_2_fz);
@@ -4982,289 +5595,423 @@ pub fn forward_dynamics(
             + screws.screw_joint_2_vy * wrench_link_2_fy
             - screws.minus_screw_joint_2_vz * wrench_link_2_fz);
     let wrench_link_1_mx_14 = (wrench_link_1_mx_14_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1 * wrench_outside_link_2_my
-            - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1 * wrench_outside_link_2_mx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1 * wrench_outside_link_2_mz
-            - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1 * wrench_outside_link_2_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1 * wrench_outside_link_2_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1 * wrench_outside_link_2_fz))
-        * inverse_pivot_joint_2_d;
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
+            * wrench_outside_link_2_my
+            - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+                * wrench_outside_link_2_mx
+            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
+                * wrench_outside_link_2_mz
+            - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+                * wrench_outside_link_2_fx
+            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+                * wrench_outside_link_2_fy
+            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
+                * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
     let wrench_link_1_mx = wrench_link_2_mx
-        + (articulated_link_2_jxy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            - articulated_link_2_jxx * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            + articulated_link_2_jxz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (articulated_link_2_hxz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
+        + (articulated_link_2_jxy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
+            - articulated_link_2_jxx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+            + articulated_link_2_jxz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
+            + (articulated_link_2_hxz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
                 + (minus_articulated_link_2_hxx
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_1_0_1
                     - minus_articulated_link_2_hxy
-                        * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1)))
+                        * common_forward_dynamics_inverse_dynamics
+                            .wrench_link_1_mx_0_0_1_1_1_1_1)))
         + wrench_outside_link_2_mx * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_1;
     let wrench_link_1_my = wrench_link_2_my
-        + (articulated_link_2_jyy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            - articulated_link_2_jxy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            + articulated_link_2_jyz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            - (minus_articulated_link_2_hyz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
+        + (articulated_link_2_jyy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
+            - articulated_link_2_jxy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+            + articulated_link_2_jyz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
+            - (minus_articulated_link_2_hyz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
                 + (minus_articulated_link_2_hyy
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_1_1_1
                     + articulated_link_2_hyx
-                        * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1)))
+                        * common_forward_dynamics_inverse_dynamics
+                            .wrench_link_1_mx_0_0_1_1_1_0_1)))
         + wrench_outside_link_2_my * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_1;
     let wrench_link_1_mz = wrench_link_2_mz
-        + (articulated_link_2_jyz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            - articulated_link_2_jxz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            + articulated_link_2_jzz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (articulated_link_2_hzy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+        + (articulated_link_2_jyz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
+            - articulated_link_2_jxz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+            + articulated_link_2_jzz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
+            + (articulated_link_2_hzy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
                 + minus_articulated_link_2_hzx
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_1_0_1
                 - minus_articulated_link_2_hzz
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1))
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_0_1))
         + wrench_outside_link_2_mz * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_1;
     let wrench_link_1_fx = wrench_link_2_fx
-        + (minus_articulated_link_2_hxx * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            + articulated_link_2_hyx * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            - minus_articulated_link_2_hzx * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            - (articulated_link_2_mxx * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+        + (minus_articulated_link_2_hxx
+            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+            + articulated_link_2_hyx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
+            - minus_articulated_link_2_hzx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
+            - (articulated_link_2_mxx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
                 + minus_articulated_link_2_mxy
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_1_1_1
                 + minus_articulated_link_2_mxz
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1))
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_0_1))
         + wrench_outside_link_2_fx * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_1;
     let wrench_link_1_fy = wrench_link_2_fy
-        + (minus_articulated_link_2_hxy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_2_hyy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            + articulated_link_2_hzy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (minus_articulated_link_2_mxy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-                + articulated_link_2_myy * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+        + (minus_articulated_link_2_hxy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+            - minus_articulated_link_2_hyy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
+            + articulated_link_2_hzy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
+            + (minus_articulated_link_2_mxy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+                + articulated_link_2_myy
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_1_1_1
                 - minus_articulated_link_2_myz
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1))
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_0_1))
         + wrench_outside_link_2_fy * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1;
     let wrench_link_1_fz = wrench_link_2_fz
-        + (minus_articulated_link_2_mxz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-            - minus_articulated_link_2_myz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
-            + articulated_link_2_mzz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-            - (articulated_link_2_hxz * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+        + (minus_articulated_link_2_mxz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+            - minus_articulated_link_2_myz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+            + articulated_link_2_mzz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
+            - (articulated_link_2_hxz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
                 + minus_articulated_link_2_hyz
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_0_0_0_1
                 + minus_articulated_link_2_hzz
-                    * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1))
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_0_1_1))
         + wrench_outside_link_2_fz * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_1;
-    let minus_articulated_link_1_hxx_1 = wrench_outside_link_2_mx * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_hyy_1 = wrench_outside_link_2_my * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_hzz_1 = wrench_outside_link_2_mz * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_mxy_1 = wrench_outside_link_2_fx * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_myz_1 = wrench_outside_link_2_fy * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_hxx =
-        minus_articulated_link_2_hxx + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fx;
-    let minus_articulated_link_1_hyy =
-        minus_articulated_link_2_hyy + minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fy;
-    let minus_articulated_link_1_hzz =
-        minus_articulated_link_2_hzz + minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fz;
-    let minus_articulated_link_1_mxy =
-        minus_articulated_link_2_mxy + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fy;
-    let minus_articulated_link_1_mxz =
-        minus_articulated_link_2_mxz + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fz;
-    let minus_articulated_link_1_myz =
-        minus_articulated_link_2_myz + minus_articulated_link_1_myz_1 * wrench_outside_link_2_fz;
+    let minus_articulated_link_1_hxx_1 = wrench_outside_link_2_mx
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_hyy_1 = wrench_outside_link_2_my
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_hzz_1 = wrench_outside_link_2_mz
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_mxy_1 = wrench_outside_link_2_fx
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_myz_1 = wrench_outside_link_2_fy
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_hxx = minus_articulated_link_2_hxx
+        + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fx;
+    let minus_articulated_link_1_hyy = minus_articulated_link_2_hyy
+        + minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fy;
+    let minus_articulated_link_1_hzz = minus_articulated_link_2_hzz
+        + minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fz;
+    let minus_articulated_link_1_mxy = minus_articulated_link_2_mxy
+        + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fy;
+    let minus_articulated_link_1_mxz = minus_articulated_link_2_mxz
+        + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fz;
+    let minus_articulated_link_1_myz = minus_articulated_link_2_myz
+        + minus_articulated_link_1_myz_1 * wrench_outside_link_2_fz;
     let articulated_link_1_jxx = inertias.inertia_link_1_xx
-        + (articulated_link_2_jxx - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mx);
+        + (articulated_link_2_jxx
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mx);
     let articulated_link_1_jxy = inertias.inertia_link_1_xy
-        + (articulated_link_2_jxy - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_my);
+        + (articulated_link_2_jxy
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_my);
     let articulated_link_1_jxz = inertias.inertia_link_1_xz
-        + (articulated_link_2_jxz - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mz);
+        + (articulated_link_2_jxz
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mz);
     let articulated_link_1_jyy = inertias.inertia_link_1_yy
-        + (articulated_link_2_jyy - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_my);
+        + (articulated_link_2_jyy
+            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_my);
     let articulated_link_1_jyz = articulated_link_2_jyz
         - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_mz
         - inertias.minus_inertia_link_1_yz;
     let articulated_link_1_jzz = inertias.inertia_link_1_zz
-        + (articulated_link_2_jzz - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_mz);
+        + (articulated_link_2_jzz
+            - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_mz);
     let articulated_link_1_hyx = inertias.inertia_link_1_hz
-        + (articulated_link_2_hyx - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fx);
+        + (articulated_link_2_hyx
+            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fx);
     let minus_articulated_link_1_hzx = inertias.inertia_link_1_hy
-        + (minus_articulated_link_2_hzx + minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fx);
+        + (minus_articulated_link_2_hzx
+            + minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fx);
     let minus_articulated_link_1_hxy = inertias.inertia_link_1_hz
-        + (minus_articulated_link_2_hxy + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fy);
+        + (minus_articulated_link_2_hxy
+            + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fy);
     let articulated_link_1_hzy = articulated_link_2_hzy
         - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fy
         - inertias.minus_inertia_link_1_hx;
     let articulated_link_1_hxz = inertias.inertia_link_1_hy
-        + (articulated_link_2_hxz - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fz);
+        + (articulated_link_2_hxz
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fz);
     let articulated_link_1_hyz = inertias.minus_inertia_link_1_hx
-        - (minus_articulated_link_2_hyz + minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fz);
-    let articulated_link_1_mxx =
-        5.0 + (articulated_link_2_mxx - minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fx);
-    let articulated_link_1_myy =
-        5.0 + (articulated_link_2_myy - minus_articulated_link_1_myz_1 * wrench_outside_link_2_fy);
-    let articulated_link_1_mzz =
-        5.0 + (articulated_link_2_mzz - wrench_outside_link_2_fz * inverse_pivot_joint_2_d * wrench_outside_link_2_fz);
+        - (minus_articulated_link_2_hyz
+            + minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fz);
+    let articulated_link_1_mxx = 5.0
+        + (articulated_link_2_mxx
+            - minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fx);
+    let articulated_link_1_myy = 5.0
+        + (articulated_link_2_myy
+            - minus_articulated_link_1_myz_1 * wrench_outside_link_2_fy);
+    let articulated_link_1_mzz = 5.0
+        + (articulated_link_2_mzz
+            - wrench_outside_link_2_fz * inverse_pivot_joint_2_d
+                * wrench_outside_link_2_fz);
     let wrench_outside_link_1_mx = articulated_link_1_jxz
-        - (minus_articulated_link_1_hxy * poses.com_x + minus_articulated_link_1_hxx * poses.origin_base_y);
+        - (minus_articulated_link_1_hxy * poses.com_x
+            + minus_articulated_link_1_hxx * poses.origin_base_y);
     let wrench_outside_link_1_my = articulated_link_1_jyz
-        + (articulated_link_1_hyx * poses.origin_base_y - minus_articulated_link_1_hyy * poses.com_x);
+        + (articulated_link_1_hyx * poses.origin_base_y
+            - minus_articulated_link_1_hyy * poses.com_x);
     let wrench_outside_link_1_mz = articulated_link_1_jzz
-        + (articulated_link_1_hzy * poses.com_x - minus_articulated_link_1_hzx * poses.origin_base_y);
+        + (articulated_link_1_hzy * poses.com_x
+            - minus_articulated_link_1_hzx * poses.origin_base_y);
     let wrench_outside_link_1_fx = articulated_link_1_mxx * poses.origin_base_y
-        - minus_articulated_link_1_mxy * poses.com_x
-        - minus_articulated_link_1_hzx;
+        - minus_articulated_link_1_mxy * poses.com_x - minus_articulated_link_1_hzx;
     let wrench_outside_link_1_fy = articulated_link_1_hzy
-        + (articulated_link_1_myy * poses.com_x - minus_articulated_link_1_mxy * poses.origin_base_y);
+        + (articulated_link_1_myy * poses.com_x
+            - minus_articulated_link_1_mxy * poses.origin_base_y);
     let minus_wrench_outside_link_1_fz = minus_articulated_link_1_hzz
-        + (minus_articulated_link_1_mxz * poses.origin_base_y + minus_articulated_link_1_myz * poses.com_x);
+        + (minus_articulated_link_1_mxz * poses.origin_base_y
+            + minus_articulated_link_1_myz * poses.com_x);
     let inverse_pivot_joint_1_d = 1.0
-        / (wrench_outside_link_1_mz
-            + poses.origin_base_y * wrench_outside_link_1_fx
+        / (wrench_outside_link_1_mz + poses.origin_base_y * wrench_outside_link_1_fx
             + poses.com_x * wrench_outside_link_1_fy);
-    let wrench_base_mx_12_0 =
-        tau[0] - (wrench_link_1_mz + poses.origin_base_y * wrench_link_1_fx + poses.com_x * wrench_link_1_fy);
+    let wrench_base_mx_12_0 = tau[0]
+        - (wrench_link_1_mz + poses.origin_base_y * wrench_link_1_fx
+            + poses.com_x * wrench_link_1_fy);
     let wrench_base_mx_12 = (wrench_base_mx_12_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1 * wrench_outside_link_1_mx
-            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1 * wrench_outside_link_1_my
-            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1 * wrench_outside_link_1_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1 * wrench_outside_link_1_fy
-            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1 * minus_wrench_outside_link_1_fz))
-        * inverse_pivot_joint_1_d;
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+            * wrench_outside_link_1_mx
+            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
+                * wrench_outside_link_1_my
+            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
+                * wrench_outside_link_1_fx
+            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
+                * wrench_outside_link_1_fy
+            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
+                * minus_wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
     let wrench_base_mx = wrench_link_1_mx
-        + (articulated_link_1_jxx * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jxy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hxz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
+        + (articulated_link_1_jxx
+            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+            - articulated_link_1_jxy
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
+            + (articulated_link_1_hxz
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
                 - (minus_articulated_link_1_hxy
-                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_1_1_0_1
                     + minus_articulated_link_1_hxx
-                        * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1)))
+                        * common_forward_dynamics_inverse_dynamics
+                            .wrench_base_mx_0_0_1_1_1_1_1)))
         + wrench_outside_link_1_mx * wrench_base_mx_12
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_1_0 + wrench_base_mx_14);
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_1_0
+            + wrench_base_mx_14);
     let wrench_base_my = wrench_link_1_my
-        + (articulated_link_1_jxy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jyy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hyz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                + (articulated_link_1_hyx * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
+        + (articulated_link_1_jxy
+            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+            - articulated_link_1_jyy
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
+            + (articulated_link_1_hyz
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
+                + (articulated_link_1_hyx
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_1_1_1_1
                     - minus_articulated_link_1_hyy
-                        * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1)))
+                        * common_forward_dynamics_inverse_dynamics
+                            .wrench_base_mx_0_0_1_1_1_0_1)))
         + wrench_outside_link_1_my * wrench_base_mx_12
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_my_1_0 + wrench_base_my_14);
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_my_1_0
+            + wrench_base_my_14);
     let wrench_base_mz = wrench_link_1_mz
-        + (articulated_link_1_jxz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jyz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hzy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
+        + (articulated_link_1_jxz
+            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+            - articulated_link_1_jyz
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
+            + (articulated_link_1_hzy
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
                 - minus_articulated_link_1_hzx
-                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_1_hzz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1))
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_1_1_1_1
+                - minus_articulated_link_1_hzz
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_1_0_1))
         + wrench_outside_link_1_mz * wrench_base_mx_12
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_mz_1_0 + wrench_base_mz_14);
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_mz_1_0
+            + wrench_base_mz_14);
     let wrench_base_fx = wrench_link_1_fx
-        + (articulated_link_1_mxx * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-            - minus_articulated_link_1_mxy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-            - minus_articulated_link_1_mxz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-            - (minus_articulated_link_1_hxx * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-                + articulated_link_1_hyx * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1))
+        + (articulated_link_1_mxx
+            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
+            - minus_articulated_link_1_mxy
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
+            - minus_articulated_link_1_mxz
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
+            - (minus_articulated_link_1_hxx
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+                + articulated_link_1_hyx
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_0_1_1))
         + wrench_outside_link_1_fx * wrench_base_mx_12
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fx_1_0 + base_wrench[3]);
     let wrench_base_fy = wrench_link_1_fy
-        + (minus_articulated_link_1_hyy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            - minus_articulated_link_1_hxy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            + (articulated_link_1_myy * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
+        + (minus_articulated_link_1_hyy
+            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
+            - minus_articulated_link_1_hxy
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+            + (articulated_link_1_myy
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
                 - minus_articulated_link_1_mxy
-                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_1_myz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1))
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_1_1_1_1
+                - minus_articulated_link_1_myz
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_1_0_1))
         + wrench_outside_link_1_fy * wrench_base_mx_12
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0 + base_wrench[4]);
     let wrench_base_fz = wrench_link_1_fz
-        + (articulated_link_1_hxz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_hyz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_mzz * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
+        + (articulated_link_1_hxz
+            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+            - articulated_link_1_hyz
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
+            + (articulated_link_1_mzz
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
                 - (minus_articulated_link_1_mxz
-                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_base_mx_0_0_1_1_1_1_1
                     + minus_articulated_link_1_myz
-                        * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1)))
+                        * common_forward_dynamics_inverse_dynamics
+                            .wrench_base_mx_0_0_1_1_1_0_1)))
         - minus_wrench_outside_link_1_fz * wrench_base_mx_12
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fz_1_0 + base_wrench[5]);
-    let minus_articulated_base_hxx_1 = wrench_outside_link_1_mx * inverse_pivot_joint_1_d;
-    let minus_articulated_base_hyy_1 = wrench_outside_link_1_my * inverse_pivot_joint_1_d;
+    let minus_articulated_base_hxx_1 = wrench_outside_link_1_mx
+        * inverse_pivot_joint_1_d;
+    let minus_articulated_base_hyy_1 = wrench_outside_link_1_my
+        * inverse_pivot_joint_1_d;
     let articulated_base_hzz_0 = wrench_outside_link_1_mz * inverse_pivot_joint_1_d;
-    let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx * inverse_pivot_joint_1_d;
+    let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx
+        * inverse_pivot_joint_1_d;
     let articulated_base_myz_0 = wrench_outside_link_1_fy * inverse_pivot_joint_1_d;
-    let minus_articulated_base_hxx =
-        minus_articulated_link_1_hxx + minus_articulated_base_hxx_1 * wrench_outside_link_1_fx;
-    let minus_articulated_base_hyy =
-        minus_articulated_link_1_hyy + minus_articulated_base_hyy_1 * wrench_outside_link_1_fy;
-    let articulated_base_hzz = articulated_base_hzz_0 * minus_wrench_outside_link_1_fz - minus_articulated_link_1_hzz;
-    let minus_articulated_base_mxy =
-        minus_articulated_link_1_mxy + minus_articulated_base_mxy_1 * wrench_outside_link_1_fy;
-    let articulated_base_mxz =
-        minus_articulated_base_mxy_1 * minus_wrench_outside_link_1_fz - minus_articulated_link_1_mxz;
-    let articulated_base_myz = articulated_base_myz_0 * minus_wrench_outside_link_1_fz - minus_articulated_link_1_myz;
-    let articulated_base_jxx =
-        inertias.inertia_base_xx + (articulated_link_1_jxx - minus_articulated_base_hxx_1 * wrench_outside_link_1_mx);
-    let articulated_base_jxy =
-        inertias.inertia_base_xy + (articulated_link_1_jxy - minus_articulated_base_hxx_1 * wrench_outside_link_1_my);
+    let minus_articulated_base_hxx = minus_articulated_link_1_hxx
+        + minus_articulated_base_hxx_1 * wrench_outside_link_1_fx;
+    let minus_articulated_base_hyy = minus_articulated_link_1_hyy
+        + minus_articulated_base_hyy_1 * wrench_outside_link_1_fy;
+    let articulated_base_hzz = articulated_base_hzz_0 * minus_wrench_outside_link_1_fz
+        - minus_articulated_link_1_hzz;
+    let minus_articulated_base_mxy = minus_articulated_link_1_mxy
+        + minus_articulated_base_mxy_1 * wrench_outside_link_1_fy;
+    let articulated_base_mxz = minus_articulated_base_mxy_1
+        * minus_wrench_outside_link_1_fz - minus_articulated_link_1_mxz;
+    let articulated_base_myz = articulated_base_myz_0 * minus_wrench_outside_link_1_fz
+        - minus_articulated_link_1_myz;
+    let articulated_base_jxx = inertias.inertia_base_xx
+        + (articulated_link_1_jxx
+            - minus_articulated_base_hxx_1 * wrench_outside_link_1_mx);
+    let articulated_base_jxy = inertias.inertia_base_xy
+        + (articulated_link_1_jxy
+            - minus_articulated_base_hxx_1 * wrench_outside_link_1_my);
     let articulated_base_jxz = articulated_link_1_jxz
         - minus_articulated_base_hxx_1 * wrench_outside_link_1_mz
         - inertias.minus_inertia_base_xz;
-    let articulated_base_jyy =
-        inertias.inertia_base_yy + (articulated_link_1_jyy - minus_articulated_base_hyy_1 * wrench_outside_link_1_my);
-    let articulated_base_jyz =
-        inertias.inertia_base_yz + (articulated_link_1_jyz - minus_articulated_base_hyy_1 * wrench_outside_link_1_mz);
-    let articulated_base_jzz =
-        inertias.inertia_base_zz + (articulated_link_1_jzz - articulated_base_hzz_0 * wrench_outside_link_1_mz);
+    let articulated_base_jyy = inertias.inertia_base_yy
+        + (articulated_link_1_jyy
+            - minus_articulated_base_hyy_1 * wrench_outside_link_1_my);
+    let articulated_base_jyz = inertias.inertia_base_yz
+        + (articulated_link_1_jyz
+            - minus_articulated_base_hyy_1 * wrench_outside_link_1_mz);
+    let articulated_base_jzz = inertias.inertia_base_zz
+        + (articulated_link_1_jzz - articulated_base_hzz_0 * wrench_outside_link_1_mz);
     let articulated_base_hyx = articulated_link_1_hyx
         - minus_articulated_base_hyy_1 * wrench_outside_link_1_fx
         - inertias.minus_inertia_base_hz;
-    let minus_articulated_base_hzx =
-        inertias.inertia_base_hy + (minus_articulated_link_1_hzx + articulated_base_hzz_0 * wrench_outside_link_1_fx);
+    let minus_articulated_base_hzx = inertias.inertia_base_hy
+        + (minus_articulated_link_1_hzx
+            + articulated_base_hzz_0 * wrench_outside_link_1_fx);
     let articulated_base_hxy = inertias.minus_inertia_base_hz
-        - (minus_articulated_link_1_hxy + minus_articulated_base_hxx_1 * wrench_outside_link_1_fy);
-    let articulated_base_hzy =
-        articulated_link_1_hzy - articulated_base_hzz_0 * wrench_outside_link_1_fy - inertias.minus_inertia_base_hx;
+        - (minus_articulated_link_1_hxy
+            + minus_articulated_base_hxx_1 * wrench_outside_link_1_fy);
+    let articulated_base_hzy = articulated_link_1_hzy
+        - articulated_base_hzz_0 * wrench_outside_link_1_fy
+        - inertias.minus_inertia_base_hx;
     let articulated_base_hxz = inertias.inertia_base_hy
-        + (articulated_link_1_hxz + minus_articulated_base_hxx_1 * minus_wrench_outside_link_1_fz);
+        + (articulated_link_1_hxz
+            + minus_articulated_base_hxx_1 * minus_wrench_outside_link_1_fz);
     let articulated_base_hyz = inertias.minus_inertia_base_hx
-        + (articulated_link_1_hyz + minus_articulated_base_hyy_1 * minus_wrench_outside_link_1_fz);
-    let articulated_base_mxx =
-        105.0 + (articulated_link_1_mxx - minus_articulated_base_mxy_1 * wrench_outside_link_1_fx);
-    let articulated_base_myy = 105.0 + (articulated_link_1_myy - articulated_base_myz_0 * wrench_outside_link_1_fy);
+        + (articulated_link_1_hyz
+            + minus_articulated_base_hyy_1 * minus_wrench_outside_link_1_fz);
+    let articulated_base_mxx = 105.0
+        + (articulated_link_1_mxx
+            - minus_articulated_base_mxy_1 * wrench_outside_link_1_fx);
+    let articulated_base_myy = 105.0
+        + (articulated_link_1_myy - articulated_base_myz_0 * wrench_outside_link_1_fy);
     let articulated_base_mzz = 105.0
         + (articulated_link_1_mzz
-            - minus_wrench_outside_link_1_fz * inverse_pivot_joint_1_d * minus_wrench_outside_link_1_fz);
+            - minus_wrench_outside_link_1_fz * inverse_pivot_joint_1_d
+                * minus_wrench_outside_link_1_fz);
     let twist_base_wz_19 = 1.0 / articulated_base_mxx;
     let twist_base_wz_16 = minus_articulated_base_mxy * twist_base_wz_19;
     let twist_base_wz_20 = articulated_base_mxz * twist_base_wz_19;
-    let minus_twist_base_vy_1 = 1.0 / (articulated_base_myy - twist_base_wz_16 * minus_articulated_base_mxy);
-    let twist_base_vz_9_0 = articulated_base_myz + twist_base_wz_20 * minus_articulated_base_mxy;
+    let minus_twist_base_vy_1 = 1.0
+        / (articulated_base_myy - twist_base_wz_16 * minus_articulated_base_mxy);
+    let twist_base_vz_9_0 = articulated_base_myz
+        + twist_base_wz_20 * minus_articulated_base_mxy;
     let twist_base_vz_9 = twist_base_vz_9_0 * minus_twist_base_vy_1;
-    let twist_base_vz_11 =
-        1.0 / (articulated_base_mzz - twist_base_wz_20 * articulated_base_mxz - twist_base_vz_9 * twist_base_vz_9_0);
-    let minus_twist_base_wx_2_0_2_1_3_4 = articulated_base_hxy - twist_base_wz_16 * minus_articulated_base_hxx;
-    let minus_twist_base_wx_2_0_2_1_3 = (articulated_base_hxz + twist_base_wz_20 * minus_articulated_base_hxx
-        - twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3_4)
-        * twist_base_vz_11;
-    let minus_twist_base_wx_2_0_2_1 =
-        minus_twist_base_wx_2_0_2_1_3_4 * minus_twist_base_vy_1 - twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3;
+    let twist_base_vz_11 = 1.0
+        / (articulated_base_mzz - twist_base_wz_20 * articulated_base_mxz
+            - twist_base_vz_9 * twist_base_vz_9_0);
+    let minus_twist_base_wx_2_0_2_1_3_4 = articulated_base_hxy
+        - twist_base_wz_16 * minus_articulated_base_hxx;
+    let minus_twist_base_wx_2_0_2_1_3 = (articulated_base_hxz
+        + twist_base_wz_20 * minus_articulated_base_hxx
+        - twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3_4) * twist_base_vz_11;
+    let minus_twist_base_wx_2_0_2_1 = minus_twist_base_wx_2_0_2_1_3_4
+        * minus_twist_base_vy_1 - twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3;
     let minus_twist_base_wx_2_0_2 = twist_base_wz_16 * minus_twist_base_wx_2_0_2_1
         - minus_articulated_base_hxx * twist_base_wz_19
         - twist_base_wz_20 * minus_twist_base_wx_2_0_2_1_3;
-    let twist_base_wy_1_3_3_3_4 = twist_base_wz_16 * articulated_base_hyx - minus_articulated_base_hyy;
-    let twist_base_wy_1_3_3_3 =
-        (articulated_base_hyz - twist_base_wz_20 * articulated_base_hyx - twist_base_vz_9 * twist_base_wy_1_3_3_3_4)
-            * twist_base_vz_11;
-    let twist_base_wy_1_3_3 = twist_base_wy_1_3_3_3_4 * minus_twist_base_vy_1 - twist_base_vz_9 * twist_base_wy_1_3_3_3;
-    let twist_base_wy_1_3 = articulated_base_hyx * twist_base_wz_19 + twist_base_wz_16 * twist_base_wy_1_3_3
+    let twist_base_wy_1_3_3_3_4 = twist_base_wz_16 * articulated_base_hyx
+        - minus_articulated_base_hyy;
+    let twist_base_wy_1_3_3_3 = (articulated_base_hyz
+        - twist_base_wz_20 * articulated_base_hyx
+        - twist_base_vz_9 * twist_base_wy_1_3_3_3_4) * twist_base_vz_11;
+    let twist_base_wy_1_3_3 = twist_base_wy_1_3_3_3_4 * minus_twist_base_vy_1
+        - twist_base_vz_9 * twist_base_wy_1_3_3_3;
+    let twist_base_wy_1_3 = articulated_base_hyx * twist_base_wz_19
+        + twist_base_wz_16 * twist_base_wy_1_3_3
         - twist_base_wz_20 * twist_base_wy_1_3_3_3;
-    let twist_base_wz_23_4 = articulated_base_hzy - twist_base_wz_16 * minus_articulated_base_hzx;
-    let twist_base_wz_23 = (articulated_base_hzz + twist_base_wz_20 * minus_articulated_base_hzx
-        - twist_base_vz_9 * twist_base_wz_23_4)
-        * twist_base_vz_11;
-    let twist_base_wz_17 = twist_base_wz_23_4 * minus_twist_base_vy_1 - twist_base_vz_9 * twist_base_wz_23;
+    let twist_base_wz_23_4 = articulated_base_hzy
+        - twist_base_wz_16 * minus_articulated_base_hzx;
+    let twist_base_wz_23 = (articulated_base_hzz
+        + twist_base_wz_20 * minus_articulated_base_hzx
+        - twist_base_vz_9 * twist_base_wz_23_4) * twist_base_vz_11;
+    let twist_base_wz_17 = twist_base_wz_23_4 * minus_twist_base_vy_1
+        - twist_base_vz_9 * twist_base_wz_23;
     let minus_twist_base_wx_2_0 = articulated_base_jxy
-        - (articulated_base_hyx * minus_twist_base_wx_2_0_2 - minus_articulated_base_hyy * minus_twist_base_wx_2_0_2_1
+        - (articulated_base_hyx * minus_twist_base_wx_2_0_2
+            - minus_articulated_base_hyy * minus_twist_base_wx_2_0_2_1
             + articulated_base_hyz * minus_twist_base_wx_2_0_2_1_3);
     let twist_base_wz_25 = articulated_base_jxz
-        - (articulated_base_hzy * minus_twist_base_wx_2_0_2_1 - minus_articulated_base_hzx * minus_twist_base_wx_2_0_2
+        - (articulated_base_hzy * minus_twist_base_wx_2_0_2_1
+            - minus_articulated_base_hzx * minus_twist_base_wx_2_0_2
             + articulated_base_hzz * minus_twist_base_wx_2_0_2_1_3);
     let minus_twist_base_wx_1 = 1.0
         / (articulated_base_jxx
@@ -5275,31 +6022,37 @@ pub fn forward_dynamics(
     let twist_base_wz_24 = twist_base_wz_25 * minus_twist_base_wx_1;
     let twist_base_wy_1 = 1.0
         / (articulated_base_jyy
-            - (articulated_base_hyx * twist_base_wy_1_3 - minus_articulated_base_hyy * twist_base_wy_1_3_3
+            - (articulated_base_hyx * twist_base_wy_1_3
+                - minus_articulated_base_hyy * twist_base_wy_1_3_3
                 + articulated_base_hyz * twist_base_wy_1_3_3_3)
             - minus_twist_base_wx_2 * minus_twist_base_wx_2_0);
     let twist_base_wz_27 = articulated_base_jyz
-        - (articulated_base_hzy * twist_base_wy_1_3_3 - minus_articulated_base_hzx * twist_base_wy_1_3
+        - (articulated_base_hzy * twist_base_wy_1_3_3
+            - minus_articulated_base_hzx * twist_base_wy_1_3
             + articulated_base_hzz * twist_base_wy_1_3_3_3)
         - twist_base_wz_24 * minus_twist_base_wx_2_0;
     let twist_base_wz_26 = twist_base_wz_27 * twist_base_wy_1;
     let twist_base_wz_4_4 = wrench_base_fy + twist_base_wz_16 * wrench_base_fx;
-    let twist_base_wz_4 =
-        (twist_base_wz_20 * wrench_base_fx - wrench_base_fz + twist_base_vz_9 * twist_base_wz_4_4) * twist_base_vz_11;
-    let twist_base_wz_8 = twist_base_wz_4_4 * minus_twist_base_vy_1 + twist_base_vz_9 * twist_base_wz_4;
-    let twist_base_wz_6 =
-        wrench_base_fx * twist_base_wz_19 + twist_base_wz_16 * twist_base_wz_8 + twist_base_wz_20 * twist_base_wz_4;
+    let twist_base_wz_4 = (twist_base_wz_20 * wrench_base_fx - wrench_base_fz
+        + twist_base_vz_9 * twist_base_wz_4_4) * twist_base_vz_11;
+    let twist_base_wz_8 = twist_base_wz_4_4 * minus_twist_base_vy_1
+        + twist_base_vz_9 * twist_base_wz_4;
+    let twist_base_wz_6 = wrench_base_fx * twist_base_wz_19
+        + twist_base_wz_16 * twist_base_wz_8 + twist_base_wz_20 * twist_base_wz_4;
     let twist_base_wz_1 = wrench_base_mx
         + (articulated_base_hxz * twist_base_wz_4
-            + (minus_articulated_base_hxx * twist_base_wz_6 - articulated_base_hxy * twist_base_wz_8));
+            + (minus_articulated_base_hxx * twist_base_wz_6
+                - articulated_base_hxy * twist_base_wz_8));
     let twist_base_wz_10 = minus_twist_base_wx_2 * twist_base_wz_1
         - (wrench_base_my
             + (articulated_base_hyz * twist_base_wz_4
-                + (minus_articulated_base_hyy * twist_base_wz_8 - articulated_base_hyx * twist_base_wz_6)));
+                + (minus_articulated_base_hyy * twist_base_wz_8
+                    - articulated_base_hyx * twist_base_wz_6)));
     let twist_base_wz = (twist_base_wz_24 * twist_base_wz_1
         - (wrench_base_mz
             + (articulated_base_hzz * twist_base_wz_4
-                + (minus_articulated_base_hzx * twist_base_wz_6 - articulated_base_hzy * twist_base_wz_8)))
+                + (minus_articulated_base_hzx * twist_base_wz_6
+                    - articulated_base_hzy * twist_base_wz_8)))
         - twist_base_wz_26 * twist_base_wz_10)
         * (1.0
             / (articulated_base_jzz
@@ -5311,31 +6064,39 @@ pub fn forward_dynamics(
                     + articulated_base_hzz * twist_base_wz_23)
                 - twist_base_wz_24 * twist_base_wz_25
                 - twist_base_wz_26 * twist_base_wz_27));
-    let twist_base_wy = twist_base_wz_10 * twist_base_wy_1 - twist_base_wz_26 * twist_base_wz;
+    let twist_base_wy = twist_base_wz_10 * twist_base_wy_1
+        - twist_base_wz_26 * twist_base_wz;
     let minus_twist_base_wx = twist_base_wz_1 * minus_twist_base_wx_1
-        + minus_twist_base_wx_2 * twist_base_wy
-        + twist_base_wz_24 * twist_base_wz;
+        + minus_twist_base_wx_2 * twist_base_wy + twist_base_wz_24 * twist_base_wz;
     let twist_base_vz_1 = wrench_base_fx
-        + (minus_articulated_base_hxx * minus_twist_base_wx + articulated_base_hyx * twist_base_wy
+        + (minus_articulated_base_hxx * minus_twist_base_wx
+            + articulated_base_hyx * twist_base_wy
             - minus_articulated_base_hzx * twist_base_wz);
     let twist_base_vz_10 = wrench_base_fy
         + (articulated_base_hzy * twist_base_wz
-            - (articulated_base_hxy * minus_twist_base_wx + minus_articulated_base_hyy * twist_base_wy))
+            - (articulated_base_hxy * minus_twist_base_wx
+                + minus_articulated_base_hyy * twist_base_wy))
         + twist_base_wz_16 * twist_base_vz_1;
     let twist_base_vz = (twist_base_wz_20 * twist_base_vz_1
         - (wrench_base_fz
-            + (articulated_base_hyz * twist_base_wy - articulated_base_hxz * minus_twist_base_wx
+            + (articulated_base_hyz * twist_base_wy
+                - articulated_base_hxz * minus_twist_base_wx
                 + articulated_base_hzz * twist_base_wz))
-        + twist_base_vz_9 * twist_base_vz_10)
-        * twist_base_vz_11;
-    let minus_twist_base_vy = twist_base_vz_10 * minus_twist_base_vy_1 + twist_base_vz_9 * twist_base_vz;
-    let minus_twist_base_vx =
-        twist_base_vz_1 * twist_base_wz_19 + twist_base_wz_16 * minus_twist_base_vy + twist_base_wz_20 * twist_base_vz;
-    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
-    let twist_link_1_wy = twist_base_wy - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
-    let twist_link_1_vx_0 = common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx;
-    let twist_link_1_vy_0 = common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy;
-    let twist_link_1_vz = twist_base_vz + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1;
+        + twist_base_vz_9 * twist_base_vz_10) * twist_base_vz_11;
+    let minus_twist_base_vy = twist_base_vz_10 * minus_twist_base_vy_1
+        + twist_base_vz_9 * twist_base_vz;
+    let minus_twist_base_vx = twist_base_vz_1 * twist_base_wz_19
+        + twist_base_wz_16 * minus_twist_base_vy + twist_base_wz_20 * twist_base_vz;
+    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
+        .wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
+    let twist_link_1_wy = twist_base_wy
+        - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
+    let twist_link_1_vx_0 = common_forward_dynamics_inverse_dynamics
+        .wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx;
+    let twist_link_1_vy_0 = common_forward_dynamics_inverse_dynamics
+        .wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy;
+    let twist_link_1_vz = twist_base_vz
+        + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1;
     let twist_link_1_wz_1 = (wrench_base_mx_12_0
         - (twist_link_1_wx * wrench_outside_link_1_mx
             + twist_link_1_wy * wrench_outside_link_1_my
@@ -5348,41 +6109,53 @@ pub fn forward_dynamics(
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
     let twist_link_1_vx = twist_link_1_vx_0 + poses.origin_base_y * twist_link_1_wz_1;
     let twist_link_1_vy = twist_link_1_vy_0 + poses.com_x * twist_link_1_wz_1;
-    let twist_link_2_wx_0 = twist_link_1_wx - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1;
-    let twist_link_2_wy_0 = twist_link_1_wy + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1;
-    let twist_link_2_wz = twist_link_1_wz + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1;
-    let twist_link_2_vx_0 = twist_link_1_vx - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1;
-    let twist_link_2_vy_0 = twist_link_1_vy + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1;
-    let twist_link_2_vz_0 = twist_link_1_vz + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1;
+    let twist_link_2_wx_0 = twist_link_1_wx
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1;
+    let twist_link_2_wy_0 = twist_link_1_wy
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1;
+    let twist_link_2_wz = twist_link_1_wz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1;
+    let twist_link_2_vx_0 = twist_link_1_vx
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1;
+    let twist_link_2_vy_0 = twist_link_1_vy
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1;
+    let twist_link_2_vz_0 = twist_link_1_vz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1;
     let twist_link_2_wx_2 = (wrench_link_1_mx_14_0
         - (twist_link_2_wx_0 * wrench_outside_link_2_mx
             + twist_link_2_wy_0 * wrench_outside_link_2_my
             + twist_link_2_wz * wrench_outside_link_2_mz
             + twist_link_2_vx_0 * wrench_outside_link_2_fx
             + twist_link_2_vy_0 * wrench_outside_link_2_fy
-            + twist_link_2_vz_0 * wrench_outside_link_2_fz))
-        * inverse_pivot_joint_2_d;
+            + twist_link_2_vz_0 * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
     xi_dot[7] = twist_link_2_wx_2 + 0.0;
     let twist_link_2_wx = twist_link_2_wx_0 + poses.cos_joint_1 * twist_link_2_wx_2;
     let twist_link_2_wy = twist_link_2_wy_0 + poses.sin_joint_1 * twist_link_2_wx_2;
-    let twist_link_2_vx = twist_link_2_vx_0 - screws.minus_screw_joint_2_vx * twist_link_2_wx_2;
-    let twist_link_2_vy = twist_link_2_vy_0 + screws.screw_joint_2_vy * twist_link_2_wx_2;
-    let twist_link_2_vz = twist_link_2_vz_0 - screws.minus_screw_joint_2_vz * twist_link_2_wx_2;
-    let twist_link_3_wz = twist_link_2_wz + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1;
+    let twist_link_2_vx = twist_link_2_vx_0
+        - screws.minus_screw_joint_2_vx * twist_link_2_wx_2;
+    let twist_link_2_vy = twist_link_2_vy_0
+        + screws.screw_joint_2_vy * twist_link_2_wx_2;
+    let twist_link_2_vz = twist_link_2_vz_0
+        - screws.minus_screw_joint_2_vz * twist_link_2_wx_2;
+    let twist_link_3_wz = twist_link_2_wz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1;
     xi_dot[8] = (wrench_link_2_mx_12_0
-        - ((twist_link_2_wx - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1)
+        - ((twist_link_2_wx
+            - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1)
             * screws.inside_joint_3_mx
-            + (twist_link_2_wy + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1)
-                * screws.inside_joint_3_my
+            + (twist_link_2_wy
+                + common_forward_dynamics_inverse_dynamics
+                    .wrench_link_2_mx_0_0_0_0_0_0_1) * screws.inside_joint_3_my
             + twist_link_3_wz * screws.inside_joint_3_mz
-            + (twist_link_2_vx + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1)
+            + (twist_link_2_vx
+                + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1)
                 * screws.inside_joint_3_fx
-            + (twist_link_2_vy + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1)
+            + (twist_link_2_vy
+                + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1)
                 * screws.inside_joint_3_fy
-            + (twist_link_2_vz + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1)
-                * screws.inside_joint_3_fz))
-        * inverse_pivot_joint_3_d
-        + 0.0;
+            + (twist_link_2_vz
+                + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1)
+                * screws.inside_joint_3_fz)) * inverse_pivot_joint_3_d + 0.0;
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
 ///
@@ -5394,7 +6167,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (3; N·m, N)
 ///
-/// 1606 operations: 768 + −, 835 ×, 3 ÷; 3 sin cos; about 14.3 KiB of code.
+/// 1606 operations: 768 + −, 835 ×, 3 ÷; 3 sin cos; about 18.9 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5411,16 +6184,25 @@ pub fn inverse_dynamics(
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let common_forward_dynamics_inverse_dynamics =
-        common_forward_dynamics_inverse_dynamics(mu, qd, &poses, &inertias, &screws, &velocities);
+    let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
+        mu,
+        qd,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+    );
     let base_wrench_0_1_13_0_2 = poses.com_z + 0.023809523809523808;
-    let base_wrench_0_0_28 =
-        inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let base_wrench_0_0_30 =
-        inertias.composite_base_xz * mu[0] + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let base_wrench_0_1_13_0 = mu[3] + (mu[1] * base_wrench_0_1_13_0_2 + mu[2] * poses.origin_base_y);
-    let base_wrench_0_0_32_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * base_wrench_0_1_13_0_2);
-    let base_wrench_0_0_34_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let base_wrench_0_0_28 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    let base_wrench_0_0_30 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let base_wrench_0_1_13_0 = mu[3]
+        + (mu[1] * base_wrench_0_1_13_0_2 + mu[2] * poses.origin_base_y);
+    let base_wrench_0_0_32_0 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * base_wrench_0_1_13_0_2);
+    let base_wrench_0_0_34_0 = mu[5]
+        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let base_wrench_0_1_13 = base_wrench_0_1_13_0 * 130.0;
     let base_wrench_0_0_32 = base_wrench_0_0_32_0 * 130.0;
     let base_wrench_0_0_34 = base_wrench_0_0_34_0 * 130.0;
@@ -5429,7 +6211,8 @@ pub fn inverse_dynamics(
     let base_wrench_0_0_6 = base_wrench_0_0_6_1 + base_wrench_0_0_6_1;
     let base_wrench_0_0_10 = poses.sin_joint_1 * inertias.composite_link_2_xz;
     let base_wrench_0_0_11_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
-    let base_wrench_0_0_12_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
+    let base_wrench_0_0_12_1 = inertias.composite_link_2_hz
+        * screws.minus_screw_joint_2_vz;
     let base_wrench_0_0_11 = base_wrench_0_0_11_1 + base_wrench_0_0_11_1;
     let base_wrench_0_0_12 = base_wrench_0_0_12_1 + base_wrench_0_0_12_1;
     let base_wrench_0_0_15 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
@@ -5437,114 +6220,123 @@ pub fn inverse_dynamics(
     let base_wrench_0_0_17_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let base_wrench_0_0_16 = base_wrench_0_0_16_1 + base_wrench_0_0_16_1;
     let base_wrench_0_0_17 = base_wrench_0_0_17_1 + base_wrench_0_0_17_1;
-    let base_wrench_0_1_8 =
-        screws.inside_joint_1_fx * qd[0] + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let base_wrench_0_0_24 =
-        screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let base_wrench_0_0_26 = screws.inside_joint_2_fz * qd[1] + screws.inside_joint_3_fz * qd[2];
-    let base_wrench_0_0_20 = (inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1))
-        * qd[0]
-        + (inertias.inside_joint_2_mz_0_1
-            - inertias.inside_joint_2_mz_0_0
-            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3))
-            * qd[1]
-        + (inertias.inside_joint_3_mz_0_1
-            - inertias.inside_joint_3_mz_0_0
-            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3))
-            * qd[2];
+    let base_wrench_0_1_8 = screws.inside_joint_1_fx * qd[0]
+        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
+    let base_wrench_0_0_24 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
+    let base_wrench_0_0_26 = screws.inside_joint_2_fz * qd[1]
+        + screws.inside_joint_3_fz * qd[2];
+    let base_wrench_0_0_20 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
+        + (inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
+            - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3)) * qd[1]
+        + (inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
+            - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3)) * qd[2];
     let base_wrench_0_0_22 = (poses.sin_joint_1 * inertias.composite_link_2_zz
-        + (inertias.inside_joint_2_my_0_0 - poses.sin_joint_1 * inertias.composite_link_2_xx)
-        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4))
-        * qd[1]
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4)) * qd[1]
         - screws.inside_joint_1_my * qd[0]
         + (poses.sin_joint_1 * inertias.inertia_link_3_zz
-            + (inertias.inside_joint_3_my_0_0 - poses.sin_joint_1 * inertias.inertia_link_3_xx)
-            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3))
-            * qd[2];
+            + (inertias.inside_joint_3_my_0_0
+                - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+            - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2];
     let base_wrench_0_1_12 = mu[0] - velocities.minus_velocity_base_wx;
     let base_wrench_0_0_31 = mu[1] - velocities.minus_velocity_base_wy;
     let base_wrench_0_0_29 = mu[2] - velocities.minus_velocity_base_wz;
     let base_wrench_0_0_35 = base_wrench_0_0_32_0 - velocities.minus_velocity_base_vy;
     let base_wrench_0_0_33 = base_wrench_0_0_34_0 - velocities.minus_velocity_base_vz;
     let base_wrench_0_0 = inertias.composite_base_xx * xi_dot[0]
-        + inertias.composite_base_xy * xi_dot[1]
-        + inertias.composite_base_xz * xi_dot[2]
+        + inertias.composite_base_xy * xi_dot[1] + inertias.composite_base_xz * xi_dot[2]
         + (((base_wrench_0_0_6 - base_wrench_0_0_7) * qd[0]
-            + (base_wrench_0_0_10 + base_wrench_0_0_10 + (base_wrench_0_0_11 - base_wrench_0_0_12)) * qd[1]
-            + (base_wrench_0_0_15 + base_wrench_0_0_15 + (base_wrench_0_0_16 + base_wrench_0_0_17)) * qd[2])
-            * mu[0]
-            + base_wrench_0_0_20 * mu[1]
-            + base_wrench_0_0_22 * mu[2]
-            + (base_wrench_0_0_24 * base_wrench_0_0_34_0 - base_wrench_0_0_26 * base_wrench_0_0_32_0))
-        - (base_wrench_0_0_28 * base_wrench_0_0_29 - base_wrench_0_0_30 * base_wrench_0_0_31
-            + (base_wrench_0_0_32 * base_wrench_0_0_33 - base_wrench_0_0_34 * base_wrench_0_0_35));
-    let base_wrench_0_1 = (xi_dot[4] - gravity[1] + (xi_dot[2] * poses.com_x - xi_dot[0] * base_wrench_0_1_13_0_2))
-        * 130.0
+            + (base_wrench_0_0_10 + base_wrench_0_0_10
+                + (base_wrench_0_0_11 - base_wrench_0_0_12)) * qd[1]
+            + (base_wrench_0_0_15 + base_wrench_0_0_15
+                + (base_wrench_0_0_16 + base_wrench_0_0_17)) * qd[2]) * mu[0]
+            + base_wrench_0_0_20 * mu[1] + base_wrench_0_0_22 * mu[2]
+            + (base_wrench_0_0_24 * base_wrench_0_0_34_0
+                - base_wrench_0_0_26 * base_wrench_0_0_32_0))
+        - (base_wrench_0_0_28 * base_wrench_0_0_29
+            - base_wrench_0_0_30 * base_wrench_0_0_31
+            + (base_wrench_0_0_32 * base_wrench_0_0_33
+                - base_wrench_0_0_34 * base_wrench_0_0_35));
+    let base_wrench_0_1 = (xi_dot[4] - gravity[1]
+        + (xi_dot[2] * poses.com_x - xi_dot[0] * base_wrench_0_1_13_0_2)) * 130.0
         + (mu[2] * base_wrench_0_1_8 - mu[0] * base_wrench_0_0_26)
-        - (base_wrench_0_0_34 * base_wrench_0_1_12 - base_wrench_0_1_13 * base_wrench_0_0_29);
-    let base_wrench_0_3 = (xi_dot[5] - gravity[2] - (xi_dot[0] * poses.origin_base_y + xi_dot[1] * poses.com_x))
-        * 130.0
+        - (base_wrench_0_0_34 * base_wrench_0_1_12
+            - base_wrench_0_1_13 * base_wrench_0_0_29);
+    let base_wrench_0_3 = (xi_dot[5] - gravity[2]
+        - (xi_dot[0] * poses.origin_base_y + xi_dot[1] * poses.com_x)) * 130.0
         + (mu[0] * base_wrench_0_0_24 - mu[1] * base_wrench_0_1_8)
-        - (base_wrench_0_1_13 * base_wrench_0_0_31 - base_wrench_0_0_32 * base_wrench_0_1_12);
+        - (base_wrench_0_1_13 * base_wrench_0_0_31
+            - base_wrench_0_0_32 * base_wrench_0_1_12);
     // F₁
-    base_wrench[0] =
-        base_wrench_0_0 - (base_wrench_0_1 * base_wrench_0_1_13_0_2 + base_wrench_0_3 * poses.origin_base_y) + 0.0;
-    let base_wrench_1_0_30 =
-        inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+    base_wrench[0] = base_wrench_0_0
+        - (base_wrench_0_1 * base_wrench_0_1_13_0_2
+            + base_wrench_0_3 * poses.origin_base_y) + 0.0;
+    let base_wrench_1_0_30 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let base_wrench_1_0_9_1 = inertias.composite_link_1_hx * poses.origin_base_y;
     let base_wrench_1_0_9 = base_wrench_1_0_9_1 + base_wrench_1_0_9_1;
     let base_wrench_1_0_12 = poses.cos_joint_1 * inertias.composite_link_2_yz;
-    let base_wrench_1_0_13_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
+    let base_wrench_1_0_13_1 = inertias.composite_link_2_hx
+        * screws.minus_screw_joint_2_vx;
     let base_wrench_1_0_13 = base_wrench_1_0_13_1 + base_wrench_1_0_13_1;
     let base_wrench_1_0_19 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
-    let base_wrench_1_0_17_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
+    let base_wrench_1_0_17_1 = inertias.inertia_link_3_hx
+        * screws.minus_screw_joint_3_vx;
     let base_wrench_1_0_17 = base_wrench_1_0_17_1 + base_wrench_1_0_17_1;
     let base_wrench_1_0_22 = screws.inside_joint_1_mx * qd[0]
         + (poses.cos_joint_1 * inertias.composite_link_2_yy
             - inertias.inside_joint_2_mx_0_1
             - poses.cos_joint_1 * inertias.composite_link_2_zz
-            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3))
-            * qd[1]
+            - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3)) * qd[1]
         + (poses.cos_joint_1 * inertias.inertia_link_3_yy
             - inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
-            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4))
-            * qd[2];
+            - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2];
     let base_wrench_1_0_33 = base_wrench_0_1_13_0 - velocities.minus_velocity_base_vx;
     let base_wrench_1_0 = inertias.composite_base_xy * xi_dot[0]
-        + inertias.composite_base_yy * xi_dot[1]
-        + inertias.composite_base_yz * xi_dot[2]
+        + inertias.composite_base_yy * xi_dot[1] + inertias.composite_base_yz * xi_dot[2]
         + (base_wrench_0_0_20 * mu[0]
             + ((base_wrench_0_0_7 + base_wrench_1_0_9) * qd[0]
-                - (base_wrench_1_0_12 + base_wrench_1_0_12 + (base_wrench_1_0_13 + base_wrench_0_0_12)) * qd[1]
-                + (base_wrench_0_0_17 - base_wrench_1_0_17 - (base_wrench_1_0_19 + base_wrench_1_0_19)) * qd[2])
-                * mu[1]
+                - (base_wrench_1_0_12 + base_wrench_1_0_12
+                    + (base_wrench_1_0_13 + base_wrench_0_0_12)) * qd[1]
+                + (base_wrench_0_0_17 - base_wrench_1_0_17
+                    - (base_wrench_1_0_19 + base_wrench_1_0_19)) * qd[2]) * mu[1]
             + base_wrench_1_0_22 * mu[2]
-            + (base_wrench_0_0_26 * base_wrench_0_1_13_0 - base_wrench_0_1_8 * base_wrench_0_0_34_0))
-        - (base_wrench_0_0_30 * base_wrench_0_1_12 - base_wrench_1_0_30 * base_wrench_0_0_29
-            + (base_wrench_0_0_34 * base_wrench_1_0_33 - base_wrench_0_1_13 * base_wrench_0_0_33));
-    let base_wrench_1_1 =
-        (xi_dot[3] - gravity[0] + (xi_dot[1] * base_wrench_0_1_13_0_2 + xi_dot[2] * poses.origin_base_y)) * 130.0
-            + (mu[1] * base_wrench_0_0_26 - mu[2] * base_wrench_0_0_24)
-            - (base_wrench_0_0_32 * base_wrench_0_0_29 - base_wrench_0_0_34 * base_wrench_0_0_31);
-    base_wrench[1] = base_wrench_1_0 + (base_wrench_1_1 * base_wrench_0_1_13_0_2 - base_wrench_0_3 * poses.com_x) + 0.0;
+            + (base_wrench_0_0_26 * base_wrench_0_1_13_0
+                - base_wrench_0_1_8 * base_wrench_0_0_34_0))
+        - (base_wrench_0_0_30 * base_wrench_0_1_12
+            - base_wrench_1_0_30 * base_wrench_0_0_29
+            + (base_wrench_0_0_34 * base_wrench_1_0_33
+                - base_wrench_0_1_13 * base_wrench_0_0_33));
+    let base_wrench_1_1 = (xi_dot[3] - gravity[0]
+        + (xi_dot[1] * base_wrench_0_1_13_0_2 + xi_dot[2] * poses.origin_base_y)) * 130.0
+        + (mu[1] * base_wrench_0_0_26 - mu[2] * base_wrench_0_0_24)
+        - (base_wrench_0_0_32 * base_wrench_0_0_29
+            - base_wrench_0_0_34 * base_wrench_0_0_31);
+    base_wrench[1] = base_wrench_1_0
+        + (base_wrench_1_1 * base_wrench_0_1_13_0_2 - base_wrench_0_3 * poses.com_x)
+        + 0.0;
     let base_wrench_2_0_14 = base_wrench_1_0_12 - base_wrench_0_0_10;
     let base_wrench_2_0_19 = base_wrench_1_0_19 - base_wrench_0_0_15;
     let base_wrench_2_0 = inertias.composite_base_xz * xi_dot[0]
-        + inertias.composite_base_yz * xi_dot[1]
-        + inertias.composite_base_zz * xi_dot[2]
-        + (base_wrench_0_0_22 * mu[0]
-            + base_wrench_1_0_22 * mu[1]
+        + inertias.composite_base_yz * xi_dot[1] + inertias.composite_base_zz * xi_dot[2]
+        + (base_wrench_0_0_22 * mu[0] + base_wrench_1_0_22 * mu[1]
             + ((base_wrench_1_0_9 + base_wrench_0_0_6) * qd[0]
-                + (base_wrench_2_0_14 + base_wrench_2_0_14 + (base_wrench_0_0_11 - base_wrench_1_0_13)) * qd[1]
-                + (base_wrench_2_0_19 + base_wrench_2_0_19 + (base_wrench_0_0_16 - base_wrench_1_0_17)) * qd[2])
-                * mu[2]
-            + (base_wrench_0_1_8 * base_wrench_0_0_32_0 - base_wrench_0_0_24 * base_wrench_0_1_13_0))
-        - (base_wrench_1_0_30 * base_wrench_0_0_31 - base_wrench_0_0_28 * base_wrench_0_1_12
-            + (base_wrench_0_1_13 * base_wrench_0_0_35 - base_wrench_0_0_32 * base_wrench_1_0_33));
-    base_wrench[2] = base_wrench_2_0 + (base_wrench_1_1 * poses.origin_base_y + base_wrench_0_1 * poses.com_x) + 0.0;
+                + (base_wrench_2_0_14 + base_wrench_2_0_14
+                    + (base_wrench_0_0_11 - base_wrench_1_0_13)) * qd[1]
+                + (base_wrench_2_0_19 + base_wrench_2_0_19
+                    + (base_wrench_0_0_16 - base_wrench_1_0_17)) * qd[2]) * mu[2]
+            + (base_wrench_0_1_8 * base_wrench_0_0_32_0
+                - base_wrench_0_0_24 * base_wrench_0_1_13_0))
+        - (base_wrench_1_0_30 * base_wrench_0_0_31
+            - base_wrench_0_0_28 * base_wrench_0_1_12
+            + (base_wrench_0_1_13 * base_wrench_0_0_35
+                - base_wrench_0_0_32 * base_wrench_1_0_33));
+    base_wrench[2] = base_wrench_2_0
+        + (base_wrench_1_1 * poses.origin_base_y + base_wrench_0_1 * poses.com_x) + 0.0;
     base_wrench[3] = base_wrench_1_1 + 0.0;
     base_wrench[4] = base_wrench_0_1 + 0.0;
     base_wrench[5] = base_wrench_0_3 + 0.0;
@@ -5563,10 +6355,13 @@ pub fn inverse_dynamics(
     let minus_twist_base_vy = screws.connection_joint_1_vy * xi_dot[6]
         + screws.connection_joint_2_vy * xi_dot[7]
         + screws.connection_joint_3_vy * xi_dot[8];
-    let minus_twist_base_vz = screws.connection_joint_2_vz * xi_dot[7] + screws.connection_joint_3_vz * xi_dot[8];
+    let minus_twist_base_vz = screws.connection_joint_2_vz * xi_dot[7]
+        + screws.connection_joint_3_vz * xi_dot[8];
     let wrench_outside_link_1_mx = inertias.minus_inertia_base_xz * minus_twist_base_wz
-        - (inertias.inertia_base_xx * minus_twist_base_wx + inertias.inertia_base_xy * minus_twist_base_wy)
-        - (inertias.inertia_base_hy * minus_twist_base_vz + inertias.minus_inertia_base_hz * minus_twist_base_vy)
+        - (inertias.inertia_base_xx * minus_twist_base_wx
+            + inertias.inertia_base_xy * minus_twist_base_wy)
+        - (inertias.inertia_base_hy * minus_twist_base_vz
+            + inertias.minus_inertia_base_hz * minus_twist_base_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_base_mx_1_0;
     let wrench_outside_link_1_my = inertias.minus_inertia_base_hz * minus_twist_base_vx
         - inertias.minus_inertia_base_hx * minus_twist_base_vz
@@ -5577,45 +6372,53 @@ pub fn inverse_dynamics(
     let wrench_outside_link_1_mz = inertias.minus_inertia_base_xz * minus_twist_base_wx
         - inertias.inertia_base_yz * minus_twist_base_wy
         - inertias.inertia_base_zz * minus_twist_base_wz
-        + (inertias.minus_inertia_base_hx * minus_twist_base_vy + inertias.inertia_base_hy * minus_twist_base_vx)
+        + (inertias.minus_inertia_base_hx * minus_twist_base_vy
+            + inertias.inertia_base_hy * minus_twist_base_vx)
         - common_forward_dynamics_inverse_dynamics.wrench_base_mz_1_0;
     let wrench_outside_link_1_fx = minus_twist_base_wy * inertias.minus_inertia_base_hz
-        + minus_twist_base_wz * inertias.inertia_base_hy
-        - minus_twist_base_vx * 105.0
+        + minus_twist_base_wz * inertias.inertia_base_hy - minus_twist_base_vx * 105.0
         - common_forward_dynamics_inverse_dynamics.wrench_base_fx_1_0;
     let wrench_outside_link_1_fy = minus_twist_base_wz * inertias.minus_inertia_base_hx
         - minus_twist_base_wx * inertias.minus_inertia_base_hz
         - minus_twist_base_vy * 105.0
         - common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0;
-    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
-    let minus_twist_link_1_wy =
-        minus_twist_base_wy + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
-    let twist_link_1_vz = common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1 - minus_twist_base_vz;
+    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
+        .wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
+    let minus_twist_link_1_wy = minus_twist_base_wy
+        + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
+    let twist_link_1_vz = common_forward_dynamics_inverse_dynamics
+        .wrench_base_mx_0_0_1_1_0_1 - minus_twist_base_vz;
     let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
-    let twist_link_1_vx = common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx
+    let twist_link_1_vx = common_forward_dynamics_inverse_dynamics
+        .wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx
         + poses.origin_base_y * xi_dot[6];
-    let twist_link_1_vy = common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy
-        + poses.com_x * xi_dot[6];
+    let twist_link_1_vy = common_forward_dynamics_inverse_dynamics
+        .wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy + poses.com_x * xi_dot[6];
     let wrench_link_1_mx_0 = inertias.inertia_link_1_xx * twist_link_1_wx
         - inertias.inertia_link_1_xy * minus_twist_link_1_wy
         + inertias.inertia_link_1_xz * twist_link_1_wz
-        + (inertias.inertia_link_1_hy * twist_link_1_vz - inertias.inertia_link_1_hz * twist_link_1_vy)
+        + (inertias.inertia_link_1_hy * twist_link_1_vz
+            - inertias.inertia_link_1_hz * twist_link_1_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_1;
     let wrench_link_1_my_0 = inertias.inertia_link_1_xy * twist_link_1_wx
         - inertias.inertia_link_1_yy * minus_twist_link_1_wy
         - inertias.minus_inertia_link_1_yz * twist_link_1_wz
-        + (inertias.inertia_link_1_hz * twist_link_1_vx + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
+        + (inertias.inertia_link_1_hz * twist_link_1_vx
+            + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_1;
     let wrench_link_1_mz_0 = inertias.inertia_link_1_xz * twist_link_1_wx
         + inertias.minus_inertia_link_1_yz * minus_twist_link_1_wy
         + inertias.inertia_link_1_zz * twist_link_1_wz
-        - (inertias.minus_inertia_link_1_hx * twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx)
+        - (inertias.minus_inertia_link_1_hx * twist_link_1_vy
+            + inertias.inertia_link_1_hy * twist_link_1_vx)
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_1;
-    let twist_link_2_wz = twist_link_1_wz + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1;
-    let twist_link_2_wx = twist_link_1_wx - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
+    let twist_link_2_wz = twist_link_1_wz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1;
+    let twist_link_2_wx = twist_link_1_wx
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
         + poses.cos_joint_1 * xi_dot[7];
-    let twist_link_2_wy = common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-        - minus_twist_link_1_wy
+    let twist_link_2_wy = common_forward_dynamics_inverse_dynamics
+        .wrench_link_1_mx_0_0_1_0_0_0_1 - minus_twist_link_1_wy
         + poses.sin_joint_1 * xi_dot[7];
     let twist_link_2_vx = twist_link_1_vx
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
@@ -5623,30 +6426,37 @@ pub fn inverse_dynamics(
     let twist_link_2_vy = twist_link_1_vy
         + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
         + screws.screw_joint_2_vy * xi_dot[7];
-    let twist_link_2_vz = twist_link_1_vz + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
+    let twist_link_2_vz = twist_link_1_vz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
         - screws.minus_screw_joint_2_vz * xi_dot[7];
     let wrench_link_2_mx_0 = inertias.inertia_link_2_xx * twist_link_2_wx
         + inertias.inertia_link_2_xy * twist_link_2_wy
         + inertias.inertia_link_2_xz * twist_link_2_wz
-        + (inertias.inertia_link_2_hy * twist_link_2_vz - inertias.inertia_link_2_hz * twist_link_2_vy)
+        + (inertias.inertia_link_2_hy * twist_link_2_vz
+            - inertias.inertia_link_2_hz * twist_link_2_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_1;
     let wrench_link_2_my_0 = inertias.inertia_link_2_xy * twist_link_2_wx
         + inertias.inertia_link_2_yy * twist_link_2_wy
         + inertias.inertia_link_2_yz * twist_link_2_wz
-        + (inertias.inertia_link_2_hz * twist_link_2_vx - inertias.inertia_link_2_hx * twist_link_2_vz)
+        + (inertias.inertia_link_2_hz * twist_link_2_vx
+            - inertias.inertia_link_2_hx * twist_link_2_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_1;
     let wrench_link_2_mz_0 = inertias.inertia_link_2_xz * twist_link_2_wx
         + inertias.inertia_link_2_yz * twist_link_2_wy
         + inertias.inertia_link_2_zz * twist_link_2_wz
-        + (inertias.inertia_link_2_hx * twist_link_2_vy - inertias.inertia_link_2_hy * twist_link_2_vx)
+        + (inertias.inertia_link_2_hx * twist_link_2_vy
+            - inertias.inertia_link_2_hy * twist_link_2_vx)
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_1;
-    let twist_link_3_wz = twist_link_2_wz + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1;
-    let twist_link_3_wx = twist_link_2_wx - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
+    let twist_link_3_wz = twist_link_2_wz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1;
+    let twist_link_3_wx = twist_link_2_wx
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1_1
         + poses.cos_joint_1 * xi_dot[8];
     let twist_link_3_wy = twist_link_2_wy
         + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_0_1
         + poses.sin_joint_1 * xi_dot[8];
-    let twist_link_3_vx = twist_link_2_vx + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
+    let twist_link_3_vx = twist_link_2_vx
+        + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
         - screws.minus_screw_joint_3_vx * xi_dot[8];
     let twist_link_3_vy = twist_link_2_vy
         + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
@@ -5657,17 +6467,20 @@ pub fn inverse_dynamics(
     let wrench_link_3_mx = inertias.inertia_link_3_xx * twist_link_3_wx
         + inertias.inertia_link_3_xy * twist_link_3_wy
         + inertias.inertia_link_3_xz * twist_link_3_wz
-        + (inertias.inertia_link_3_hy * twist_link_3_vz - inertias.inertia_link_3_hz * twist_link_3_vy)
+        + (inertias.inertia_link_3_hy * twist_link_3_vz
+            - inertias.inertia_link_3_hz * twist_link_3_vy)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mx;
     let wrench_link_3_my = inertias.inertia_link_3_xy * twist_link_3_wx
         + inertias.inertia_link_3_yy * twist_link_3_wy
         + inertias.inertia_link_3_yz * twist_link_3_wz
-        + (inertias.inertia_link_3_hz * twist_link_3_vx - inertias.inertia_link_3_hx * twist_link_3_vz)
+        + (inertias.inertia_link_3_hz * twist_link_3_vx
+            - inertias.inertia_link_3_hx * twist_link_3_vz)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_my;
     let wrench_link_3_mz = inertias.inertia_link_3_xz * twist_link_3_wx
         + inertias.inertia_link_3_yz * twist_link_3_wy
         + inertias.inertia_link_3_zz * twist_link_3_wz
-        + (inertias.inertia_link_3_hx * twist_link_3_vy - inertias.inertia_link_3_hy * twist_link_3_vx)
+        + (inertias.inertia_link_3_hx * twist_link_3_vy
+            - inertias.inertia_link_3_hy * twist_link_3_vx)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mz;
     let wrench_link_2_mx = wrench_link_2_mx_0 + wrench_link_3_mx;
     let wrench_link_2_my = wrench_link_2_my_0 + wrench_link_3_my;
@@ -5688,28 +6501,34 @@ pub fn inverse_dynamics(
             + screws.connection_joint_1_wy * base_wrench_1_0
             + screws.connection_joint_1_wz * base_wrench_2_0
             + screws.connection_joint_1_vx * base_wrench_1_1
-            + screws.connection_joint_1_vy * base_wrench_0_1)
-        + 0.0;
+            + screws.connection_joint_1_vy * base_wrench_0_1) + 0.0;
     let minus_wrench_outside_link_1_fz = minus_twist_base_vz * 105.0
-        + (minus_twist_base_wx * inertias.inertia_base_hy + minus_twist_base_wy * inertias.minus_inertia_base_hx)
+        + (minus_twist_base_wx * inertias.inertia_base_hy
+            + minus_twist_base_wy * inertias.minus_inertia_base_hx)
         + common_forward_dynamics_inverse_dynamics.wrench_base_fz_1_0;
     let wrench_link_2_fx_0 = twist_link_2_vx * 10.0
-        + (twist_link_2_wy * inertias.inertia_link_2_hz - twist_link_2_wz * inertias.inertia_link_2_hy)
+        + (twist_link_2_wy * inertias.inertia_link_2_hz
+            - twist_link_2_wz * inertias.inertia_link_2_hy)
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_1;
     let wrench_link_2_fy_0 = twist_link_2_vy * 10.0
-        + (twist_link_2_wz * inertias.inertia_link_2_hx - twist_link_2_wx * inertias.inertia_link_2_hz)
+        + (twist_link_2_wz * inertias.inertia_link_2_hx
+            - twist_link_2_wx * inertias.inertia_link_2_hz)
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_1;
     let wrench_link_2_fz_0 = twist_link_2_vz * 10.0
-        + (twist_link_2_wx * inertias.inertia_link_2_hy - twist_link_2_wy * inertias.inertia_link_2_hx)
+        + (twist_link_2_wx * inertias.inertia_link_2_hy
+            - twist_link_2_wy * inertias.inertia_link_2_hx)
         - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_1;
     let wrench_link_3_fx = twist_link_3_vx * 10.0
-        + (twist_link_3_wy * inertias.inertia_link_3_hz - twist_link_3_wz * inertias.inertia_link_3_hy)
+        + (twist_link_3_wy * inertias.inertia_link_3_hz
+            - twist_link_3_wz * inertias.inertia_link_3_hy)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fx;
     let wrench_link_3_fy = twist_link_3_vy * 10.0
-        + (twist_link_3_wz * inertias.inertia_link_3_hx - twist_link_3_wx * inertias.inertia_link_3_hz)
+        + (twist_link_3_wz * inertias.inertia_link_3_hx
+            - twist_link_3_wx * inertias.inertia_link_3_hz)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fy;
     let wrench_link_3_fz = twist_link_3_vz * 10.0
-        + (twist_link_3_wx * inertias.inertia_link_3_hy - twist_link_3_wy * inertias.inertia_link_3_hx)
+        + (twist_link_3_wx * inertias.inertia_link_3_hy
+            - twist_link_3_wy * inertias.inertia_link_3_hx)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fz;
     let wrench_link_2_fx = wrench_link_2_fx_0 + wrench_link_3_fx;
     let wrench_link_2_fy = wrench_link_2_fy_0 + wrench_link_3_fy;
@@ -5718,15 +6537,18 @@ pub fn inverse_dynamics(
     let wrench_outside_link_2_my = wrench_link_1_my_0 + wrench_outside_link_1_my;
     let wrench_outside_link_2_mz = wrench_link_1_mz_0 + wrench_outside_link_1_mz;
     let wrench_outside_link_2_fx = twist_link_1_vx * 5.0
-        - (minus_twist_link_1_wy * inertias.inertia_link_1_hz + twist_link_1_wz * inertias.inertia_link_1_hy)
+        - (minus_twist_link_1_wy * inertias.inertia_link_1_hz
+            + twist_link_1_wz * inertias.inertia_link_1_hy)
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_1
         + wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = twist_link_1_vy * 5.0
-        - (twist_link_1_wz * inertias.minus_inertia_link_1_hx + twist_link_1_wx * inertias.inertia_link_1_hz)
+        - (twist_link_1_wz * inertias.minus_inertia_link_1_hx
+            + twist_link_1_wx * inertias.inertia_link_1_hz)
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1
         + wrench_outside_link_1_fy;
     let wrench_outside_link_2_fz = twist_link_1_vz * 5.0
-        + (twist_link_1_wx * inertias.inertia_link_1_hy - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
+        + (twist_link_1_wx * inertias.inertia_link_1_hy
+            - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_1
         - minus_wrench_outside_link_1_fz;
     tau[1] = reactions.reaction_joint_2_wx * wrench_link_2_mx
@@ -5746,8 +6568,7 @@ pub fn inverse_dynamics(
             + screws.connection_joint_2_wz * base_wrench_2_0
             + screws.connection_joint_2_vx * base_wrench_1_1
             + screws.connection_joint_2_vy * base_wrench_0_1
-            + screws.connection_joint_2_vz * base_wrench_0_3)
-        + 0.0;
+            + screws.connection_joint_2_vz * base_wrench_0_3) + 0.0;
     let wrench_outside_link_3_mx = wrench_link_2_mx_0 + wrench_outside_link_2_mx;
     let wrench_outside_link_3_my = wrench_link_2_my_0 + wrench_outside_link_2_my;
     let wrench_outside_link_3_mz = wrench_link_2_mz_0 + wrench_outside_link_2_mz;
@@ -5771,8 +6592,7 @@ pub fn inverse_dynamics(
             + screws.connection_joint_3_wz * base_wrench_2_0
             + screws.connection_joint_3_vx * base_wrench_1_1
             + screws.connection_joint_3_vy * base_wrench_0_1
-            + screws.connection_joint_3_vz * base_wrench_0_3)
-        + 0.0;
+            + screws.connection_joint_3_vz * base_wrench_0_3) + 0.0;
 }
 /// Where a link is, and how the joints move it at zero momentum.
 ///
@@ -5780,8 +6600,12 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×3, by columns; rad, m)
 ///
-/// 624 operations: 271 + −, 350 ×, 3 ÷; 3 sin cos; about 5.6 KiB of code.
-pub fn kinematics_link_3(q: &[f64; 3], pose: &mut [[f64; 3]; 4], generalized_jacobian: &mut [[f64; 6]; 3]) {
+/// 624 operations: 271 + −, 350 ×, 3 ÷; 3 sin cos; about 7.4 KiB of code.
+pub fn kinematics_link_3(
+    q: &[f64; 3],
+    pose: &mut [[f64; 3]; 4],
+    generalized_jacobian: &mut [[f64; 6]; 3],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let complements = complements(&inertias);
@@ -5805,90 +6629,84 @@ pub fn kinematics_link_3(q: &[f64; 3], pose: &mut [[f64; 3]; 4], generalized_jac
     pose[3][1] = poses.origin_link_3_y - poses.origin_base_y + 0.0;
     pose[3][2] = poses.origin_link_3_z + (poses.com_z + 0.023809523809523808) + 0.0;
     // J\u{303}_k = J_k − X_k A_l column joint_1
-    generalized_jacobian[0][0] =
-        poses.cos_joint_1 * reactions.reaction_joint_1_wx + poses.sin_joint_1 * reactions.reaction_joint_1_wy + 0.0;
+    generalized_jacobian[0][0] = poses.cos_joint_1 * reactions.reaction_joint_1_wx
+        + poses.sin_joint_1 * reactions.reaction_joint_1_wy + 0.0;
     generalized_jacobian[0][1] = poses.rotation_link_3_xy * reactions.reaction_joint_1_wx
         + poses.rotation_link_3_yy * reactions.reaction_joint_1_wy
-        + poses.rotation_link_3_zy * reactions.reaction_joint_1_wz
-        + 0.0;
-    generalized_jacobian[0][2] = poses.minus_rotation_link_3_xx * reactions.reaction_joint_1_wx
+        + poses.rotation_link_3_zy * reactions.reaction_joint_1_wz + 0.0;
+    generalized_jacobian[0][2] = poses.minus_rotation_link_3_xx
+        * reactions.reaction_joint_1_wx
         - poses.rotation_link_3_yx * reactions.reaction_joint_1_wy
-        - poses.rotation_link_3_zx * reactions.reaction_joint_1_wz
-        + 0.0;
-    let generalized_jacobian_3_0_1 =
-        reactions.reaction_joint_1_wy * poses.origin_link_3_z - reactions.reaction_joint_1_wz * poses.origin_link_3_y;
-    let generalized_jacobian_3_0_3 =
-        reactions.reaction_joint_1_wz * poses.origin_link_3_x - reactions.reaction_joint_1_wx * poses.origin_link_3_z;
-    generalized_jacobian[0][3] =
-        poses.cos_joint_1 * generalized_jacobian_3_0_1 + poses.sin_joint_1 * generalized_jacobian_3_0_3 + 0.0;
-    let generalized_jacobian_4_0_5 =
-        reactions.reaction_joint_1_wx * poses.origin_link_3_y - reactions.reaction_joint_1_wy * poses.origin_link_3_x;
+        - poses.rotation_link_3_zx * reactions.reaction_joint_1_wz + 0.0;
+    let generalized_jacobian_3_0_1 = reactions.reaction_joint_1_wy
+        * poses.origin_link_3_z - reactions.reaction_joint_1_wz * poses.origin_link_3_y;
+    let generalized_jacobian_3_0_3 = reactions.reaction_joint_1_wz
+        * poses.origin_link_3_x - reactions.reaction_joint_1_wx * poses.origin_link_3_z;
+    generalized_jacobian[0][3] = poses.cos_joint_1 * generalized_jacobian_3_0_1
+        + poses.sin_joint_1 * generalized_jacobian_3_0_3 + 0.0;
+    let generalized_jacobian_4_0_5 = reactions.reaction_joint_1_wx
+        * poses.origin_link_3_y - reactions.reaction_joint_1_wy * poses.origin_link_3_x;
     generalized_jacobian[0][4] = poses.rotation_link_3_xy * generalized_jacobian_3_0_1
         + poses.rotation_link_3_yy * generalized_jacobian_3_0_3
-        + poses.rotation_link_3_zy * generalized_jacobian_4_0_5
-        + 0.0;
-    generalized_jacobian[0][5] = poses.minus_rotation_link_3_xx * generalized_jacobian_3_0_1
+        + poses.rotation_link_3_zy * generalized_jacobian_4_0_5 + 0.0;
+    generalized_jacobian[0][5] = poses.minus_rotation_link_3_xx
+        * generalized_jacobian_3_0_1
         - poses.rotation_link_3_yx * generalized_jacobian_3_0_3
-        - poses.rotation_link_3_zx * generalized_jacobian_4_0_5
-        + 0.0;
+        - poses.rotation_link_3_zx * generalized_jacobian_4_0_5 + 0.0;
     // J\u{303}_k = J_k − X_k A_l column joint_2
-    generalized_jacobian[1][0] =
-        poses.cos_joint_1 * reactions.reaction_joint_2_wx + poses.sin_joint_1 * reactions.reaction_joint_2_wy + 0.0;
+    generalized_jacobian[1][0] = poses.cos_joint_1 * reactions.reaction_joint_2_wx
+        + poses.sin_joint_1 * reactions.reaction_joint_2_wy + 0.0;
     generalized_jacobian[1][1] = poses.rotation_link_3_xy * reactions.reaction_joint_2_wx
         + poses.rotation_link_3_yy * reactions.reaction_joint_2_wy
-        + poses.rotation_link_3_zy * reactions.reaction_joint_2_wz
-        + 0.0;
-    generalized_jacobian[1][2] = poses.minus_rotation_link_3_xx * reactions.reaction_joint_2_wx
+        + poses.rotation_link_3_zy * reactions.reaction_joint_2_wz + 0.0;
+    generalized_jacobian[1][2] = poses.minus_rotation_link_3_xx
+        * reactions.reaction_joint_2_wx
         - poses.rotation_link_3_yx * reactions.reaction_joint_2_wy
-        - poses.rotation_link_3_zx * reactions.reaction_joint_2_wz
-        + 0.0;
+        - poses.rotation_link_3_zx * reactions.reaction_joint_2_wz + 0.0;
     let generalized_jacobian_3_1_1 = reactions.reaction_joint_2_vx
         + (reactions.reaction_joint_2_wy * poses.origin_link_3_z
             - reactions.reaction_joint_2_wz * poses.origin_link_3_y);
     let generalized_jacobian_3_1_3 = reactions.reaction_joint_2_vy
         + (reactions.reaction_joint_2_wz * poses.origin_link_3_x
             - reactions.reaction_joint_2_wx * poses.origin_link_3_z);
-    generalized_jacobian[1][3] =
-        poses.cos_joint_1 * generalized_jacobian_3_1_1 + poses.sin_joint_1 * generalized_jacobian_3_1_3 + 0.0;
+    generalized_jacobian[1][3] = poses.cos_joint_1 * generalized_jacobian_3_1_1
+        + poses.sin_joint_1 * generalized_jacobian_3_1_3 + 0.0;
     let generalized_jacobian_4_1_5 = reactions.reaction_joint_2_vz
         + (reactions.reaction_joint_2_wx * poses.origin_link_3_y
             - reactions.reaction_joint_2_wy * poses.origin_link_3_x);
     generalized_jacobian[1][4] = poses.rotation_link_3_xy * generalized_jacobian_3_1_1
         + poses.rotation_link_3_yy * generalized_jacobian_3_1_3
-        + poses.rotation_link_3_zy * generalized_jacobian_4_1_5
-        + 0.0;
-    generalized_jacobian[1][5] = poses.minus_rotation_link_3_xx * generalized_jacobian_3_1_1
+        + poses.rotation_link_3_zy * generalized_jacobian_4_1_5 + 0.0;
+    generalized_jacobian[1][5] = poses.minus_rotation_link_3_xx
+        * generalized_jacobian_3_1_1
         - poses.rotation_link_3_yx * generalized_jacobian_3_1_3
-        - poses.rotation_link_3_zx * generalized_jacobian_4_1_5
-        + 0.0;
+        - poses.rotation_link_3_zx * generalized_jacobian_4_1_5 + 0.0;
     // J\u{303}_k = J_k − X_k A_l column joint_3
-    generalized_jacobian[2][0] =
-        poses.cos_joint_1 * reactions.reaction_joint_3_wx + poses.sin_joint_1 * reactions.reaction_joint_3_wy + 0.0;
+    generalized_jacobian[2][0] = poses.cos_joint_1 * reactions.reaction_joint_3_wx
+        + poses.sin_joint_1 * reactions.reaction_joint_3_wy + 0.0;
     generalized_jacobian[2][1] = poses.rotation_link_3_xy * reactions.reaction_joint_3_wx
         + poses.rotation_link_3_yy * reactions.reaction_joint_3_wy
-        + poses.rotation_link_3_zy * reactions.reaction_joint_3_wz
-        + 0.0;
-    generalized_jacobian[2][2] = poses.minus_rotation_link_3_xx * reactions.reaction_joint_3_wx
+        + poses.rotation_link_3_zy * reactions.reaction_joint_3_wz + 0.0;
+    generalized_jacobian[2][2] = poses.minus_rotation_link_3_xx
+        * reactions.reaction_joint_3_wx
         - poses.rotation_link_3_yx * reactions.reaction_joint_3_wy
-        - poses.rotation_link_3_zx * reactions.reaction_joint_3_wz
-        + 0.0;
+        - poses.rotation_link_3_zx * reactions.reaction_joint_3_wz + 0.0;
     let generalized_jacobian_3_2_1 = reactions.reaction_joint_3_vx
         + (reactions.reaction_joint_3_wy * poses.origin_link_3_z
             - reactions.reaction_joint_3_wz * poses.origin_link_3_y);
     let generalized_jacobian_3_2_3 = reactions.reaction_joint_3_vy
         + (reactions.reaction_joint_3_wz * poses.origin_link_3_x
             - reactions.reaction_joint_3_wx * poses.origin_link_3_z);
-    generalized_jacobian[2][3] =
-        poses.cos_joint_1 * generalized_jacobian_3_2_1 + poses.sin_joint_1 * generalized_jacobian_3_2_3 + 0.0;
+    generalized_jacobian[2][3] = poses.cos_joint_1 * generalized_jacobian_3_2_1
+        + poses.sin_joint_1 * generalized_jacobian_3_2_3 + 0.0;
     let generalized_jacobian_4_2_5 = reactions.reaction_joint_3_vz
         + (reactions.reaction_joint_3_wx * poses.origin_link_3_y
             - reactions.reaction_joint_3_wy * poses.origin_link_3_x);
     generalized_jacobian[2][4] = poses.rotation_link_3_xy * generalized_jacobian_3_2_1
         + poses.rotation_link_3_yy * generalized_jacobian_3_2_3
-        + poses.rotation_link_3_zy * generalized_jacobian_4_2_5
-        + 0.0;
-    generalized_jacobian[2][5] = poses.minus_rotation_link_3_xx * generalized_jacobian_3_2_1
+        + poses.rotation_link_3_zy * generalized_jacobian_4_2_5 + 0.0;
+    generalized_jacobian[2][5] = poses.minus_rotation_link_3_xx
+        * generalized_jacobian_3_2_1
         - poses.rotation_link_3_yx * generalized_jacobian_3_2_3
-        - poses.rotation_link_3_zx * generalized_jacobian_4_2_5
-        + 0.0;
+        - poses.rotation_link_3_zx * generalized_jacobian_4_2_5 + 0.0;
 }

@@ -2,9 +2,13 @@
 //!
 //! Coordinates: joint_1, joint_2.
 //! Base frame: link 'base'; six-vectors are angular part first, matrices by columns.
-#![allow(clippy::approx_constant, clippy::excessive_precision, clippy::too_many_arguments)]
-use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
+#![allow(
+    clippy::approx_constant,
+    clippy::excessive_precision,
+    clippy::too_many_arguments
+)]
 use ::frs_core::{FloatingBase, Quantity};
+use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
 /// Number n of coordinates.
 pub const DOF: usize = 2;
 /// Names of the coordinates, in the order of the columns.
@@ -18,45 +22,60 @@ impl FloatingBase<f64> for PlanarThreeLink {
     }
     fn answers(&self, quantity: Quantity) -> bool {
         matches!(
-            quantity,
-            Quantity::Inertia
-                | Quantity::DMu
-                | Quantity::B2
-                | Quantity::Matrices
-                | Quantity::DQdot
-                | Quantity::CouplingTorque
-                | Quantity::DMuXi
-                | Quantity::DQdotXi
-                | Quantity::HamelBias
-                | Quantity::Curvature
-                | Quantity::Momentum
-                | Quantity::BaseTwist
-                | Quantity::KineticEnergy
-                | Quantity::ForwardDynamics
-                | Quantity::InverseDynamics
-                | Quantity::Kinematics(2)
+            quantity, Quantity::Inertia | Quantity::DMu | Quantity::B2 |
+            Quantity::Matrices | Quantity::DQdot | Quantity::CouplingTorque |
+            Quantity::DMuXi | Quantity::DQdotXi | Quantity::HamelBias |
+            Quantity::Curvature | Quantity::Momentum | Quantity::BaseTwist |
+            Quantity::KineticEnergy | Quantity::ForwardDynamics |
+            Quantity::InverseDynamics | Quantity::Kinematics(2)
         )
     }
-    fn answer(&mut self, quantity: Quantity, inputs: &[&[f64]], outputs: &mut [&mut [f64]]) {
+    fn answer(
+        &mut self,
+        quantity: Quantity,
+        inputs: &[&[f64]],
+        outputs: &mut [&mut [f64]],
+    ) {
         match (quantity, inputs, outputs) {
-            (Quantity::Inertia, [q], [locked_inertia, connection, shape_inertia]) => self::inertia(
-                array(q),
-                columns_mut(locked_inertia),
-                columns_mut(connection),
-                columns_mut(shape_inertia),
-            ),
-            (Quantity::DMu, [q, mu], [d_mu]) => self::d_mu(array(q), array(mu), columns_mut(d_mu)),
-            (Quantity::B2, [q, mu], [b2]) => self::b2(array(q), array(mu), columns_mut(b2)),
-            (Quantity::Matrices, [q, mu], [locked_inertia, connection, shape_inertia, d_mu, b2]) => self::matrices(
-                array(q),
-                array(mu),
-                columns_mut(locked_inertia),
-                columns_mut(connection),
-                columns_mut(shape_inertia),
-                columns_mut(d_mu),
-                columns_mut(b2),
-            ),
-            (Quantity::DQdot, [q, qd], [d_qdot]) => self::d_qdot(array(q), array(qd), columns_mut(d_qdot)),
+            (Quantity::Inertia, [q], [locked_inertia, connection, shape_inertia]) => {
+                self::inertia(
+                    array(q),
+                    columns_mut(locked_inertia),
+                    columns_mut(connection),
+                    columns_mut(shape_inertia),
+                )
+            }
+            (Quantity::DMu, [q, mu], [d_mu]) => {
+                self::d_mu(array(q), array(mu), columns_mut(d_mu))
+            }
+            (Quantity::B2, [q, mu], [b2]) => {
+                self::b2(array(q), array(mu), columns_mut(b2))
+            }
+            (
+                Quantity::Matrices,
+                [q,
+                mu,
+                ],
+                [locked_inertia,
+                connection,
+                shape_inertia,
+                d_mu,
+                b2,
+                ],
+            ) => {
+                self::matrices(
+                    array(q),
+                    array(mu),
+                    columns_mut(locked_inertia),
+                    columns_mut(connection),
+                    columns_mut(shape_inertia),
+                    columns_mut(d_mu),
+                    columns_mut(b2),
+                )
+            }
+            (Quantity::DQdot, [q, qd], [d_qdot]) => {
+                self::d_qdot(array(q), array(qd), columns_mut(d_qdot))
+            }
             (Quantity::CouplingTorque, [q, mu], [coupling_torque]) => {
                 self::coupling_torque(array(q), array(mu), array_mut(coupling_torque))
             }
@@ -67,40 +86,85 @@ impl FloatingBase<f64> for PlanarThreeLink {
                 self::d_qdot_xi(array(q), array(qd), array(mu), array_mut(d_qdot_xi))
             }
             (Quantity::HamelBias, [q, qd, base_twist], [hamel_bias]) => {
-                self::hamel_bias(array(q), array(qd), array(base_twist), array_mut(hamel_bias))
+                self::hamel_bias(
+                    array(q),
+                    array(qd),
+                    array(base_twist),
+                    array_mut(hamel_bias),
+                )
             }
             (Quantity::Curvature, [q], [curvature, com]) => {
                 self::curvature(array(q), layers_mut(curvature), array_mut(com))
             }
             (Quantity::Momentum, [q, mu], [body_momentum, centroidal_momentum]) => {
-                self::momentum(array(q), array(mu), array_mut(body_momentum), array_mut(centroidal_momentum))
+                self::momentum(
+                    array(q),
+                    array(mu),
+                    array_mut(body_momentum),
+                    array_mut(centroidal_momentum),
+                )
             }
             (Quantity::BaseTwist, [q, qd, mu], [base_twist]) => {
                 self::base_twist(array(q), array(qd), array(mu), array_mut(base_twist))
             }
             (Quantity::KineticEnergy, [q, qd, mu], [kinetic_energy]) => {
-                self::kinetic_energy(array(q), array(qd), array(mu), number_mut(kinetic_energy))
+                self::kinetic_energy(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    number_mut(kinetic_energy),
+                )
             }
-            (Quantity::ForwardDynamics, [q, qd, mu, gravity, base_wrench, tau], [xi_dot]) => self::forward_dynamics(
-                array(q),
-                array(qd),
-                array(mu),
-                array(gravity),
-                array(base_wrench),
-                array(tau),
-                array_mut(xi_dot),
-            ),
-            (Quantity::InverseDynamics, [q, qd, mu, gravity, xi_dot], [base_wrench, tau]) => self::inverse_dynamics(
-                array(q),
-                array(qd),
-                array(mu),
-                array(gravity),
-                array(xi_dot),
-                array_mut(base_wrench),
-                array_mut(tau),
-            ),
+            (
+                Quantity::ForwardDynamics,
+                [q,
+                qd,
+                mu,
+                gravity,
+                base_wrench,
+                tau,
+                ],
+                [xi_dot,
+                ],
+            ) => {
+                self::forward_dynamics(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    array(gravity),
+                    array(base_wrench),
+                    array(tau),
+                    array_mut(xi_dot),
+                )
+            }
+            (
+                Quantity::InverseDynamics,
+                [q,
+                qd,
+                mu,
+                gravity,
+                xi_dot,
+                ],
+                [base_wrench,
+                tau,
+                ],
+            ) => {
+                self::inverse_dynamics(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    array(gravity),
+                    array(xi_dot),
+                    array_mut(base_wrench),
+                    array_mut(tau),
+                )
+            }
             (Quantity::Kinematics(2), [q], [pose, generalized_jacobian]) => {
-                self::kinematics_link_2(array(q), columns_mut(pose), columns_mut(generalized_jacobian))
+                self::kinematics_link_2(
+                    array(q),
+                    columns_mut(pose),
+                    columns_mut(generalized_jacobian),
+                )
             }
             _ => ::frs_core::generated::refuse(quantity, self.answers(quantity)),
         }
@@ -217,14 +281,13 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_xx_2 = 0.1875 * poses.sin_joint_1;
     let inertia_link_1_yy_6 = inertia_link_1_hx * inertia_link_1_hx;
     let inertia_link_1_xx_4 = inertia_link_1_hy * inertia_link_1_hy;
-    let inertia_link_1_xx =
-        inertia_link_1_xx_0 * poses.cos_joint_1 + inertia_link_1_xx_2 * poses.sin_joint_1 + inertia_link_1_xx_4;
+    let inertia_link_1_xx = inertia_link_1_xx_0 * poses.cos_joint_1
+        + inertia_link_1_xx_2 * poses.sin_joint_1 + inertia_link_1_xx_4;
     let inertia_link_1_xy = inertia_link_1_xx_0 * poses.sin_joint_1
         - inertia_link_1_xx_2 * poses.cos_joint_1
         - inertia_link_1_hx * inertia_link_1_hy;
     let inertia_link_1_yy = 0.125 * poses.sin_joint_1 * poses.sin_joint_1
-        + 0.1875 * poses.cos_joint_1 * poses.cos_joint_1
-        + inertia_link_1_yy_6;
+        + 0.1875 * poses.cos_joint_1 * poses.cos_joint_1 + inertia_link_1_yy_6;
     let inertia_link_1_zz = 0.25 + (inertia_link_1_yy_6 + inertia_link_1_xx_4);
     let inertia_link_2_hx_0 = poses.com_x_1 - poses.com_x;
     let inertia_link_2_hy_0 = poses.com_y_1 - poses.com_y;
@@ -236,8 +299,7 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_2_yy_6 = inertia_link_2_hx * inertia_link_2_hx_0;
     let inertia_link_2_xx_4 = inertia_link_2_hy * inertia_link_2_hy_0;
     let inertia_link_2_xx = inertia_link_2_xx_0 * poses.rotation_link_2_xx
-        + inertia_link_2_xx_2 * poses.rotation_link_2_yx
-        + inertia_link_2_xx_4;
+        + inertia_link_2_xx_2 * poses.rotation_link_2_yx + inertia_link_2_xx_4;
     let inertia_link_2_xy = inertia_link_2_xx_0 * poses.rotation_link_2_yx
         - inertia_link_2_xx_2 * poses.rotation_link_2_xx
         - inertia_link_2_hx * inertia_link_2_hy_0;
@@ -259,7 +321,8 @@ fn inertias(poses: &Poses) -> Inertias {
     let composite_base_zz = inertia_base_zz + composite_link_1_zz;
     let locked_inverse_pivot_x = 1.0 / composite_base_xx;
     let locked_inverse_pivot_y_2 = composite_base_xy * locked_inverse_pivot_x;
-    let locked_inverse_pivot_y = 1.0 / (composite_base_yy - locked_inverse_pivot_y_2 * composite_base_xy);
+    let locked_inverse_pivot_y = 1.0
+        / (composite_base_yy - locked_inverse_pivot_y_2 * composite_base_xy);
     let locked_inverse_pivot_z = 1.0 / composite_base_zz;
     let inside_joint_1_mz_1_1 = composite_link_1_hx * poses.origin_link_1_x;
     let inside_joint_1_mz_1_0 = composite_link_1_hy * poses.com_y;
@@ -317,10 +380,13 @@ struct Complements {
 /// Inertias of what is outside each subtree, centroidal frame.
 fn complements(inertias: &Inertias) -> Complements {
     // link_2
-    let complement_link_2_hx = inertias.inertia_link_1_hx - inertias.minus_inertia_base_hx;
-    let complement_link_2_hy = inertias.inertia_link_1_hy - inertias.minus_inertia_base_hy;
+    let complement_link_2_hx = inertias.inertia_link_1_hx
+        - inertias.minus_inertia_base_hx;
+    let complement_link_2_hy = inertias.inertia_link_1_hy
+        - inertias.minus_inertia_base_hy;
     let complement_link_2_xx = inertias.inertia_link_1_xx + inertias.inertia_base_xx;
-    let complement_link_2_xy = inertias.inertia_link_1_xy - inertias.minus_inertia_base_xy;
+    let complement_link_2_xy = inertias.inertia_link_1_xy
+        - inertias.minus_inertia_base_xy;
     let complement_link_2_yy = inertias.inertia_link_1_yy + inertias.inertia_base_yy;
     let complement_link_2_zz = inertias.inertia_link_1_zz + inertias.inertia_base_zz;
     Complements {
@@ -349,16 +415,16 @@ struct Screws {
 /// Screw axes s_j, their momenta h_j = Iᶜ_j s_j, the connection Λ_c⁻¹ h_j.
 fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     // joint_1
-    let inside_joint_1_mz =
-        inertias.composite_link_1_zz + (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
+    let inside_joint_1_mz = inertias.composite_link_1_zz
+        + (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
     let minus_inside_joint_1_fx = poses.com_y * 1.75 + inertias.composite_link_1_hy;
     let inside_joint_1_fy = inertias.composite_link_1_hx - poses.origin_link_1_x * 1.75;
     let connection_joint_1_wz = inside_joint_1_mz * inertias.locked_inverse_pivot_z;
     let minus_connection_joint_1_vx = minus_inside_joint_1_fx * 0.26666666666666666;
     let connection_joint_1_vy = inside_joint_1_fy * 0.26666666666666666;
     // joint_2
-    let inside_joint_2_mz =
-        inertias.inertia_link_2_zz - (inertias.inside_joint_2_mz_1_0 + inertias.inside_joint_2_mz_1_1);
+    let inside_joint_2_mz = inertias.inertia_link_2_zz
+        - (inertias.inside_joint_2_mz_1_0 + inertias.inside_joint_2_mz_1_1);
     let inside_joint_2_fx = poses.origin_link_2_y * 0.75 - inertias.inertia_link_2_hy;
     let inside_joint_2_fy = inertias.inertia_link_2_hx - poses.origin_link_2_x * 0.75;
     let connection_joint_2_wz = inside_joint_2_mz * inertias.locked_inverse_pivot_z;
@@ -390,15 +456,25 @@ struct Outside {
 fn outside(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Outside {
     // joint_1
     let outside_joint_1_mz = inertias.inertia_base_zz
-        + (inertias.minus_inertia_base_hx * poses.origin_link_1_x - inertias.inertia_base_xx_1);
-    let minus_outside_joint_1_fy = poses.origin_link_1_x * 2.0 + inertias.minus_inertia_base_hx;
+        + (inertias.minus_inertia_base_hx * poses.origin_link_1_x
+            - inertias.inertia_base_xx_1);
+    let minus_outside_joint_1_fy = poses.origin_link_1_x * 2.0
+        + inertias.minus_inertia_base_hx;
     // joint_2
     let outside_joint_2_mz = complements.complement_link_2_zz
         - (complements.complement_link_2_hx * poses.origin_link_2_x
             + complements.complement_link_2_hy * poses.origin_link_2_y);
-    let outside_joint_2_fx = poses.origin_link_2_y * 3.0 - complements.complement_link_2_hy;
-    let outside_joint_2_fy = complements.complement_link_2_hx - poses.origin_link_2_x * 3.0;
-    Outside { outside_joint_1_mz, minus_outside_joint_1_fy, outside_joint_2_mz, outside_joint_2_fx, outside_joint_2_fy }
+    let outside_joint_2_fx = poses.origin_link_2_y * 3.0
+        - complements.complement_link_2_hy;
+    let outside_joint_2_fy = complements.complement_link_2_hx
+        - poses.origin_link_2_x * 3.0;
+    Outside {
+        outside_joint_1_mz,
+        minus_outside_joint_1_fy,
+        outside_joint_2_mz,
+        outside_joint_2_fx,
+        outside_joint_2_fy,
+    }
 }
 /// How each joint moves its own subtree at zero momentum.
 struct Reactions {
@@ -411,10 +487,13 @@ struct Reactions {
 /// How each joint moves its own subtree at zero momentum.
 fn reactions(inertias: &Inertias, outside: &Outside) -> Reactions {
     // joint_1
-    let reaction_joint_1_wz = outside.outside_joint_1_mz * inertias.locked_inverse_pivot_z;
-    let minus_reaction_joint_1_vy = outside.minus_outside_joint_1_fy * 0.26666666666666666;
+    let reaction_joint_1_wz = outside.outside_joint_1_mz
+        * inertias.locked_inverse_pivot_z;
+    let minus_reaction_joint_1_vy = outside.minus_outside_joint_1_fy
+        * 0.26666666666666666;
     // joint_2
-    let reaction_joint_2_wz = outside.outside_joint_2_mz * inertias.locked_inverse_pivot_z;
+    let reaction_joint_2_wz = outside.outside_joint_2_mz
+        * inertias.locked_inverse_pivot_z;
     let reaction_joint_2_vx = outside.outside_joint_2_fx * 0.26666666666666666;
     let reaction_joint_2_vy = outside.outside_joint_2_fy * 0.26666666666666666;
     Reactions {
@@ -440,17 +519,22 @@ struct Velocities {
 /// Velocities of the bodies at zero momentum.
 fn velocities(qd: &[f64; 2], poses: &Poses, screws: &Screws) -> Velocities {
     // base
-    let minus_velocity_base_wz = screws.connection_joint_1_wz * qd[0] + screws.connection_joint_2_wz * qd[1];
-    let velocity_base_vx = screws.minus_connection_joint_1_vx * qd[0] - screws.connection_joint_2_vx * qd[1];
-    let minus_velocity_base_vy = screws.connection_joint_1_vy * qd[0] + screws.connection_joint_2_vy * qd[1];
+    let minus_velocity_base_wz = screws.connection_joint_1_wz * qd[0]
+        + screws.connection_joint_2_wz * qd[1];
+    let velocity_base_vx = screws.minus_connection_joint_1_vx * qd[0]
+        - screws.connection_joint_2_vx * qd[1];
+    let minus_velocity_base_vy = screws.connection_joint_1_vy * qd[0]
+        + screws.connection_joint_2_vy * qd[1];
     // link_1
     let velocity_link_1_wz = qd[0] - minus_velocity_base_wz;
     let velocity_link_1_vx = velocity_base_vx - poses.com_y * qd[0];
-    let minus_velocity_link_1_vy = minus_velocity_base_vy + poses.origin_link_1_x * qd[0];
+    let minus_velocity_link_1_vy = minus_velocity_base_vy
+        + poses.origin_link_1_x * qd[0];
     // link_2
     let velocity_link_2_wz = velocity_link_1_wz + qd[1];
     let velocity_link_2_vx = velocity_link_1_vx + poses.origin_link_2_y * qd[1];
-    let minus_velocity_link_2_vy = minus_velocity_link_1_vy + poses.origin_link_2_x * qd[1];
+    let minus_velocity_link_2_vy = minus_velocity_link_1_vy
+        + poses.origin_link_2_x * qd[1];
     Velocities {
         minus_velocity_base_wz,
         velocity_base_vx,
@@ -479,7 +563,8 @@ fn inertia_itself(
     locked_inertia[0][0] = inertias.composite_base_xx + locked_inertia_0_0_1 + 0.0;
     let locked_inertia_1_0_1_0 = poses.com_x + 0.25;
     let locked_inertia_1_0_1 = locked_inertia_1_0_1_0 * 3.75;
-    let locked_inertia_1_0 = inertias.composite_base_xy - locked_inertia_1_0_1 * poses.com_y;
+    let locked_inertia_1_0 = inertias.composite_base_xy
+        - locked_inertia_1_0_1 * poses.com_y;
     locked_inertia[0][1] = locked_inertia_1_0 + 0.0;
     locked_inertia[0][2] = 0.0;
     locked_inertia[0][3] = 0.0;
@@ -496,7 +581,8 @@ fn inertia_itself(
     // Λ_b column 2
     locked_inertia[2][0] = 0.0;
     locked_inertia[2][1] = 0.0;
-    locked_inertia[2][2] = inertias.composite_base_zz + (locked_inertia_1_1_1 + locked_inertia_0_0_1) + 0.0;
+    locked_inertia[2][2] = inertias.composite_base_zz
+        + (locked_inertia_1_1_1 + locked_inertia_0_0_1) + 0.0;
     locked_inertia[2][3] = 0.0 - locked_inertia_0_0_1_0;
     locked_inertia[2][4] = locked_inertia_1_0_1 + 0.0;
     locked_inertia[2][5] = 0.0;
@@ -525,20 +611,23 @@ fn inertia_itself(
     connection[0][0] = 0.0;
     connection[0][1] = 0.0;
     connection[0][2] = screws.connection_joint_1_wz + 0.0;
-    connection[0][3] = screws.connection_joint_1_wz * poses.com_y - screws.minus_connection_joint_1_vx + 0.0;
-    connection[0][4] = screws.connection_joint_1_vy - screws.connection_joint_1_wz * locked_inertia_1_0_1_0 + 0.0;
+    connection[0][3] = screws.connection_joint_1_wz * poses.com_y
+        - screws.minus_connection_joint_1_vx + 0.0;
+    connection[0][4] = screws.connection_joint_1_vy
+        - screws.connection_joint_1_wz * locked_inertia_1_0_1_0 + 0.0;
     connection[0][5] = 0.0;
     // A_l column joint_2
     connection[1][0] = 0.0;
     connection[1][1] = 0.0;
     connection[1][2] = screws.connection_joint_2_wz + 0.0;
-    connection[1][3] = screws.connection_joint_2_vx + screws.connection_joint_2_wz * poses.com_y + 0.0;
-    connection[1][4] = screws.connection_joint_2_vy - screws.connection_joint_2_wz * locked_inertia_1_0_1_0 + 0.0;
+    connection[1][3] = screws.connection_joint_2_vx
+        + screws.connection_joint_2_wz * poses.com_y + 0.0;
+    connection[1][4] = screws.connection_joint_2_vy
+        - screws.connection_joint_2_wz * locked_inertia_1_0_1_0 + 0.0;
     connection[1][5] = 0.0;
     // Λ_q column joint_1
     shape_inertia[0][0] = outside.outside_joint_1_mz * screws.connection_joint_1_wz
-        - outside.minus_outside_joint_1_fy * screws.connection_joint_1_vy
-        + 0.0;
+        - outside.minus_outside_joint_1_fy * screws.connection_joint_1_vy + 0.0;
     let shape_inertia_1_0 = outside.outside_joint_1_mz * screws.connection_joint_2_wz
         - outside.minus_outside_joint_1_fy * screws.connection_joint_2_vy;
     shape_inertia[0][1] = shape_inertia_1_0 + 0.0;
@@ -546,8 +635,7 @@ fn inertia_itself(
     shape_inertia[1][0] = shape_inertia_1_0 + 0.0;
     shape_inertia[1][1] = outside.outside_joint_2_mz * screws.connection_joint_2_wz
         + outside.outside_joint_2_fx * screws.connection_joint_2_vx
-        + outside.outside_joint_2_fy * screws.connection_joint_2_vy
-        + 0.0;
+        + outside.outside_joint_2_fy * screws.connection_joint_2_vy + 0.0;
 }
 /// What only `d_mu` computes.
 fn d_mu_itself(
@@ -560,11 +648,13 @@ fn d_mu_itself(
 ) {
     // D_μ column 0
     d_mu[0][0] = 0.0;
-    let d_mu_1_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy + inertias.composite_base_zz) * 0.5;
+    let d_mu_1_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
+        + inertias.composite_base_zz) * 0.5;
     let d_mu_1_0 = mu[2] * d_mu_1_0_1 - inertias.composite_base_zz * mu[2];
     d_mu[0][1] = 0.0 - d_mu_1_0;
     let d_mu_2_0_1 = poses.com_x + 0.25;
-    let d_mu_2_0_0_2 = inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1];
+    let d_mu_2_0_0_2 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1];
     let d_mu_2_0_0 = mu[1] * d_mu_1_0_1 - d_mu_2_0_0_2;
     let d_mu_2_0_4_0 = mu[1] * 3.75;
     let d_mu_2_0_2_0 = mu[0] * 3.75;
@@ -584,49 +674,52 @@ fn d_mu_itself(
     let d_mu_6_0_3 = d_mu_6_0_3_1 + d_mu_6_0_3_1;
     let d_mu_6_0_0 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0);
-    let d_mu_6_0_11 = d_mu_6_0_11_0 * screws.inside_joint_1_fy + d_mu_6_0_11_2 * screws.minus_inside_joint_1_fx;
+    let d_mu_6_0_11 = d_mu_6_0_11_0 * screws.inside_joint_1_fy
+        + d_mu_6_0_11_2 * screws.minus_inside_joint_1_fx;
     let d_mu_6_0 = d_mu_6_0_0 * d_mu_6_0_11_2 - (d_mu_6_0_2 + d_mu_6_0_3) * d_mu_6_0_11_0
         + screws.inside_joint_1_fy * d_mu_6_0_6
-        + (d_mu_2_0_0_2 * screws.connection_joint_1_wz - d_mu_6_0_9 * screws.connection_joint_1_vy)
-        + d_mu_6_0_11 * poses.com_y;
+        + (d_mu_2_0_0_2 * screws.connection_joint_1_wz
+            - d_mu_6_0_9 * screws.connection_joint_1_vy) + d_mu_6_0_11 * poses.com_y;
     d_mu[0][6] = d_mu_6_0 + 0.0;
     let d_mu_7_0_2 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let d_mu_7_0_3_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_mu_7_0_3 = d_mu_7_0_3_1 + d_mu_7_0_3_1;
-    let d_mu_7_0_0 = inertias.inertia_link_2_xx
-        - inertias.inertia_link_2_yy
+    let d_mu_7_0_0 = inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
         - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0);
-    let d_mu_7_0_11 = d_mu_6_0_11_0 * screws.inside_joint_2_fy - d_mu_6_0_11_2 * screws.inside_joint_2_fx;
+    let d_mu_7_0_11 = d_mu_6_0_11_0 * screws.inside_joint_2_fy
+        - d_mu_6_0_11_2 * screws.inside_joint_2_fx;
     let d_mu_7_0 = d_mu_7_0_0 * d_mu_6_0_11_2 - (d_mu_7_0_2 + d_mu_7_0_3) * d_mu_6_0_11_0
         + screws.inside_joint_2_fy * d_mu_6_0_6
-        + (d_mu_2_0_0_2 * screws.connection_joint_2_wz - d_mu_6_0_9 * screws.connection_joint_2_vy)
-        + d_mu_7_0_11 * poses.com_y;
+        + (d_mu_2_0_0_2 * screws.connection_joint_2_wz
+            - d_mu_6_0_9 * screws.connection_joint_2_vy) + d_mu_7_0_11 * poses.com_y;
     d_mu[0][7] = d_mu_7_0 + 0.0;
     // D_μ column 1
     d_mu[1][0] = d_mu_1_0 + 0.0;
     d_mu[1][1] = 0.0;
-    let d_mu_2_1_0_2 = inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1];
+    let d_mu_2_1_0_2 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1];
     let d_mu_2_1_0 = mu[0] * d_mu_1_0_1 - d_mu_2_1_0_2;
     let d_mu_2_1_4 = d_mu_2_0_4_0 * d_mu_2_0_1;
     let d_mu_2_1_2 = d_mu_2_0_2_0 * d_mu_2_0_1;
-    d_mu[1][2] = 0.0 - (d_mu_2_1_0 + (d_mu_2_0_1 * d_mu_2_1_2 + poses.com_y * d_mu_2_1_4));
+    d_mu[1][2] = 0.0
+        - (d_mu_2_1_0 + (d_mu_2_0_1 * d_mu_2_1_2 + poses.com_y * d_mu_2_1_4));
     d_mu[1][3] = d_mu_2_1_4 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_2_1_2;
     d_mu[1][5] = 0.0;
     let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.com_y;
     let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
-    let d_mu_6_1 = d_mu_6_0_0 * d_mu_6_0_11_0
-        + (d_mu_6_0_2 - d_mu_6_1_3) * d_mu_6_0_11_2
+    let d_mu_6_1 = d_mu_6_0_0 * d_mu_6_0_11_0 + (d_mu_6_0_2 - d_mu_6_1_3) * d_mu_6_0_11_2
         + screws.minus_inside_joint_1_fx * d_mu_6_0_6
-        - (d_mu_2_1_0_2 * screws.connection_joint_1_wz + d_mu_6_0_9 * screws.minus_connection_joint_1_vx)
+        - (d_mu_2_1_0_2 * screws.connection_joint_1_wz
+            + d_mu_6_0_9 * screws.minus_connection_joint_1_vx)
         - d_mu_6_0_11 * d_mu_2_0_1;
     d_mu[1][6] = d_mu_6_1 + 0.0;
     let d_mu_7_1_3_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let d_mu_7_1_3 = d_mu_7_1_3_1 + d_mu_7_1_3_1;
     let d_mu_7_1 = d_mu_7_0_0 * d_mu_6_0_11_0 + (d_mu_7_0_2 + d_mu_7_1_3) * d_mu_6_0_11_2
         - screws.inside_joint_2_fx * d_mu_6_0_6
-        + (d_mu_6_0_9 * screws.connection_joint_2_vx - d_mu_2_1_0_2 * screws.connection_joint_2_wz)
-        - d_mu_7_0_11 * d_mu_2_0_1;
+        + (d_mu_6_0_9 * screws.connection_joint_2_vx
+            - d_mu_2_1_0_2 * screws.connection_joint_2_wz) - d_mu_7_0_11 * d_mu_2_0_1;
     d_mu[1][7] = d_mu_7_1 + 0.0;
     let d_mu_0_2_2 = d_mu_2_1_2 + d_mu_2_0_4;
     // D_μ column 2
@@ -646,18 +739,26 @@ fn d_mu_itself(
     let d_mu_6_2_11_2 = mu[2] * 0.5;
     let d_mu_6_2_10 = d_mu_6_2_13_2_0 * 0.5;
     let d_mu_6_2_8 = d_mu_6_2_11_0_0 * 0.5;
-    let d_mu_6_2_11 = d_mu_6_2_11_0 * screws.connection_joint_1_wz - d_mu_6_2_11_2 * screws.inside_joint_1_fy;
-    let d_mu_6_2_13 = d_mu_6_2_11_2 * screws.minus_inside_joint_1_fx + d_mu_6_2_13_2 * screws.connection_joint_1_wz;
-    let d_mu_6_2 = d_mu_6_2_13_2 * screws.connection_joint_1_vy + d_mu_6_2_11_0 * screws.minus_connection_joint_1_vx
+    let d_mu_6_2_11 = d_mu_6_2_11_0 * screws.connection_joint_1_wz
+        - d_mu_6_2_11_2 * screws.inside_joint_1_fy;
+    let d_mu_6_2_13 = d_mu_6_2_11_2 * screws.minus_inside_joint_1_fx
+        + d_mu_6_2_13_2 * screws.connection_joint_1_wz;
+    let d_mu_6_2 = d_mu_6_2_13_2 * screws.connection_joint_1_vy
+        + d_mu_6_2_11_0 * screws.minus_connection_joint_1_vx
         - ((d_mu_6_1_3 + d_mu_6_0_3) * d_mu_6_2_11_2
-            + (screws.minus_inside_joint_1_fx * d_mu_6_2_8 + screws.inside_joint_1_fy * d_mu_6_2_10))
+            + (screws.minus_inside_joint_1_fx * d_mu_6_2_8
+                + screws.inside_joint_1_fy * d_mu_6_2_10))
         - (d_mu_6_2_11 * poses.com_y + d_mu_6_2_13 * d_mu_2_0_1);
     d_mu[2][6] = d_mu_6_2 + 0.0;
-    let d_mu_7_2_13 = d_mu_6_2_11_0 * screws.connection_joint_2_wz - d_mu_6_2_11_2 * screws.inside_joint_2_fy;
-    let d_mu_7_2_11 = d_mu_6_2_11_2 * screws.inside_joint_2_fx - d_mu_6_2_13_2 * screws.connection_joint_2_wz;
+    let d_mu_7_2_13 = d_mu_6_2_11_0 * screws.connection_joint_2_wz
+        - d_mu_6_2_11_2 * screws.inside_joint_2_fy;
+    let d_mu_7_2_11 = d_mu_6_2_11_2 * screws.inside_joint_2_fx
+        - d_mu_6_2_13_2 * screws.connection_joint_2_wz;
     let d_mu_7_2 = (d_mu_7_1_3 - d_mu_7_0_3) * d_mu_6_2_11_2
-        + (screws.inside_joint_2_fx * d_mu_6_2_8 - screws.inside_joint_2_fy * d_mu_6_2_10)
-        + (d_mu_6_2_13_2 * screws.connection_joint_2_vy - d_mu_6_2_11_0 * screws.connection_joint_2_vx)
+        + (screws.inside_joint_2_fx * d_mu_6_2_8
+            - screws.inside_joint_2_fy * d_mu_6_2_10)
+        + (d_mu_6_2_13_2 * screws.connection_joint_2_vy
+            - d_mu_6_2_11_0 * screws.connection_joint_2_vx)
         + (d_mu_7_2_11 * d_mu_2_0_1 - d_mu_7_2_13 * poses.com_y);
     d_mu[2][7] = d_mu_7_2 + 0.0;
     // D_μ column 3
@@ -703,19 +804,23 @@ fn d_mu_itself(
             - inertias.minus_inertia_base_hy * minus_wrench_base_mz_5);
     let wrench_base_fx = minus_wrench_base_mz_1 * 1.75
         - mu[2] * (inertias.composite_link_1_hx * reactions.reaction_joint_1_wz)
-        - (mu[2] * (inertias.minus_inertia_base_hx * screws.connection_joint_1_wz) - minus_wrench_base_mz_5 * 2.0);
-    let minus_wrench_base_fy = mu[2] * (inertias.composite_link_1_hy * reactions.reaction_joint_1_wz)
-        + (mu[2] * (inertias.minus_inertia_base_hy * screws.connection_joint_1_wz) - minus_wrench_base_mz_3 * 2.0);
+        - (mu[2] * (inertias.minus_inertia_base_hx * screws.connection_joint_1_wz)
+            - minus_wrench_base_mz_5 * 2.0);
+    let minus_wrench_base_fy = mu[2]
+        * (inertias.composite_link_1_hy * reactions.reaction_joint_1_wz)
+        + (mu[2] * (inertias.minus_inertia_base_hy * screws.connection_joint_1_wz)
+            - minus_wrench_base_mz_3 * 2.0);
     let wrench_outside_link_1_mz_1 = mu[2] * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz = inertias.inertia_link_2_hx * wrench_outside_link_1_mz_1
+    let wrench_outside_link_1_mz = inertias.inertia_link_2_hx
+        * wrench_outside_link_1_mz_1
         - inertias.inertia_link_2_hy * (mu[2] * poses.origin_link_2_x);
-    let six_joint_2_fy = wrench_outside_link_1_mz_1 * 0.75 - mu[2] * inertias.inertia_link_2_hy;
+    let six_joint_2_fy = wrench_outside_link_1_mz_1 * 0.75
+        - mu[2] * inertias.inertia_link_2_hy;
     let d_mu_7_6 = (reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
         - reactions.minus_reaction_joint_1_vy * six_joint_2_fy
         - minus_wrench_base_mz * screws.connection_joint_2_wz
         + wrench_base_fx * screws.connection_joint_2_vx
-        - minus_wrench_base_fy * screws.connection_joint_2_vy)
-        * 2.0;
+        - minus_wrench_base_fy * screws.connection_joint_2_vy) * 2.0;
     d_mu[6][7] = d_mu_7_6 + 0.0;
     // D_μ column joint_2
     d_mu[7][0] = 0.0 - d_mu_7_0;
@@ -746,13 +851,18 @@ fn b2_itself(
             - inertias.minus_inertia_base_hy * minus_wrench_base_mz_5);
     let wrench_base_fx = minus_wrench_base_mz_1 * 1.75
         - mu[2] * (inertias.composite_link_1_hx * reactions.reaction_joint_1_wz)
-        - (mu[2] * (inertias.minus_inertia_base_hx * screws.connection_joint_1_wz) - minus_wrench_base_mz_5 * 2.0);
-    let minus_wrench_base_fy = mu[2] * (inertias.composite_link_1_hy * reactions.reaction_joint_1_wz)
-        + (mu[2] * (inertias.minus_inertia_base_hy * screws.connection_joint_1_wz) - minus_wrench_base_mz_3 * 2.0);
+        - (mu[2] * (inertias.minus_inertia_base_hx * screws.connection_joint_1_wz)
+            - minus_wrench_base_mz_5 * 2.0);
+    let minus_wrench_base_fy = mu[2]
+        * (inertias.composite_link_1_hy * reactions.reaction_joint_1_wz)
+        + (mu[2] * (inertias.minus_inertia_base_hy * screws.connection_joint_1_wz)
+            - minus_wrench_base_mz_3 * 2.0);
     let wrench_outside_link_1_mz_1 = mu[2] * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz = inertias.inertia_link_2_hx * wrench_outside_link_1_mz_1
+    let wrench_outside_link_1_mz = inertias.inertia_link_2_hx
+        * wrench_outside_link_1_mz_1
         - inertias.inertia_link_2_hy * (mu[2] * poses.origin_link_2_x);
-    let six_joint_2_fy = wrench_outside_link_1_mz_1 * 0.75 - mu[2] * inertias.inertia_link_2_hy;
+    let six_joint_2_fy = wrench_outside_link_1_mz_1 * 0.75
+        - mu[2] * inertias.inertia_link_2_hy;
     let b2_1_0 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
         - reactions.minus_reaction_joint_1_vy * six_joint_2_fy
         - minus_wrench_base_mz * screws.connection_joint_2_wz
@@ -770,7 +880,7 @@ fn b2_itself(
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×2, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (2×2, by columns; kg·m²)
 ///
-/// 169 operations: 81 + −, 85 ×, 3 ÷; 2 sin cos; about 1.6 KiB of code.
+/// 169 operations: 81 + −, 85 ×, 3 ÷; 2 sin cos; about 2.1 KiB of code.
 pub fn inertia(
     q: &[f64; 2],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -782,7 +892,15 @@ pub fn inertia(
     let complements = complements(&inertias);
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements);
-    inertia_itself(&poses, &inertias, &screws, &outside, locked_inertia, connection, shape_inertia);
+    inertia_itself(
+        &poses,
+        &inertias,
+        &screws,
+        &outside,
+        locked_inertia,
+        connection,
+        shape_inertia,
+    );
 }
 /// D_μ = [[−C_b^μ, −S(μ) − ad~_{Λ_bμ} A_l], [S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}, −2 B_2(μ)]].
 ///
@@ -790,7 +908,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (8×8, by columns; Λ's · 1/s)
 ///
-/// 355 operations: 156 + −, 196 ×, 3 ÷; 2 sin cos; about 3.2 KiB of code.
+/// 355 operations: 156 + −, 196 ×, 3 ÷; 2 sin cos; about 4.2 KiB of code.
 pub fn d_mu(q: &[f64; 2], mu: &[f64; 6], d_mu: &mut [[f64; 8]; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -806,7 +924,7 @@ pub fn d_mu(q: &[f64; 2], mu: &[f64; 6], d_mu: &mut [[f64; 8]; 8]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (2×2, by columns; kg·m²/s)
 ///
-/// 185 operations: 80 + −, 102 ×, 3 ÷; 2 sin cos; about 1.7 KiB of code.
+/// 185 operations: 80 + −, 102 ×, 3 ÷; 2 sin cos; about 2.2 KiB of code.
 pub fn b2(q: &[f64; 2], mu: &[f64; 6], b2: &mut [[f64; 2]; 2]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -826,7 +944,7 @@ pub fn b2(q: &[f64; 2], mu: &[f64; 6], b2: &mut [[f64; 2]; 2]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (8×8, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (2×2, by columns; kg·m²/s)
 ///
-/// 426 operations: 183 + −, 240 ×, 3 ÷; 2 sin cos; about 3.8 KiB of code.
+/// 426 operations: 183 + −, 240 ×, 3 ÷; 2 sin cos; about 5.1 KiB of code.
 pub fn matrices(
     q: &[f64; 2],
     mu: &[f64; 6],
@@ -842,7 +960,15 @@ pub fn matrices(
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements);
     let reactions = reactions(&inertias, &outside);
-    inertia_itself(&poses, &inertias, &screws, &outside, locked_inertia, connection, shape_inertia);
+    inertia_itself(
+        &poses,
+        &inertias,
+        &screws,
+        &outside,
+        locked_inertia,
+        connection,
+        shape_inertia,
+    );
     d_mu_itself(mu, &poses, &inertias, &screws, &reactions, d_mu);
     b2_itself(mu, &poses, &inertias, &screws, &reactions, b2);
 }
@@ -852,7 +978,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (2; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (8×8, by columns; Λ's · 1/s)
 ///
-/// 333 operations: 163 + −, 167 ×, 3 ÷; 2 sin cos; about 3.0 KiB of code.
+/// 333 operations: 163 + −, 167 ×, 3 ÷; 2 sin cos; about 4.0 KiB of code.
 pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -867,22 +993,21 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let d_qdot_0_0_4 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let d_qdot_0_0_5_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_qdot_0_0_5 = d_qdot_0_0_5_1 + d_qdot_0_0_5_1;
-    let d_qdot_0_0_8_0 = (screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1]) * 0.5;
+    let d_qdot_0_0_8_0 = (screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1]) * 0.5;
     let d_qdot_0_0_8 = d_qdot_0_0_8_0 * poses.com_y;
     // D_q\u{307} column 0
-    d_qdot[0][0] = d_qdot_0_0_8 - ((d_qdot_0_0_1 + d_qdot_0_0_2) * qd[0] + (d_qdot_0_0_4 + d_qdot_0_0_5) * qd[1]) * 0.5
-        + d_qdot_0_0_8
-        + 0.0;
+    d_qdot[0][0] = d_qdot_0_0_8
+        - ((d_qdot_0_0_1 + d_qdot_0_0_2) * qd[0] + (d_qdot_0_0_4 + d_qdot_0_0_5) * qd[1])
+            * 0.5 + d_qdot_0_0_8 + 0.0;
     let d_qdot_1_0_2_1 = poses.com_x + 0.25;
     let d_qdot_1_0_0 = ((inertias.composite_link_1_xx - inertias.composite_link_1_yy
-        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0))
-        * qd[0]
-        + (inertias.inertia_link_2_xx
-            - inertias.inertia_link_2_yy
-            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0))
-            * qd[1])
+        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
+        + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
+            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1])
         * 0.5;
-    let d_qdot_1_0_1_0 = (screws.inside_joint_2_fx * qd[1] - screws.minus_inside_joint_1_fx * qd[0]) * 0.5;
+    let d_qdot_1_0_1_0 = (screws.inside_joint_2_fx * qd[1]
+        - screws.minus_inside_joint_1_fx * qd[0]) * 0.5;
     let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.com_y;
     let d_qdot_1_0_2 = d_qdot_0_0_8_0 * d_qdot_1_0_2_1;
     d_qdot[0][1] = d_qdot_1_0_0 - d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
@@ -899,9 +1024,8 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let d_qdot_1_1_4_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let d_qdot_1_1_4 = d_qdot_1_1_4_1 + d_qdot_1_1_4_1;
     let d_qdot_1_1_8 = d_qdot_1_0_1_0 * d_qdot_1_0_2_1;
-    d_qdot[1][1] = ((d_qdot_0_0_1 - d_qdot_1_1_1) * qd[0] + (d_qdot_0_0_4 + d_qdot_1_1_4) * qd[1]) * 0.5
-        + d_qdot_1_1_8
-        + d_qdot_1_1_8
+    d_qdot[1][1] = ((d_qdot_0_0_1 - d_qdot_1_1_1) * qd[0]
+        + (d_qdot_0_0_4 + d_qdot_1_1_4) * qd[1]) * 0.5 + d_qdot_1_1_8 + d_qdot_1_1_8
         + 0.0;
     d_qdot[1][2] = 0.0;
     d_qdot[1][3] = 0.0;
@@ -913,9 +1037,8 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[2][0] = 0.0;
     d_qdot[2][1] = 0.0;
     let d_qdot_2_2_8 = d_qdot_1_1_8 + d_qdot_0_0_8;
-    d_qdot[2][2] = ((d_qdot_1_1_4 - d_qdot_0_0_5) * qd[1] - (d_qdot_1_1_1 + d_qdot_0_0_2) * qd[0]) * 0.5
-        + d_qdot_2_2_8
-        + d_qdot_2_2_8
+    d_qdot[2][2] = ((d_qdot_1_1_4 - d_qdot_0_0_5) * qd[1]
+        - (d_qdot_1_1_1 + d_qdot_0_0_2) * qd[0]) * 0.5 + d_qdot_2_2_8 + d_qdot_2_2_8
         + 0.0;
     d_qdot[2][3] = 0.0 - d_qdot_0_0_8_0;
     d_qdot[2][4] = d_qdot_1_0_1_0 + 0.0;
@@ -956,38 +1079,43 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[6][3] = 0.0;
     d_qdot[6][4] = 0.0;
     d_qdot[6][5] = 0.0;
-    let factor_outside_link_1_zz = inertias.minus_inertia_base_hy * velocities.minus_velocity_base_vy
+    let factor_outside_link_1_zz = inertias.minus_inertia_base_hy
+        * velocities.minus_velocity_base_vy
         - inertias.minus_inertia_base_hx * velocities.velocity_base_vx;
-    let factor_outside_link_1_px =
-        velocities.velocity_base_vx * 2.0 - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy;
-    let factor_outside_link_1_py =
-        velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx - velocities.minus_velocity_base_vy * 2.0;
+    let factor_outside_link_1_px = velocities.velocity_base_vx * 2.0
+        - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy;
+    let factor_outside_link_1_py = velocities.minus_velocity_base_wz
+        * inertias.minus_inertia_base_hx - velocities.minus_velocity_base_vy * 2.0;
     let factor_link_1_zz_0 = inertias.inertia_link_1_hx * velocities.velocity_link_1_vx
         - inertias.inertia_link_1_hy * velocities.minus_velocity_link_1_vy;
-    let factor_link_1_px_0 = velocities.velocity_link_1_vx - velocities.velocity_link_1_wz * inertias.inertia_link_1_hy;
+    let factor_link_1_px_0 = velocities.velocity_link_1_vx
+        - velocities.velocity_link_1_wz * inertias.inertia_link_1_hy;
     let factor_link_2_zz = inertias.inertia_link_2_hx * velocities.velocity_link_2_vx
         - inertias.inertia_link_2_hy * velocities.minus_velocity_link_2_vy;
-    let factor_link_2_px =
-        velocities.velocity_link_2_vx * 0.75 - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
+    let factor_link_2_px = velocities.velocity_link_2_vx * 0.75
+        - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
     let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
-    let twist_base_vx = velocities.velocity_link_1_wz * poses.origin_link_1_x - velocities.minus_velocity_link_1_vy;
-    let minus_twist_base_vy = velocities.velocity_link_1_wz * poses.com_y + velocities.velocity_link_1_vx;
+    let twist_base_vx = velocities.velocity_link_1_wz * poses.origin_link_1_x
+        - velocities.minus_velocity_link_1_vy;
+    let minus_twist_base_vy = velocities.velocity_link_1_wz * poses.com_y
+        + velocities.velocity_link_1_vx;
     let wrench_base_mz = factor_link_1_zz
-        - (inertias.composite_link_1_hx * minus_twist_base_vy + inertias.composite_link_1_hy * twist_base_vx);
+        - (inertias.composite_link_1_hx * minus_twist_base_vy
+            + inertias.composite_link_1_hy * twist_base_vx);
     let wrench_base_fy = factor_link_1_px - minus_twist_base_vy * 1.75;
     let turn_joint_1_z = factor_outside_link_1_zz * screws.connection_joint_1_wz
         + (factor_outside_link_1_px * screws.connection_joint_1_vy
             + factor_outside_link_1_py * screws.minus_connection_joint_1_vx)
-        - (factor_link_1_zz * reactions.reaction_joint_1_wz - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
+        - (factor_link_1_zz * reactions.reaction_joint_1_wz
+            - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
     d_qdot[6][6] = reactions.reaction_joint_1_wz * wrench_base_mz
         - reactions.minus_reaction_joint_1_vy * wrench_base_fy
-        + turn_joint_1_z * screws.connection_joint_1_wz
-        + 0.0;
-    let factor_link_1_py_0 =
-        velocities.velocity_link_1_wz * inertias.inertia_link_1_hx - velocities.minus_velocity_link_1_vy;
-    let factor_link_2_py =
-        velocities.velocity_link_2_wz * inertias.inertia_link_2_hx - velocities.minus_velocity_link_2_vy * 0.75;
+        + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
+    let factor_link_1_py_0 = velocities.velocity_link_1_wz * inertias.inertia_link_1_hx
+        - velocities.minus_velocity_link_1_vy;
+    let factor_link_2_py = velocities.velocity_link_2_wz * inertias.inertia_link_2_hx
+        - velocities.minus_velocity_link_2_vy * 0.75;
     let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
     let factor_outside_link_2_zz = factor_link_1_zz_0 + factor_outside_link_1_zz;
     let factor_outside_link_2_px = factor_link_1_px_0 + factor_outside_link_1_px;
@@ -997,17 +1125,17 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
         + (factor_outside_link_2_px * screws.connection_joint_2_vy
             - factor_outside_link_2_py * screws.connection_joint_2_vx)
         - (factor_link_2_zz * reactions.reaction_joint_2_wz
-            + (factor_link_2_px * reactions.reaction_joint_2_vy - factor_link_2_py * reactions.reaction_joint_2_vx));
-    let three_joint_2_z =
-        factor_link_2_zz - (factor_link_2_px * poses.origin_link_2_x + factor_link_2_py * poses.origin_link_2_y);
+            + (factor_link_2_px * reactions.reaction_joint_2_vy
+                - factor_link_2_py * reactions.reaction_joint_2_vx));
+    let three_joint_2_z = factor_link_2_zz
+        - (factor_link_2_px * poses.origin_link_2_x
+            + factor_link_2_py * poses.origin_link_2_y);
     d_qdot[6][7] = screws.connection_joint_1_wz * turn_joint_2_z
         - (wrench_base_mz * screws.connection_joint_2_wz
             + wrench_base_fx * screws.connection_joint_2_vx
-            + wrench_base_fy * screws.connection_joint_2_vy)
-        + three_joint_2_z
+            + wrench_base_fy * screws.connection_joint_2_vy) + three_joint_2_z
         + twist_base_vx * screws.inside_joint_2_fx
-        - minus_twist_base_vy * screws.inside_joint_2_fy
-        + 0.0;
+        - minus_twist_base_vy * screws.inside_joint_2_fy + 0.0;
     // D_q\u{307} column joint_2
     d_qdot[7][0] = 0.0;
     d_qdot[7][1] = 0.0;
@@ -1015,21 +1143,22 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[7][3] = 0.0;
     d_qdot[7][4] = 0.0;
     d_qdot[7][5] = 0.0;
-    let twist_link_1_vx = velocities.velocity_link_2_wz * poses.origin_link_2_x - velocities.minus_velocity_link_2_vy;
-    let twist_link_1_vy = velocities.velocity_link_2_wz * poses.origin_link_2_y - velocities.velocity_link_2_vx;
+    let twist_link_1_vx = velocities.velocity_link_2_wz * poses.origin_link_2_x
+        - velocities.minus_velocity_link_2_vy;
+    let twist_link_1_vy = velocities.velocity_link_2_wz * poses.origin_link_2_y
+        - velocities.velocity_link_2_vx;
     let wrench_link_1_mz = factor_link_2_zz
-        + (inertias.inertia_link_2_hx * twist_link_1_vy - inertias.inertia_link_2_hy * twist_link_1_vx);
+        + (inertias.inertia_link_2_hx * twist_link_1_vy
+            - inertias.inertia_link_2_hy * twist_link_1_vx);
     let wrench_link_1_fy = factor_link_2_px + twist_link_1_vy * 0.75;
     d_qdot[7][6] = reactions.reaction_joint_1_wz * wrench_link_1_mz
         - reactions.minus_reaction_joint_1_vy * wrench_link_1_fy
-        + turn_joint_1_z * screws.connection_joint_2_wz
-        + 0.0;
+        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
     let wrench_link_1_fx = twist_link_1_vx * 0.75 - factor_link_2_py;
     d_qdot[7][7] = reactions.reaction_joint_2_wz * wrench_link_1_mz
         + reactions.reaction_joint_2_vx * wrench_link_1_fx
         + reactions.reaction_joint_2_vy * wrench_link_1_fy
-        + turn_joint_2_z * screws.connection_joint_2_wz
-        + 0.0;
+        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
 }
 /// The (μ, μ) term of the shape equation.
 ///
@@ -1037,7 +1166,7 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (2; N·m, N)
 ///
-/// 306 operations: 132 + −, 171 ×, 3 ÷; 2 sin cos; about 2.8 KiB of code.
+/// 306 operations: 132 + −, 171 ×, 3 ÷; 2 sin cos; about 3.7 KiB of code.
 pub fn coupling_torque(q: &[f64; 2], mu: &[f64; 6], coupling_torque: &mut [f64; 2]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1048,71 +1177,81 @@ pub fn coupling_torque(q: &[f64; 2], mu: &[f64; 6], coupling_torque: &mut [f64; 
     let coupling_torque_0_52_0_2 = poses.com_x + 0.25;
     let coupling_torque_0_30_0 = mu[3] - mu[2] * poses.com_y;
     let coupling_torque_0_52_0 = mu[4] + mu[2] * coupling_torque_0_52_0_2;
-    let coupling_torque_0_57_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * coupling_torque_0_52_0_2);
-    let coupling_torque_0_30 = coupling_torque_0_30_0 * 1.75 - mu[2] * inertias.composite_link_1_hy;
-    let coupling_torque_0_59 = coupling_torque_0_30_0 * 2.0 + mu[2] * inertias.minus_inertia_base_hy;
-    let coupling_torque_0_52 = coupling_torque_0_52_0 * 2.0 - mu[2] * inertias.minus_inertia_base_hx;
+    let coupling_torque_0_57_0 = mu[5]
+        + (mu[0] * poses.com_y - mu[1] * coupling_torque_0_52_0_2);
+    let coupling_torque_0_30 = coupling_torque_0_30_0 * 1.75
+        - mu[2] * inertias.composite_link_1_hy;
+    let coupling_torque_0_59 = coupling_torque_0_30_0 * 2.0
+        + mu[2] * inertias.minus_inertia_base_hy;
+    let coupling_torque_0_52 = coupling_torque_0_52_0 * 2.0
+        - mu[2] * inertias.minus_inertia_base_hx;
     let coupling_torque_0_57 = coupling_torque_0_57_0 * 2.0
-        + (mu[1] * inertias.minus_inertia_base_hx - mu[0] * inertias.minus_inertia_base_hy);
+        + (mu[1] * inertias.minus_inertia_base_hx
+            - mu[0] * inertias.minus_inertia_base_hy);
     // (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ
     coupling_torque[0] = reactions.reaction_joint_1_wz
-        * ((inertias.composite_link_1_xx * mu[0]
-            + inertias.composite_link_1_xy * mu[1]
-            + inertias.composite_link_1_hy * coupling_torque_0_57_0)
-            * mu[1]
-            - (inertias.composite_link_1_xy * mu[0] + inertias.composite_link_1_yy * mu[1]
-                - inertias.composite_link_1_hx * coupling_torque_0_57_0)
-                * mu[0]
+        * ((inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1]
+            + inertias.composite_link_1_hy * coupling_torque_0_57_0) * mu[1]
+            - (inertias.composite_link_1_xy * mu[0]
+                + inertias.composite_link_1_yy * mu[1]
+                - inertias.composite_link_1_hx * coupling_torque_0_57_0) * mu[0]
             + (coupling_torque_0_30 * coupling_torque_0_52_0
-                - (coupling_torque_0_52_0 * 1.75 + mu[2] * inertias.composite_link_1_hx) * coupling_torque_0_30_0))
+                - (coupling_torque_0_52_0 * 1.75 + mu[2] * inertias.composite_link_1_hx)
+                    * coupling_torque_0_30_0))
         - reactions.minus_reaction_joint_1_vy
             * ((coupling_torque_0_57_0 * 1.75
-                + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx))
-                * mu[0]
+                + (mu[0] * inertias.composite_link_1_hy
+                    - mu[1] * inertias.composite_link_1_hx)) * mu[0]
                 - coupling_torque_0_30 * mu[2])
         - (screws.connection_joint_1_wz
-            * ((inertias.inertia_base_xx * mu[0]
-                - inertias.minus_inertia_base_xy * mu[1]
-                - inertias.minus_inertia_base_hy * coupling_torque_0_57_0)
-                * mu[1]
-                - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-                    + inertias.minus_inertia_base_hx * coupling_torque_0_57_0)
-                    * mu[0]
-                + (coupling_torque_0_59 * coupling_torque_0_52_0 - coupling_torque_0_52 * coupling_torque_0_30_0))
-            - screws.minus_connection_joint_1_vx * (coupling_torque_0_52 * mu[2] - coupling_torque_0_57 * mu[1])
-            + screws.connection_joint_1_vy * (coupling_torque_0_57 * mu[0] - coupling_torque_0_59 * mu[2]))
-        + 0.0;
-    let coupling_torque_1_27 = coupling_torque_0_30_0 * 0.75 - mu[2] * inertias.inertia_link_2_hy;
-    let coupling_torque_1_20 = coupling_torque_0_52_0 * 0.75 + mu[2] * inertias.inertia_link_2_hx;
-    let coupling_torque_1_25 =
-        coupling_torque_0_57_0 * 0.75 + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
-    let coupling_torque_1_56 = coupling_torque_0_30_0 * 3.0 - mu[2] * complements.complement_link_2_hy;
-    let coupling_torque_1_49 = coupling_torque_0_52_0 * 3.0 + mu[2] * complements.complement_link_2_hx;
+            * ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
+                - inertias.minus_inertia_base_hy * coupling_torque_0_57_0) * mu[1]
+                - (inertias.inertia_base_yy * mu[1]
+                    - inertias.minus_inertia_base_xy * mu[0]
+                    + inertias.minus_inertia_base_hx * coupling_torque_0_57_0) * mu[0]
+                + (coupling_torque_0_59 * coupling_torque_0_52_0
+                    - coupling_torque_0_52 * coupling_torque_0_30_0))
+            - screws.minus_connection_joint_1_vx
+                * (coupling_torque_0_52 * mu[2] - coupling_torque_0_57 * mu[1])
+            + screws.connection_joint_1_vy
+                * (coupling_torque_0_57 * mu[0] - coupling_torque_0_59 * mu[2])) + 0.0;
+    let coupling_torque_1_27 = coupling_torque_0_30_0 * 0.75
+        - mu[2] * inertias.inertia_link_2_hy;
+    let coupling_torque_1_20 = coupling_torque_0_52_0 * 0.75
+        + mu[2] * inertias.inertia_link_2_hx;
+    let coupling_torque_1_25 = coupling_torque_0_57_0 * 0.75
+        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
+    let coupling_torque_1_56 = coupling_torque_0_30_0 * 3.0
+        - mu[2] * complements.complement_link_2_hy;
+    let coupling_torque_1_49 = coupling_torque_0_52_0 * 3.0
+        + mu[2] * complements.complement_link_2_hx;
     let coupling_torque_1_54 = coupling_torque_0_57_0 * 3.0
-        + (mu[0] * complements.complement_link_2_hy - mu[1] * complements.complement_link_2_hx);
+        + (mu[0] * complements.complement_link_2_hy
+            - mu[1] * complements.complement_link_2_hx);
     coupling_torque[1] = reactions.reaction_joint_2_wz
-        * ((inertias.inertia_link_2_xx * mu[0]
-            + inertias.inertia_link_2_xy * mu[1]
-            + inertias.inertia_link_2_hy * coupling_torque_0_57_0)
-            * mu[1]
+        * ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1]
+            + inertias.inertia_link_2_hy * coupling_torque_0_57_0) * mu[1]
             - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-                - inertias.inertia_link_2_hx * coupling_torque_0_57_0)
-                * mu[0]
-            + (coupling_torque_1_27 * coupling_torque_0_52_0 - coupling_torque_1_20 * coupling_torque_0_30_0))
-        + reactions.reaction_joint_2_vx * (coupling_torque_1_20 * mu[2] - coupling_torque_1_25 * mu[1])
-        + reactions.reaction_joint_2_vy * (coupling_torque_1_25 * mu[0] - coupling_torque_1_27 * mu[2])
+                - inertias.inertia_link_2_hx * coupling_torque_0_57_0) * mu[0]
+            + (coupling_torque_1_27 * coupling_torque_0_52_0
+                - coupling_torque_1_20 * coupling_torque_0_30_0))
+        + reactions.reaction_joint_2_vx
+            * (coupling_torque_1_20 * mu[2] - coupling_torque_1_25 * mu[1])
+        + reactions.reaction_joint_2_vy
+            * (coupling_torque_1_25 * mu[0] - coupling_torque_1_27 * mu[2])
         - (screws.connection_joint_2_wz
             * ((complements.complement_link_2_xx * mu[0]
                 + complements.complement_link_2_xy * mu[1]
-                + complements.complement_link_2_hy * coupling_torque_0_57_0)
-                * mu[1]
-                - (complements.complement_link_2_xy * mu[0] + complements.complement_link_2_yy * mu[1]
-                    - complements.complement_link_2_hx * coupling_torque_0_57_0)
-                    * mu[0]
-                + (coupling_torque_1_56 * coupling_torque_0_52_0 - coupling_torque_1_49 * coupling_torque_0_30_0))
-            + screws.connection_joint_2_vx * (coupling_torque_1_49 * mu[2] - coupling_torque_1_54 * mu[1])
-            + screws.connection_joint_2_vy * (coupling_torque_1_54 * mu[0] - coupling_torque_1_56 * mu[2]))
-        + 0.0;
+                + complements.complement_link_2_hy * coupling_torque_0_57_0) * mu[1]
+                - (complements.complement_link_2_xy * mu[0]
+                    + complements.complement_link_2_yy * mu[1]
+                    - complements.complement_link_2_hx * coupling_torque_0_57_0) * mu[0]
+                + (coupling_torque_1_56 * coupling_torque_0_52_0
+                    - coupling_torque_1_49 * coupling_torque_0_30_0))
+            + screws.connection_joint_2_vx
+                * (coupling_torque_1_49 * mu[2] - coupling_torque_1_54 * mu[1])
+            + screws.connection_joint_2_vy
+                * (coupling_torque_1_54 * mu[0] - coupling_torque_1_56 * mu[2])) + 0.0;
 }
 /// D_μ ξ, without forming D_μ.
 ///
@@ -1121,7 +1260,7 @@ pub fn coupling_torque(q: &[f64; 2], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (8; N·m, N)
 ///
-/// 514 operations: 226 + −, 285 ×, 3 ÷; 2 sin cos; about 4.6 KiB of code.
+/// 514 operations: 226 + −, 285 ×, 3 ÷; 2 sin cos; about 6.1 KiB of code.
 pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1131,7 +1270,8 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
     let d_mu_xi_0_20_2_0_2 = poses.com_x + 0.25;
-    let d_mu_xi_0_0 = inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1];
+    let d_mu_xi_0_0 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1];
     let d_mu_xi_0_2 = inertias.composite_base_zz * mu[2];
     let d_mu_xi_0_20_0_0 = mu[3] - mu[2] * poses.com_y;
     let d_mu_xi_0_20_2_0 = mu[4] + mu[2] * d_mu_xi_0_20_2_0_2;
@@ -1145,29 +1285,27 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
     let d_mu_xi_0_13 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let d_mu_xi_0_14_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_mu_xi_0_14 = d_mu_xi_0_14_1 + d_mu_xi_0_14_1;
-    let d_mu_xi_0_20_7 = screws.inside_joint_2_fx * qd[1] - screws.minus_inside_joint_1_fx * qd[0];
-    let d_mu_xi_0_20_5 = screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1];
+    let d_mu_xi_0_20_7 = screws.inside_joint_2_fx * qd[1]
+        - screws.minus_inside_joint_1_fx * qd[0];
+    let d_mu_xi_0_20_5 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1];
     let d_mu_xi_0_8 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
-        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0))
-        * qd[0]
-        + (inertias.inertia_link_2_xx
-            - inertias.inertia_link_2_yy
-            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0))
-            * qd[1];
+        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
+        + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
+            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
     let d_mu_xi_0_1 = mu[2] - velocities.minus_velocity_base_wz;
     let d_mu_xi_0_7 = d_mu_xi_0_20_2_0 - velocities.minus_velocity_base_vy;
-    let d_mu_xi_0_20 =
-        d_mu_xi_0_20_0 * mu[1] - d_mu_xi_0_20_2 * mu[0] - (mu[0] * d_mu_xi_0_20_5 - mu[1] * d_mu_xi_0_20_7) * 0.5;
+    let d_mu_xi_0_20 = d_mu_xi_0_20_0 * mu[1] - d_mu_xi_0_20_2 * mu[0]
+        - (mu[0] * d_mu_xi_0_20_5 - mu[1] * d_mu_xi_0_20_7) * 0.5;
     // D_μ ξ
     d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_1 - d_mu_xi_0_2 * mu[1]
         + (d_mu_xi_0_20_2 * d_mu_xi_0_6_0 - d_mu_xi_0_6 * d_mu_xi_0_7)
         - (d_mu_xi_0_8 * mu[1]
-            - ((d_mu_xi_0_10 + d_mu_xi_0_11) * qd[0] + (d_mu_xi_0_13 + d_mu_xi_0_14) * qd[1]) * mu[0]
-            + d_mu_xi_0_20_5 * d_mu_xi_0_6_0)
-            * 0.5
-        + d_mu_xi_0_20 * poses.com_y
-        + 0.0;
-    let d_mu_xi_1_2 = inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1];
+            - ((d_mu_xi_0_10 + d_mu_xi_0_11) * qd[0]
+                + (d_mu_xi_0_13 + d_mu_xi_0_14) * qd[1]) * mu[0]
+            + d_mu_xi_0_20_5 * d_mu_xi_0_6_0) * 0.5 + d_mu_xi_0_20 * poses.com_y + 0.0;
+    let d_mu_xi_1_2 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1];
     let d_mu_xi_1_11_1 = inertias.composite_link_1_hx * poses.com_y;
     let d_mu_xi_1_11 = d_mu_xi_1_11_1 + d_mu_xi_1_11_1;
     let d_mu_xi_1_14_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
@@ -1176,19 +1314,20 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
     d_mu_xi[1] = d_mu_xi_0_2 * mu[0] - d_mu_xi_1_2 * d_mu_xi_0_1
         + (d_mu_xi_0_6 * d_mu_xi_1_5 - d_mu_xi_0_20_0 * d_mu_xi_0_6_0)
         - (d_mu_xi_0_8 * mu[0]
-            + ((d_mu_xi_0_10 - d_mu_xi_1_11) * qd[0] + (d_mu_xi_0_13 + d_mu_xi_1_14) * qd[1]) * mu[1]
-            - d_mu_xi_0_20_7 * d_mu_xi_0_6_0)
-            * 0.5
-        - d_mu_xi_0_20 * d_mu_xi_0_20_2_0_2
+            + ((d_mu_xi_0_10 - d_mu_xi_1_11) * qd[0]
+                + (d_mu_xi_0_13 + d_mu_xi_1_14) * qd[1]) * mu[1]
+            - d_mu_xi_0_20_7 * d_mu_xi_0_6_0) * 0.5 - d_mu_xi_0_20 * d_mu_xi_0_20_2_0_2
         + 0.0;
-    let d_mu_xi_2_22 = d_mu_xi_0_20_2 * d_mu_xi_0_1 - d_mu_xi_0_6 * mu[1] + mu[2] * d_mu_xi_0_20_5 * 0.5;
-    let d_mu_xi_2_20 = d_mu_xi_0_6 * mu[0] - d_mu_xi_0_20_0 * d_mu_xi_0_1 - mu[2] * d_mu_xi_0_20_7 * 0.5;
+    let d_mu_xi_2_22 = d_mu_xi_0_20_2 * d_mu_xi_0_1 - d_mu_xi_0_6 * mu[1]
+        + mu[2] * d_mu_xi_0_20_5 * 0.5;
+    let d_mu_xi_2_20 = d_mu_xi_0_6 * mu[0] - d_mu_xi_0_20_0 * d_mu_xi_0_1
+        - mu[2] * d_mu_xi_0_20_7 * 0.5;
     d_mu_xi[2] = d_mu_xi_1_2 * mu[1] - d_mu_xi_0_0 * mu[0]
         + (d_mu_xi_0_20_0 * d_mu_xi_0_7 - d_mu_xi_0_20_2 * d_mu_xi_1_5)
-        - (((d_mu_xi_1_14 - d_mu_xi_0_14) * qd[1] - (d_mu_xi_1_11 + d_mu_xi_0_11) * qd[0]) * mu[2]
+        - (((d_mu_xi_1_14 - d_mu_xi_0_14) * qd[1]
+            - (d_mu_xi_1_11 + d_mu_xi_0_11) * qd[0]) * mu[2]
             + (d_mu_xi_0_20_7 * d_mu_xi_0_20_2_0 - d_mu_xi_0_20_5 * d_mu_xi_0_20_0_0))
-            * 0.5
-        + (d_mu_xi_2_20 * d_mu_xi_0_20_2_0_2 - d_mu_xi_2_22 * poses.com_y)
+            * 0.5 + (d_mu_xi_2_20 * d_mu_xi_0_20_2_0_2 - d_mu_xi_2_22 * poses.com_y)
         + 0.0;
     d_mu_xi[3] = d_mu_xi_2_22 + 0.0;
     d_mu_xi[4] = d_mu_xi_2_20 + 0.0;
@@ -1196,28 +1335,30 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
     let d_mu_xi_6_30 = d_mu_xi_0_20_0_0 * 1.75 - mu[2] * inertias.composite_link_1_hy;
     let d_mu_xi_6_59 = d_mu_xi_0_20_0_0 * 2.0 + mu[2] * inertias.minus_inertia_base_hy;
     let d_mu_xi_6_52 = d_mu_xi_0_20_2_0 * 2.0 - mu[2] * inertias.minus_inertia_base_hx;
-    let d_mu_xi_6_57 =
-        d_mu_xi_0_6_0 * 2.0 + (mu[1] * inertias.minus_inertia_base_hx - mu[0] * inertias.minus_inertia_base_hy);
+    let d_mu_xi_6_57 = d_mu_xi_0_6_0 * 2.0
+        + (mu[1] * inertias.minus_inertia_base_hx
+            - mu[0] * inertias.minus_inertia_base_hy);
     let wrench_outside_link_1_mz_1 = mu[2] * velocities.minus_velocity_base_vy;
     let wrench_outside_link_1_mz_3 = mu[2] * velocities.velocity_base_vx;
-    let wrench_outside_link_1_mz = inertias.minus_inertia_base_hy * wrench_outside_link_1_mz_1
+    let wrench_outside_link_1_mz = inertias.minus_inertia_base_hy
+        * wrench_outside_link_1_mz_1
         - inertias.minus_inertia_base_hx * wrench_outside_link_1_mz_3;
-    let wrench_outside_link_1_fx =
-        wrench_outside_link_1_mz_1 * 2.0 - mu[2] * (velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx);
-    let wrench_outside_link_1_fy =
-        wrench_outside_link_1_mz_3 * 2.0 - mu[2] * (velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy);
+    let wrench_outside_link_1_fx = wrench_outside_link_1_mz_1 * 2.0
+        - mu[2] * (velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx);
+    let wrench_outside_link_1_fy = wrench_outside_link_1_mz_3 * 2.0
+        - mu[2] * (velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy);
     let wrench_outside_link_2_fx_0 = mu[2] * velocities.minus_velocity_link_1_vy;
     let wrench_link_1_mz_0_1 = mu[2] * velocities.velocity_link_1_vx;
-    let wrench_link_1_mz_0 =
-        inertias.inertia_link_1_hx * wrench_link_1_mz_0_1 - inertias.inertia_link_1_hy * wrench_outside_link_2_fx_0;
-    let wrench_link_1_fy_0 =
-        wrench_link_1_mz_0_1 - mu[2] * (velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
+    let wrench_link_1_mz_0 = inertias.inertia_link_1_hx * wrench_link_1_mz_0_1
+        - inertias.inertia_link_1_hy * wrench_outside_link_2_fx_0;
+    let wrench_link_1_fy_0 = wrench_link_1_mz_0_1
+        - mu[2] * (velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
     let wrench_link_2_mz_3 = mu[2] * velocities.minus_velocity_link_2_vy;
     let wrench_link_2_mz_1 = mu[2] * velocities.velocity_link_2_vx;
-    let wrench_link_2_mz =
-        inertias.inertia_link_2_hx * wrench_link_2_mz_1 - inertias.inertia_link_2_hy * wrench_link_2_mz_3;
-    let wrench_link_2_fy =
-        wrench_link_2_mz_1 * 0.75 - mu[2] * (velocities.velocity_link_2_wz * inertias.inertia_link_2_hy);
+    let wrench_link_2_mz = inertias.inertia_link_2_hx * wrench_link_2_mz_1
+        - inertias.inertia_link_2_hy * wrench_link_2_mz_3;
+    let wrench_link_2_fy = wrench_link_2_mz_1 * 0.75
+        - mu[2] * (velocities.velocity_link_2_wz * inertias.inertia_link_2_hy);
     let wrench_link_1_mz = wrench_link_1_mz_0 + wrench_link_2_mz;
     let wrench_link_1_fy = wrench_link_1_fy_0 + wrench_link_2_fy;
     let d_mu_xi_6_62 = reactions.reaction_joint_1_wz * wrench_link_1_mz
@@ -1226,42 +1367,42 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
             - screws.minus_connection_joint_1_vx * wrench_outside_link_1_fx
             + screws.connection_joint_1_vy * wrench_outside_link_1_fy);
     d_mu_xi[6] = reactions.reaction_joint_1_wz
-        * ((inertias.composite_link_1_xx * mu[0]
-            + inertias.composite_link_1_xy * mu[1]
-            + inertias.composite_link_1_hy * d_mu_xi_0_6_0)
-            * mu[1]
-            - (inertias.composite_link_1_xy * mu[0] + inertias.composite_link_1_yy * mu[1]
-                - inertias.composite_link_1_hx * d_mu_xi_0_6_0)
-                * mu[0]
+        * ((inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1]
+            + inertias.composite_link_1_hy * d_mu_xi_0_6_0) * mu[1]
+            - (inertias.composite_link_1_xy * mu[0]
+                + inertias.composite_link_1_yy * mu[1]
+                - inertias.composite_link_1_hx * d_mu_xi_0_6_0) * mu[0]
             + (d_mu_xi_6_30 * d_mu_xi_0_20_2_0
-                - (d_mu_xi_0_20_2_0 * 1.75 + mu[2] * inertias.composite_link_1_hx) * d_mu_xi_0_20_0_0))
+                - (d_mu_xi_0_20_2_0 * 1.75 + mu[2] * inertias.composite_link_1_hx)
+                    * d_mu_xi_0_20_0_0))
         - reactions.minus_reaction_joint_1_vy
-            * ((d_mu_xi_0_6_0 * 1.75 + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx))
-                * mu[0]
+            * ((d_mu_xi_0_6_0 * 1.75
+                + (mu[0] * inertias.composite_link_1_hy
+                    - mu[1] * inertias.composite_link_1_hx)) * mu[0]
                 - d_mu_xi_6_30 * mu[2])
         - (screws.connection_joint_1_wz
-            * ((inertias.inertia_base_xx * mu[0]
-                - inertias.minus_inertia_base_xy * mu[1]
-                - inertias.minus_inertia_base_hy * d_mu_xi_0_6_0)
-                * mu[1]
-                - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-                    + inertias.minus_inertia_base_hx * d_mu_xi_0_6_0)
-                    * mu[0]
+            * ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
+                - inertias.minus_inertia_base_hy * d_mu_xi_0_6_0) * mu[1]
+                - (inertias.inertia_base_yy * mu[1]
+                    - inertias.minus_inertia_base_xy * mu[0]
+                    + inertias.minus_inertia_base_hx * d_mu_xi_0_6_0) * mu[0]
                 + (d_mu_xi_6_59 * d_mu_xi_0_20_2_0 - d_mu_xi_6_52 * d_mu_xi_0_20_0_0))
-            - screws.minus_connection_joint_1_vx * (d_mu_xi_6_52 * mu[2] - d_mu_xi_6_57 * mu[1])
-            + screws.connection_joint_1_vy * (d_mu_xi_6_57 * mu[0] - d_mu_xi_6_59 * mu[2]))
-        - d_mu_xi_6_62
-        - d_mu_xi_6_62
-        + 0.0;
+            - screws.minus_connection_joint_1_vx
+                * (d_mu_xi_6_52 * mu[2] - d_mu_xi_6_57 * mu[1])
+            + screws.connection_joint_1_vy
+                * (d_mu_xi_6_57 * mu[0] - d_mu_xi_6_59 * mu[2])) - d_mu_xi_6_62
+        - d_mu_xi_6_62 + 0.0;
     let d_mu_xi_7_27 = d_mu_xi_0_20_0_0 * 0.75 - mu[2] * inertias.inertia_link_2_hy;
     let d_mu_xi_7_20 = d_mu_xi_0_20_2_0 * 0.75 + mu[2] * inertias.inertia_link_2_hx;
-    let d_mu_xi_7_25 = d_mu_xi_0_6_0 * 0.75 + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
+    let d_mu_xi_7_25 = d_mu_xi_0_6_0 * 0.75
+        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
     let d_mu_xi_7_56 = d_mu_xi_0_20_0_0 * 3.0 - mu[2] * complements.complement_link_2_hy;
     let d_mu_xi_7_49 = d_mu_xi_0_20_2_0 * 3.0 + mu[2] * complements.complement_link_2_hx;
-    let d_mu_xi_7_54 =
-        d_mu_xi_0_6_0 * 3.0 + (mu[0] * complements.complement_link_2_hy - mu[1] * complements.complement_link_2_hx);
-    let wrench_link_2_fx =
-        wrench_link_2_mz_3 * 0.75 - mu[2] * (velocities.velocity_link_2_wz * inertias.inertia_link_2_hx);
+    let d_mu_xi_7_54 = d_mu_xi_0_6_0 * 3.0
+        + (mu[0] * complements.complement_link_2_hy
+            - mu[1] * complements.complement_link_2_hx);
+    let wrench_link_2_fx = wrench_link_2_mz_3 * 0.75
+        - mu[2] * (velocities.velocity_link_2_wz * inertias.inertia_link_2_hx);
     let wrench_outside_link_2_mz = wrench_link_1_mz_0 + wrench_outside_link_1_mz;
     let wrench_outside_link_2_fx = wrench_outside_link_2_fx_0
         - mu[2] * (velocities.velocity_link_1_wz * inertias.inertia_link_1_hx)
@@ -1274,30 +1415,26 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
             + screws.connection_joint_2_vx * wrench_outside_link_2_fx
             + screws.connection_joint_2_vy * wrench_outside_link_2_fy);
     d_mu_xi[7] = reactions.reaction_joint_2_wz
-        * ((inertias.inertia_link_2_xx * mu[0]
-            + inertias.inertia_link_2_xy * mu[1]
-            + inertias.inertia_link_2_hy * d_mu_xi_0_6_0)
-            * mu[1]
+        * ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1]
+            + inertias.inertia_link_2_hy * d_mu_xi_0_6_0) * mu[1]
             - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-                - inertias.inertia_link_2_hx * d_mu_xi_0_6_0)
-                * mu[0]
+                - inertias.inertia_link_2_hx * d_mu_xi_0_6_0) * mu[0]
             + (d_mu_xi_7_27 * d_mu_xi_0_20_2_0 - d_mu_xi_7_20 * d_mu_xi_0_20_0_0))
         + reactions.reaction_joint_2_vx * (d_mu_xi_7_20 * mu[2] - d_mu_xi_7_25 * mu[1])
         + reactions.reaction_joint_2_vy * (d_mu_xi_7_25 * mu[0] - d_mu_xi_7_27 * mu[2])
         - (screws.connection_joint_2_wz
             * ((complements.complement_link_2_xx * mu[0]
                 + complements.complement_link_2_xy * mu[1]
-                + complements.complement_link_2_hy * d_mu_xi_0_6_0)
-                * mu[1]
-                - (complements.complement_link_2_xy * mu[0] + complements.complement_link_2_yy * mu[1]
-                    - complements.complement_link_2_hx * d_mu_xi_0_6_0)
-                    * mu[0]
+                + complements.complement_link_2_hy * d_mu_xi_0_6_0) * mu[1]
+                - (complements.complement_link_2_xy * mu[0]
+                    + complements.complement_link_2_yy * mu[1]
+                    - complements.complement_link_2_hx * d_mu_xi_0_6_0) * mu[0]
                 + (d_mu_xi_7_56 * d_mu_xi_0_20_2_0 - d_mu_xi_7_49 * d_mu_xi_0_20_0_0))
-            + screws.connection_joint_2_vx * (d_mu_xi_7_49 * mu[2] - d_mu_xi_7_54 * mu[1])
-            + screws.connection_joint_2_vy * (d_mu_xi_7_54 * mu[0] - d_mu_xi_7_56 * mu[2]))
-        - d_mu_xi_7_59
-        - d_mu_xi_7_59
-        + 0.0;
+            + screws.connection_joint_2_vx
+                * (d_mu_xi_7_49 * mu[2] - d_mu_xi_7_54 * mu[1])
+            + screws.connection_joint_2_vy
+                * (d_mu_xi_7_54 * mu[0] - d_mu_xi_7_56 * mu[2])) - d_mu_xi_7_59
+        - d_mu_xi_7_59 + 0.0;
 }
 /// D_q̇ ξ = [½ P(q̇) μ; Γ'_q(q̇) q̇], without forming D_q̇.
 ///
@@ -1306,7 +1443,7 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (8; N·m, N)
 ///
-/// 330 operations: 153 + −, 174 ×, 3 ÷; 2 sin cos; about 3.0 KiB of code.
+/// 330 operations: 153 + −, 174 ×, 3 ÷; 2 sin cos; about 3.9 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f64; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1323,95 +1460,99 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_0_5 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let d_qdot_xi_0_6_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_qdot_xi_0_6 = d_qdot_xi_0_6_1 + d_qdot_xi_0_6_1;
-    let d_qdot_xi_0_12_3 = screws.inside_joint_2_fx * qd[1] - screws.minus_inside_joint_1_fx * qd[0];
-    let d_qdot_xi_0_12_1 = screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1];
+    let d_qdot_xi_0_12_3 = screws.inside_joint_2_fx * qd[1]
+        - screws.minus_inside_joint_1_fx * qd[0];
+    let d_qdot_xi_0_12_1 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1];
     let d_qdot_xi_0_0 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
-        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0))
-        * qd[0]
-        + (inertias.inertia_link_2_xx
-            - inertias.inertia_link_2_yy
-            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0))
-            * qd[1];
+        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
+        + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
+            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
     let d_qdot_xi_0_12 = (mu[0] * d_qdot_xi_0_12_1 - mu[1] * d_qdot_xi_0_12_3) * 0.5;
     // D_q\u{307} ξ
     d_qdot_xi[0] = (d_qdot_xi_0_0 * mu[1]
-        - ((d_qdot_xi_0_2 + d_qdot_xi_0_3) * qd[0] + (d_qdot_xi_0_5 + d_qdot_xi_0_6) * qd[1]) * mu[0]
-        + d_qdot_xi_0_12_1 * d_qdot_xi_0_10)
-        * 0.5
-        + d_qdot_xi_0_12 * poses.com_y
-        + 0.0;
+        - ((d_qdot_xi_0_2 + d_qdot_xi_0_3) * qd[0]
+            + (d_qdot_xi_0_5 + d_qdot_xi_0_6) * qd[1]) * mu[0]
+        + d_qdot_xi_0_12_1 * d_qdot_xi_0_10) * 0.5 + d_qdot_xi_0_12 * poses.com_y + 0.0;
     let d_qdot_xi_1_3_1 = inertias.composite_link_1_hx * poses.com_y;
     let d_qdot_xi_1_3 = d_qdot_xi_1_3_1 + d_qdot_xi_1_3_1;
     let d_qdot_xi_1_6_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let d_qdot_xi_1_6 = d_qdot_xi_1_6_1 + d_qdot_xi_1_6_1;
     d_qdot_xi[1] = (d_qdot_xi_0_0 * mu[0]
-        + ((d_qdot_xi_0_2 - d_qdot_xi_1_3) * qd[0] + (d_qdot_xi_0_5 + d_qdot_xi_1_6) * qd[1]) * mu[1]
-        - d_qdot_xi_0_12_3 * d_qdot_xi_0_10)
-        * 0.5
-        - d_qdot_xi_0_12 * d_qdot_xi_0_10_4
+        + ((d_qdot_xi_0_2 - d_qdot_xi_1_3) * qd[0]
+            + (d_qdot_xi_0_5 + d_qdot_xi_1_6) * qd[1]) * mu[1]
+        - d_qdot_xi_0_12_3 * d_qdot_xi_0_10) * 0.5 - d_qdot_xi_0_12 * d_qdot_xi_0_10_4
         + 0.0;
     let d_qdot_xi_2_16 = mu[2] * d_qdot_xi_0_12_1 * 0.5;
     let d_qdot_xi_2_18 = mu[2] * d_qdot_xi_0_12_3 * 0.5;
-    d_qdot_xi[2] = (((d_qdot_xi_1_6 - d_qdot_xi_0_6) * qd[1] - (d_qdot_xi_1_3 + d_qdot_xi_0_3) * qd[0]) * mu[2]
-        + (d_qdot_xi_0_12_3 * (mu[4] + mu[2] * d_qdot_xi_0_10_4) - d_qdot_xi_0_12_1 * (mu[3] - mu[2] * poses.com_y)))
-        * 0.5
-        + (d_qdot_xi_2_16 * poses.com_y + d_qdot_xi_2_18 * d_qdot_xi_0_10_4)
-        + 0.0;
+    d_qdot_xi[2] = (((d_qdot_xi_1_6 - d_qdot_xi_0_6) * qd[1]
+        - (d_qdot_xi_1_3 + d_qdot_xi_0_3) * qd[0]) * mu[2]
+        + (d_qdot_xi_0_12_3 * (mu[4] + mu[2] * d_qdot_xi_0_10_4)
+            - d_qdot_xi_0_12_1 * (mu[3] - mu[2] * poses.com_y))) * 0.5
+        + (d_qdot_xi_2_16 * poses.com_y + d_qdot_xi_2_18 * d_qdot_xi_0_10_4) + 0.0;
     d_qdot_xi[3] = 0.0 - d_qdot_xi_2_16;
     d_qdot_xi[4] = d_qdot_xi_2_18 + 0.0;
     d_qdot_xi[5] = d_qdot_xi_0_12 + 0.0;
-    let wrench_outside_link_1_mz_0 =
-        velocities.velocity_base_vx * 2.0 - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy;
-    let wrench_outside_link_1_mz_2 =
-        velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx - velocities.minus_velocity_base_vy * 2.0;
-    let wrench_link_1_mz_0_0 =
-        velocities.velocity_link_1_vx - velocities.velocity_link_1_wz * inertias.inertia_link_1_hy;
-    let wrench_outside_link_2_fx_1 =
-        velocities.velocity_link_1_wz * inertias.inertia_link_1_hx - velocities.minus_velocity_link_1_vy;
-    let wrench_link_2_mz_4 =
-        velocities.velocity_link_2_vx * 0.75 - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
-    let wrench_link_2_mz_6 =
-        velocities.velocity_link_2_wz * inertias.inertia_link_2_hx - velocities.minus_velocity_link_2_vy * 0.75;
-    let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0 * velocities.minus_velocity_base_vy
+    let wrench_outside_link_1_mz_0 = velocities.velocity_base_vx * 2.0
+        - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy;
+    let wrench_outside_link_1_mz_2 = velocities.minus_velocity_base_wz
+        * inertias.minus_inertia_base_hx - velocities.minus_velocity_base_vy * 2.0;
+    let wrench_link_1_mz_0_0 = velocities.velocity_link_1_vx
+        - velocities.velocity_link_1_wz * inertias.inertia_link_1_hy;
+    let wrench_outside_link_2_fx_1 = velocities.velocity_link_1_wz
+        * inertias.inertia_link_1_hx - velocities.minus_velocity_link_1_vy;
+    let wrench_link_2_mz_4 = velocities.velocity_link_2_vx * 0.75
+        - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
+    let wrench_link_2_mz_6 = velocities.velocity_link_2_wz * inertias.inertia_link_2_hx
+        - velocities.minus_velocity_link_2_vy * 0.75;
+    let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0
+        * velocities.minus_velocity_base_vy
         + wrench_outside_link_1_mz_2 * velocities.velocity_base_vx;
-    let wrench_outside_link_1_fx = wrench_outside_link_1_mz_2 * velocities.minus_velocity_base_wz;
-    let minus_wrench_outside_link_1_fy = wrench_outside_link_1_mz_0 * velocities.minus_velocity_base_wz;
-    let twist_link_1_vx =
-        (velocities.velocity_link_1_wz * poses.origin_link_1_x - velocities.minus_velocity_link_1_vy) * qd[0];
-    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz * poses.com_y + velocities.velocity_link_1_vx) * qd[0];
+    let wrench_outside_link_1_fx = wrench_outside_link_1_mz_2
+        * velocities.minus_velocity_base_wz;
+    let minus_wrench_outside_link_1_fy = wrench_outside_link_1_mz_0
+        * velocities.minus_velocity_base_wz;
+    let twist_link_1_vx = (velocities.velocity_link_1_wz * poses.origin_link_1_x
+        - velocities.minus_velocity_link_1_vy) * qd[0];
+    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz * poses.com_y
+        + velocities.velocity_link_1_vx) * qd[0];
     let wrench_link_1_mz_0 = wrench_link_1_mz_0_0 * velocities.minus_velocity_link_1_vy
         + wrench_outside_link_2_fx_1 * velocities.velocity_link_1_vx
-        - (inertias.inertia_link_1_hx * minus_twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx);
-    let wrench_link_1_fy_0 = wrench_link_1_mz_0_0 * velocities.velocity_link_1_wz - minus_twist_link_1_vy;
-    let twist_link_2_vx = twist_link_1_vx
-        + (velocities.velocity_link_2_wz * poses.origin_link_2_x - velocities.minus_velocity_link_2_vy) * qd[1];
-    let twist_link_2_vy = (velocities.velocity_link_2_wz * poses.origin_link_2_y - velocities.velocity_link_2_vx)
-        * qd[1]
+        - (inertias.inertia_link_1_hx * minus_twist_link_1_vy
+            + inertias.inertia_link_1_hy * twist_link_1_vx);
+    let wrench_link_1_fy_0 = wrench_link_1_mz_0_0 * velocities.velocity_link_1_wz
         - minus_twist_link_1_vy;
-    let wrench_link_2_mz = inertias.inertia_link_2_hx * twist_link_2_vy - inertias.inertia_link_2_hy * twist_link_2_vx
+    let twist_link_2_vx = twist_link_1_vx
+        + (velocities.velocity_link_2_wz * poses.origin_link_2_x
+            - velocities.minus_velocity_link_2_vy) * qd[1];
+    let twist_link_2_vy = (velocities.velocity_link_2_wz * poses.origin_link_2_y
+        - velocities.velocity_link_2_vx) * qd[1] - minus_twist_link_1_vy;
+    let wrench_link_2_mz = inertias.inertia_link_2_hx * twist_link_2_vy
+        - inertias.inertia_link_2_hy * twist_link_2_vx
         + (wrench_link_2_mz_4 * velocities.minus_velocity_link_2_vy
             + wrench_link_2_mz_6 * velocities.velocity_link_2_vx);
-    let wrench_link_2_fy = twist_link_2_vy * 0.75 + wrench_link_2_mz_4 * velocities.velocity_link_2_wz;
+    let wrench_link_2_fy = twist_link_2_vy * 0.75
+        + wrench_link_2_mz_4 * velocities.velocity_link_2_wz;
     let wrench_link_1_mz = wrench_link_1_mz_0 + wrench_link_2_mz;
     let wrench_link_1_fy = wrench_link_1_fy_0 + wrench_link_2_fy;
     d_qdot_xi[6] = reactions.reaction_joint_1_wz * wrench_link_1_mz
         - reactions.minus_reaction_joint_1_vy * wrench_link_1_fy
         - (screws.connection_joint_1_wz * wrench_outside_link_1_mz
             - screws.minus_connection_joint_1_vx * wrench_outside_link_1_fx
-            - screws.connection_joint_1_vy * minus_wrench_outside_link_1_fy)
-        + 0.0;
-    let wrench_link_2_fx = twist_link_2_vx * 0.75 - wrench_link_2_mz_6 * velocities.velocity_link_2_wz;
+            - screws.connection_joint_1_vy * minus_wrench_outside_link_1_fy) + 0.0;
+    let wrench_link_2_fx = twist_link_2_vx * 0.75
+        - wrench_link_2_mz_6 * velocities.velocity_link_2_wz;
     let wrench_outside_link_2_mz = wrench_link_1_mz_0 + wrench_outside_link_1_mz;
-    let wrench_outside_link_2_fx =
-        twist_link_1_vx - wrench_outside_link_2_fx_1 * velocities.velocity_link_1_wz + wrench_outside_link_1_fx;
+    let wrench_outside_link_2_fx = twist_link_1_vx
+        - wrench_outside_link_2_fx_1 * velocities.velocity_link_1_wz
+        + wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = wrench_link_1_fy_0 - minus_wrench_outside_link_1_fy;
     d_qdot_xi[7] = reactions.reaction_joint_2_wz * wrench_link_2_mz
         + reactions.reaction_joint_2_vx * wrench_link_2_fx
         + reactions.reaction_joint_2_vy * wrench_link_2_fy
         - (screws.connection_joint_2_wz * wrench_outside_link_2_mz
             + screws.connection_joint_2_vx * wrench_outside_link_2_fx
-            + screws.connection_joint_2_vy * wrench_outside_link_2_fy)
-        + 0.0;
+            + screws.connection_joint_2_vy * wrench_outside_link_2_fy) + 0.0;
 }
 /// C(q, V) V in M V̇ + C V = [F₁; τ], V = [V₁; q̇], by one Newton-Euler sweep.
 ///
@@ -1420,89 +1561,124 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (8; N·m, N)
 ///
-/// 431 operations: 203 + −, 225 ×, 3 ÷; 2 sin cos; about 3.9 KiB of code.
-pub fn hamel_bias(q: &[f64; 2], qd: &[f64; 2], base_twist: &[f64; 6], hamel_bias: &mut [f64; 8]) {
+/// 431 operations: 203 + −, 225 ×, 3 ÷; 2 sin cos; about 5.1 KiB of code.
+pub fn hamel_bias(
+    q: &[f64; 2],
+    qd: &[f64; 2],
+    base_twist: &[f64; 6],
+    hamel_bias: &mut [f64; 8],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
     let velocities = velocities(qd, &poses, &screws);
     let minus_wrench_outside_link_1_mx_5_4 = poses.com_x + 0.25;
-    let minus_wrench_outside_link_1_mx_5 =
-        base_twist[5] + (base_twist[0] * poses.com_y - base_twist[1] * minus_wrench_outside_link_1_mx_5_4);
-    let minus_wrench_outside_link_1_mx_1_0 = base_twist[2] + velocities.minus_velocity_base_wz;
-    let minus_wrench_outside_link_1_my_5_1 = base_twist[3] - base_twist[2] * poses.com_y - velocities.velocity_base_vx;
-    let minus_wrench_outside_link_1_mx_7_0 =
-        base_twist[4] + base_twist[2] * minus_wrench_outside_link_1_mx_5_4 + velocities.minus_velocity_base_vy;
-    let minus_wrench_outside_link_1_mx_1 = minus_wrench_outside_link_1_mx_1_0 - velocities.minus_velocity_base_wz;
-    let minus_wrench_outside_link_1_my_5 = velocities.velocity_base_vx + minus_wrench_outside_link_1_my_5_1;
-    let minus_wrench_outside_link_1_mx_7 = minus_wrench_outside_link_1_mx_7_0 - velocities.minus_velocity_base_vy;
+    let minus_wrench_outside_link_1_mx_5 = base_twist[5]
+        + (base_twist[0] * poses.com_y
+            - base_twist[1] * minus_wrench_outside_link_1_mx_5_4);
+    let minus_wrench_outside_link_1_mx_1_0 = base_twist[2]
+        + velocities.minus_velocity_base_wz;
+    let minus_wrench_outside_link_1_my_5_1 = base_twist[3] - base_twist[2] * poses.com_y
+        - velocities.velocity_base_vx;
+    let minus_wrench_outside_link_1_mx_7_0 = base_twist[4]
+        + base_twist[2] * minus_wrench_outside_link_1_mx_5_4
+        + velocities.minus_velocity_base_vy;
+    let minus_wrench_outside_link_1_mx_1 = minus_wrench_outside_link_1_mx_1_0
+        - velocities.minus_velocity_base_wz;
+    let minus_wrench_outside_link_1_my_5 = velocities.velocity_base_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let minus_wrench_outside_link_1_mx_7 = minus_wrench_outside_link_1_mx_7_0
+        - velocities.minus_velocity_base_vy;
     let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_yy * base_twist[1]
         - inertias.minus_inertia_base_xy * base_twist[0]
         + inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_5;
-    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_zz * minus_wrench_outside_link_1_mx_1
+    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_zz
+        * minus_wrench_outside_link_1_mx_1
         + (inertias.minus_inertia_base_hy * minus_wrench_outside_link_1_my_5
             - inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_7);
-    let minus_wrench_outside_link_1_fz_0 =
-        minus_wrench_outside_link_1_my_5 * 2.0 + minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hy;
-    let minus_wrench_outside_link_1_mx_4 =
-        minus_wrench_outside_link_1_mx_7 * 2.0 - minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hx;
+    let minus_wrench_outside_link_1_fz_0 = minus_wrench_outside_link_1_my_5 * 2.0
+        + minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hy;
+    let minus_wrench_outside_link_1_mx_4 = minus_wrench_outside_link_1_mx_7 * 2.0
+        - minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hx;
     let minus_wrench_outside_link_1_mx_6 = minus_wrench_outside_link_1_mx_5 * 2.0
-        + (base_twist[1] * inertias.minus_inertia_base_hx - base_twist[0] * inertias.minus_inertia_base_hy);
-    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0 * minus_wrench_outside_link_1_mx_1
+        + (base_twist[1] * inertias.minus_inertia_base_hx
+            - base_twist[0] * inertias.minus_inertia_base_hy);
+    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
+        * minus_wrench_outside_link_1_mx_1
         - minus_wrench_outside_link_1_mx_2 * base_twist[1]
         + (minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_5
             - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_7);
-    let minus_wrench_outside_link_1_fz =
-        minus_wrench_outside_link_1_fz_0 * base_twist[1] - minus_wrench_outside_link_1_mx_4 * base_twist[0];
-    let wrench_outside_link_2_mx_7 = velocities.velocity_link_1_wz + minus_wrench_outside_link_1_mx_1_0;
-    let wrench_outside_link_2_my_11 = velocities.velocity_link_1_vx + minus_wrench_outside_link_1_my_5_1;
-    let wrench_outside_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0 - velocities.minus_velocity_link_1_vy;
+    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fz_0 * base_twist[1]
+        - minus_wrench_outside_link_1_mx_4 * base_twist[0];
+    let wrench_outside_link_2_mx_7 = velocities.velocity_link_1_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let wrench_outside_link_2_my_11 = velocities.velocity_link_1_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let wrench_outside_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0
+        - velocities.minus_velocity_link_1_vy;
     let twist_link_1_wx = base_twist[1] * qd[0];
     let minus_twist_link_1_wy = base_twist[0] * qd[0];
-    let twist_link_1_vz = (base_twist[1] * poses.com_y - base_twist[0] * poses.origin_link_1_x) * qd[0];
+    let twist_link_1_vz = (base_twist[1] * poses.com_y
+        - base_twist[0] * poses.origin_link_1_x) * qd[0];
     let wrench_outside_link_2_mx_6 = inertias.inertia_link_1_xy * base_twist[0]
         + inertias.inertia_link_1_yy * base_twist[1]
         - inertias.inertia_link_1_hx * minus_wrench_outside_link_1_mx_5;
-    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_zz * wrench_outside_link_2_mx_7
+    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_zz
+        * wrench_outside_link_2_mx_7
         + (inertias.inertia_link_1_hx * wrench_outside_link_2_mx_13
             - inertias.inertia_link_1_hy * wrench_outside_link_2_my_11);
-    let wrench_outside_link_2_fz_5 =
-        wrench_outside_link_2_my_11 - wrench_outside_link_2_mx_7 * inertias.inertia_link_1_hy;
-    let wrench_outside_link_2_mx_10 =
-        wrench_outside_link_2_mx_13 + wrench_outside_link_2_mx_7 * inertias.inertia_link_1_hx;
+    let wrench_outside_link_2_fz_5 = wrench_outside_link_2_my_11
+        - wrench_outside_link_2_mx_7 * inertias.inertia_link_1_hy;
+    let wrench_outside_link_2_mx_10 = wrench_outside_link_2_mx_13
+        + wrench_outside_link_2_mx_7 * inertias.inertia_link_1_hx;
     let wrench_outside_link_2_mx_12 = minus_wrench_outside_link_1_mx_5
-        + (base_twist[0] * inertias.inertia_link_1_hy - base_twist[1] * inertias.inertia_link_1_hx);
+        + (base_twist[0] * inertias.inertia_link_1_hy
+            - base_twist[1] * inertias.inertia_link_1_hx);
     let wrench_outside_link_2_mx = inertias.inertia_link_1_xx * twist_link_1_wx
         - inertias.inertia_link_1_xy * minus_twist_link_1_wy
         + inertias.inertia_link_1_hy * twist_link_1_vz
-        - (wrench_outside_link_2_mx_6 * wrench_outside_link_2_mx_7 - wrench_outside_link_2_mx_8 * base_twist[1]
+        - (wrench_outside_link_2_mx_6 * wrench_outside_link_2_mx_7
+            - wrench_outside_link_2_mx_8 * base_twist[1]
             + (wrench_outside_link_2_mx_10 * minus_wrench_outside_link_1_mx_5
                 - wrench_outside_link_2_mx_12 * wrench_outside_link_2_mx_13));
     let wrench_outside_link_2_fz = twist_link_1_vz
-        + (twist_link_1_wx * inertias.inertia_link_1_hy + minus_twist_link_1_wy * inertias.inertia_link_1_hx)
-        - (wrench_outside_link_2_fz_5 * base_twist[1] - wrench_outside_link_2_mx_10 * base_twist[0]);
-    let wrench_link_2_mx_7 = velocities.velocity_link_2_wz + minus_wrench_outside_link_1_mx_1_0;
-    let wrench_link_2_my_11 = velocities.velocity_link_2_vx + minus_wrench_outside_link_1_my_5_1;
-    let wrench_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0 - velocities.minus_velocity_link_2_vy;
+        + (twist_link_1_wx * inertias.inertia_link_1_hy
+            + minus_twist_link_1_wy * inertias.inertia_link_1_hx)
+        - (wrench_outside_link_2_fz_5 * base_twist[1]
+            - wrench_outside_link_2_mx_10 * base_twist[0]);
+    let wrench_link_2_mx_7 = velocities.velocity_link_2_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let wrench_link_2_my_11 = velocities.velocity_link_2_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let wrench_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0
+        - velocities.minus_velocity_link_2_vy;
     let twist_link_2_wx = twist_link_1_wx + base_twist[1] * qd[1];
     let minus_twist_link_2_wy = minus_twist_link_1_wy + base_twist[0] * qd[1];
-    let twist_link_2_vz =
-        twist_link_1_vz - (base_twist[0] * poses.origin_link_2_x + base_twist[1] * poses.origin_link_2_y) * qd[1];
-    let wrench_link_2_mx_6 = inertias.inertia_link_2_xy * base_twist[0] + inertias.inertia_link_2_yy * base_twist[1]
+    let twist_link_2_vz = twist_link_1_vz
+        - (base_twist[0] * poses.origin_link_2_x + base_twist[1] * poses.origin_link_2_y)
+            * qd[1];
+    let wrench_link_2_mx_6 = inertias.inertia_link_2_xy * base_twist[0]
+        + inertias.inertia_link_2_yy * base_twist[1]
         - inertias.inertia_link_2_hx * minus_wrench_outside_link_1_mx_5;
     let wrench_link_2_mx_8 = inertias.inertia_link_2_zz * wrench_link_2_mx_7
-        + (inertias.inertia_link_2_hx * wrench_link_2_mx_13 - inertias.inertia_link_2_hy * wrench_link_2_my_11);
-    let wrench_link_2_fz_6 = wrench_link_2_my_11 * 0.75 - wrench_link_2_mx_7 * inertias.inertia_link_2_hy;
-    let wrench_link_2_mx_10 = wrench_link_2_mx_13 * 0.75 + wrench_link_2_mx_7 * inertias.inertia_link_2_hx;
+        + (inertias.inertia_link_2_hx * wrench_link_2_mx_13
+            - inertias.inertia_link_2_hy * wrench_link_2_my_11);
+    let wrench_link_2_fz_6 = wrench_link_2_my_11 * 0.75
+        - wrench_link_2_mx_7 * inertias.inertia_link_2_hy;
+    let wrench_link_2_mx_10 = wrench_link_2_mx_13 * 0.75
+        + wrench_link_2_mx_7 * inertias.inertia_link_2_hx;
     let wrench_link_2_mx_12 = minus_wrench_outside_link_1_mx_5 * 0.75
-        + (base_twist[0] * inertias.inertia_link_2_hy - base_twist[1] * inertias.inertia_link_2_hx);
+        + (base_twist[0] * inertias.inertia_link_2_hy
+            - base_twist[1] * inertias.inertia_link_2_hx);
     let wrench_link_2_mx = inertias.inertia_link_2_xx * twist_link_2_wx
         - inertias.inertia_link_2_xy * minus_twist_link_2_wy
         + inertias.inertia_link_2_hy * twist_link_2_vz
         - (wrench_link_2_mx_6 * wrench_link_2_mx_7 - wrench_link_2_mx_8 * base_twist[1]
-            + (wrench_link_2_mx_10 * minus_wrench_outside_link_1_mx_5 - wrench_link_2_mx_12 * wrench_link_2_mx_13));
+            + (wrench_link_2_mx_10 * minus_wrench_outside_link_1_mx_5
+                - wrench_link_2_mx_12 * wrench_link_2_mx_13));
     let wrench_link_2_fz = twist_link_2_vz * 0.75
-        + (twist_link_2_wx * inertias.inertia_link_2_hy + minus_twist_link_2_wy * inertias.inertia_link_2_hx)
+        + (twist_link_2_wx * inertias.inertia_link_2_hy
+            + minus_twist_link_2_wy * inertias.inertia_link_2_hx)
         - (wrench_link_2_fz_6 * base_twist[1] - wrench_link_2_mx_10 * base_twist[0]);
     let wrench_link_1_mx = wrench_outside_link_2_mx + wrench_link_2_mx;
     let wrench_link_1_fz = wrench_outside_link_2_fz + wrench_link_2_fz;
@@ -1523,7 +1699,8 @@ pub fn hamel_bias(q: &[f64; 2], qd: &[f64; 2], base_twist: &[f64; 6], hamel_bias
     let wrench_outside_link_2_my = inertias.inertia_link_1_xy * twist_link_1_wx
         - inertias.inertia_link_1_yy * minus_twist_link_1_wy
         - inertias.inertia_link_1_hx * twist_link_1_vz
-        - (wrench_outside_link_2_mx_8 * base_twist[0] - wrench_outside_link_2_my_8 * wrench_outside_link_2_mx_7
+        - (wrench_outside_link_2_mx_8 * base_twist[0]
+            - wrench_outside_link_2_my_8 * wrench_outside_link_2_mx_7
             + (wrench_outside_link_2_mx_12 * wrench_outside_link_2_my_11
                 - wrench_outside_link_2_fz_5 * minus_wrench_outside_link_1_mx_5));
     let wrench_link_2_my_8 = inertias.inertia_link_2_xx * base_twist[0]
@@ -1533,54 +1710,68 @@ pub fn hamel_bias(q: &[f64; 2], qd: &[f64; 2], base_twist: &[f64; 6], hamel_bias
         - inertias.inertia_link_2_yy * minus_twist_link_2_wy
         - inertias.inertia_link_2_hx * twist_link_2_vz
         - (wrench_link_2_mx_8 * base_twist[0] - wrench_link_2_my_8 * wrench_link_2_mx_7
-            + (wrench_link_2_mx_12 * wrench_link_2_my_11 - wrench_link_2_fz_6 * minus_wrench_outside_link_1_mx_5));
+            + (wrench_link_2_mx_12 * wrench_link_2_my_11
+                - wrench_link_2_fz_6 * minus_wrench_outside_link_1_mx_5));
     let wrench_link_1_my = wrench_outside_link_2_my + wrench_link_2_my;
     let wrench_base_my = wrench_link_1_my - minus_wrench_outside_link_1_my;
-    hamel_bias[1] = wrench_base_my - wrench_base_fz * minus_wrench_outside_link_1_mx_5_4 + 0.0;
+    hamel_bias[1] = wrench_base_my - wrench_base_fz * minus_wrench_outside_link_1_mx_5_4
+        + 0.0;
     let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_my_2 * base_twist[1]
         - minus_wrench_outside_link_1_mx_0 * base_twist[0]
         + (minus_wrench_outside_link_1_fz_0 * minus_wrench_outside_link_1_mx_7
             - minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_my_5);
-    let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_1
+    let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4
+        * minus_wrench_outside_link_1_mx_1
         - minus_wrench_outside_link_1_mx_6 * base_twist[1];
     let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6 * base_twist[0]
         - minus_wrench_outside_link_1_fz_0 * minus_wrench_outside_link_1_mx_1;
-    let twist_link_1_vx = (wrench_outside_link_2_mx_7 * poses.origin_link_1_x + wrench_outside_link_2_mx_13) * qd[0];
-    let minus_twist_link_1_vy = (wrench_outside_link_2_mx_7 * poses.com_y + wrench_outside_link_2_my_11) * qd[0];
-    let minus_wrench_outside_link_2_mz = inertias.inertia_link_1_hx * minus_twist_link_1_vy
-        + inertias.inertia_link_1_hy * twist_link_1_vx
-        + (wrench_outside_link_2_my_8 * base_twist[1] - wrench_outside_link_2_mx_6 * base_twist[0]
+    let twist_link_1_vx = (wrench_outside_link_2_mx_7 * poses.origin_link_1_x
+        + wrench_outside_link_2_mx_13) * qd[0];
+    let minus_twist_link_1_vy = (wrench_outside_link_2_mx_7 * poses.com_y
+        + wrench_outside_link_2_my_11) * qd[0];
+    let minus_wrench_outside_link_2_mz = inertias.inertia_link_1_hx
+        * minus_twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx
+        + (wrench_outside_link_2_my_8 * base_twist[1]
+            - wrench_outside_link_2_mx_6 * base_twist[0]
             + (wrench_outside_link_2_fz_5 * wrench_outside_link_2_mx_13
                 - wrench_outside_link_2_mx_10 * wrench_outside_link_2_my_11));
     let wrench_outside_link_2_fx = twist_link_1_vx
-        - (wrench_outside_link_2_mx_10 * wrench_outside_link_2_mx_7 - wrench_outside_link_2_mx_12 * base_twist[1]);
+        - (wrench_outside_link_2_mx_10 * wrench_outside_link_2_mx_7
+            - wrench_outside_link_2_mx_12 * base_twist[1]);
     let minus_wrench_outside_link_2_fy = minus_twist_link_1_vy
-        + (wrench_outside_link_2_mx_12 * base_twist[0] - wrench_outside_link_2_fz_5 * wrench_outside_link_2_mx_7);
-    let twist_link_2_vx = twist_link_1_vx + (wrench_link_2_mx_7 * poses.origin_link_2_x + wrench_link_2_mx_13) * qd[1];
-    let twist_link_2_vy =
-        (wrench_link_2_mx_7 * poses.origin_link_2_y - wrench_link_2_my_11) * qd[1] - minus_twist_link_1_vy;
+        + (wrench_outside_link_2_mx_12 * base_twist[0]
+            - wrench_outside_link_2_fz_5 * wrench_outside_link_2_mx_7);
+    let twist_link_2_vx = twist_link_1_vx
+        + (wrench_link_2_mx_7 * poses.origin_link_2_x + wrench_link_2_mx_13) * qd[1];
+    let twist_link_2_vy = (wrench_link_2_mx_7 * poses.origin_link_2_y
+        - wrench_link_2_my_11) * qd[1] - minus_twist_link_1_vy;
     let wrench_link_2_mz = inertias.inertia_link_2_hx * twist_link_2_vy
         - inertias.inertia_link_2_hy * twist_link_2_vx
         - (wrench_link_2_my_8 * base_twist[1] - wrench_link_2_mx_6 * base_twist[0]
-            + (wrench_link_2_fz_6 * wrench_link_2_mx_13 - wrench_link_2_mx_10 * wrench_link_2_my_11));
-    let wrench_link_2_fx =
-        twist_link_2_vx * 0.75 - (wrench_link_2_mx_10 * wrench_link_2_mx_7 - wrench_link_2_mx_12 * base_twist[1]);
-    let wrench_link_2_fy =
-        twist_link_2_vy * 0.75 - (wrench_link_2_mx_12 * base_twist[0] - wrench_link_2_fz_6 * wrench_link_2_mx_7);
+            + (wrench_link_2_fz_6 * wrench_link_2_mx_13
+                - wrench_link_2_mx_10 * wrench_link_2_my_11));
+    let wrench_link_2_fx = twist_link_2_vx * 0.75
+        - (wrench_link_2_mx_10 * wrench_link_2_mx_7
+            - wrench_link_2_mx_12 * base_twist[1]);
+    let wrench_link_2_fy = twist_link_2_vy * 0.75
+        - (wrench_link_2_mx_12 * base_twist[0]
+            - wrench_link_2_fz_6 * wrench_link_2_mx_7);
     let wrench_link_1_mz = wrench_link_2_mz - minus_wrench_outside_link_2_mz;
     let wrench_link_1_fx = wrench_outside_link_2_fx + wrench_link_2_fx;
     let wrench_link_1_fy = wrench_link_2_fy - minus_wrench_outside_link_2_fy;
     let wrench_base_mz = wrench_link_1_mz - minus_wrench_outside_link_1_mz;
     let wrench_base_fx = wrench_link_1_fx - minus_wrench_outside_link_1_fx;
     let wrench_base_fy = wrench_link_1_fy - minus_wrench_outside_link_1_fy;
-    hamel_bias[2] =
-        wrench_base_mz + (wrench_base_fy * minus_wrench_outside_link_1_mx_5_4 - wrench_base_fx * poses.com_y) + 0.0;
+    hamel_bias[2] = wrench_base_mz
+        + (wrench_base_fy * minus_wrench_outside_link_1_mx_5_4
+            - wrench_base_fx * poses.com_y) + 0.0;
     hamel_bias[3] = wrench_base_fx + 0.0;
     hamel_bias[4] = wrench_base_fy + 0.0;
     hamel_bias[5] = wrench_base_fz + 0.0;
-    hamel_bias[6] = wrench_link_1_mz - poses.com_y * wrench_link_1_fx - poses.origin_link_1_x * wrench_link_1_fy + 0.0;
-    hamel_bias[7] =
-        wrench_link_2_mz + poses.origin_link_2_y * wrench_link_2_fx - poses.origin_link_2_x * wrench_link_2_fy + 0.0;
+    hamel_bias[6] = wrench_link_1_mz - poses.com_y * wrench_link_1_fx
+        - poses.origin_link_1_x * wrench_link_1_fy + 0.0;
+    hamel_bias[7] = wrench_link_2_mz + poses.origin_link_2_y * wrench_link_2_fx
+        - poses.origin_link_2_x * wrench_link_2_fy + 0.0;
 }
 /// 𝓑(e_i, e_j) = ∂_i A_j − ∂_j A_i − ad_{A_i} A_j for all pairs of coordinates.
 ///
@@ -1588,7 +1779,7 @@ pub fn hamel_bias(q: &[f64; 2], qd: &[f64; 2], base_twist: &[f64; 6], hamel_bias
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 2×2, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 169 operations: 80 + −, 86 ×, 3 ÷; 2 sin cos; about 1.6 KiB of code.
+/// 169 operations: 80 + −, 86 ×, 3 ÷; 2 sin cos; about 2.1 KiB of code.
 pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1611,18 +1802,20 @@ pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f6
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
     let minus_inertia_rate_base_zz_1 = inertias.composite_link_1_hx * poses.com_y;
-    let minus_inertia_rate_base_zz_3 = inertias.composite_link_1_hy * poses.origin_link_1_x;
+    let minus_inertia_rate_base_zz_3 = inertias.composite_link_1_hy
+        * poses.origin_link_1_x;
     let minus_inertia_rate_base_zz = minus_inertia_rate_base_zz_1
         + minus_inertia_rate_base_zz_1
         + (minus_inertia_rate_base_zz_3 + minus_inertia_rate_base_zz_3);
     let inertia_rate_link_1_zz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let inertia_rate_link_1_zz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let inertia_rate_link_1_zz =
-        inertia_rate_link_1_zz_1 + inertia_rate_link_1_zz_1 - (inertia_rate_link_1_zz_3 + inertia_rate_link_1_zz_3);
+    let inertia_rate_link_1_zz = inertia_rate_link_1_zz_1 + inertia_rate_link_1_zz_1
+        - (inertia_rate_link_1_zz_3 + inertia_rate_link_1_zz_3);
     let curvature_z_1_0 = (minus_inertia_rate_base_zz * screws.connection_joint_2_wz
         + (screws.minus_inside_joint_1_fx * screws.connection_joint_2_vy
             + screws.inside_joint_1_fy * screws.connection_joint_2_vx)
-        - (screws.inside_joint_2_fy * poses.com_y - screws.inside_joint_2_fx * poses.origin_link_1_x)
+        - (screws.inside_joint_2_fy * poses.com_y
+            - screws.inside_joint_2_fx * poses.origin_link_1_x)
         - (inertia_rate_link_1_zz * reactions.reaction_joint_1_wz
             - screws.inside_joint_2_fx * reactions.minus_reaction_joint_1_vy))
         * inertias.locked_inverse_pivot_z;
@@ -1642,22 +1835,31 @@ pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 129 operations: 57 + −, 69 ×, 3 ÷; 2 sin cos; about 1.2 KiB of code.
-pub fn momentum(q: &[f64; 2], mu: &[f64; 6], body_momentum: &mut [f64; 6], centroidal_momentum: &mut [f64; 6]) {
+/// 129 operations: 57 + −, 69 ×, 3 ÷; 2 sin cos; about 1.6 KiB of code.
+pub fn momentum(
+    q: &[f64; 2],
+    mu: &[f64; 6],
+    body_momentum: &mut [f64; 6],
+    centroidal_momentum: &mut [f64; 6],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let body_momentum_0_1_4 = poses.com_x + 0.25;
-    let body_momentum_0_0 = inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1];
-    let body_momentum_0_1 = (mu[5] + (mu[0] * poses.com_y - mu[1] * body_momentum_0_1_4)) * 3.75;
+    let body_momentum_0_0 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1];
+    let body_momentum_0_1 = (mu[5] + (mu[0] * poses.com_y - mu[1] * body_momentum_0_1_4))
+        * 3.75;
     // Λ_b μ
     body_momentum[0] = body_momentum_0_0 + body_momentum_0_1 * poses.com_y + 0.0;
-    let body_momentum_1_0 = inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1];
+    let body_momentum_1_0 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1];
     body_momentum[1] = body_momentum_1_0 - body_momentum_0_1 * body_momentum_0_1_4 + 0.0;
     let body_momentum_2_0 = inertias.composite_base_zz * mu[2];
     let body_momentum_2_3 = (mu[3] - mu[2] * poses.com_y) * 3.75;
     let body_momentum_2_1 = (mu[4] + mu[2] * body_momentum_0_1_4) * 3.75;
-    body_momentum[2] =
-        body_momentum_2_0 + (body_momentum_2_1 * body_momentum_0_1_4 - body_momentum_2_3 * poses.com_y) + 0.0;
+    body_momentum[2] = body_momentum_2_0
+        + (body_momentum_2_1 * body_momentum_0_1_4 - body_momentum_2_3 * poses.com_y)
+        + 0.0;
     body_momentum[3] = body_momentum_2_3 + 0.0;
     body_momentum[4] = body_momentum_2_1 + 0.0;
     body_momentum[5] = body_momentum_0_1 + 0.0;
@@ -1676,8 +1878,13 @@ pub fn momentum(q: &[f64; 2], mu: &[f64; 6], body_momentum: &mut [f64; 6], centr
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 147 operations: 69 + −, 75 ×, 3 ÷; 2 sin cos; about 1.4 KiB of code.
-pub fn base_twist(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], base_twist: &mut [f64; 6]) {
+/// 147 operations: 69 + −, 75 ×, 3 ÷; 2 sin cos; about 1.8 KiB of code.
+pub fn base_twist(
+    q: &[f64; 2],
+    qd: &[f64; 2],
+    mu: &[f64; 6],
+    base_twist: &mut [f64; 6],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
@@ -1686,9 +1893,12 @@ pub fn base_twist(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], base_twist: &mut [
     base_twist[0] = mu[0] + 0.0;
     base_twist[1] = mu[1] + 0.0;
     base_twist[2] = mu[2] - velocities.minus_velocity_base_wz + 0.0;
-    base_twist[3] = mu[3] + (velocities.velocity_base_vx - velocities.minus_velocity_base_wz * poses.com_y) + 0.0;
-    base_twist[4] =
-        mu[4] + (velocities.minus_velocity_base_wz * (poses.com_x + 0.25) - velocities.minus_velocity_base_vy) + 0.0;
+    base_twist[3] = mu[3]
+        + (velocities.velocity_base_vx - velocities.minus_velocity_base_wz * poses.com_y)
+        + 0.0;
+    base_twist[4] = mu[4]
+        + (velocities.minus_velocity_base_wz * (poses.com_x + 0.25)
+            - velocities.minus_velocity_base_vy) + 0.0;
     base_twist[5] = mu[5] + 0.0;
 }
 /// ½ μᵀ Λ_b μ + ½ q̇ᵀ Λ_q q̇.
@@ -1698,8 +1908,13 @@ pub fn base_twist(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], base_twist: &mut [
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 219 operations: 96 + −, 120 ×, 3 ÷; 2 sin cos; about 2.0 KiB of code.
-pub fn kinetic_energy(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], kinetic_energy: &mut f64) {
+/// 219 operations: 96 + −, 120 ×, 3 ÷; 2 sin cos; about 2.6 KiB of code.
+pub fn kinetic_energy(
+    q: &[f64; 2],
+    qd: &[f64; 2],
+    mu: &[f64; 6],
+    kinetic_energy: &mut f64,
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
@@ -1707,10 +1922,13 @@ pub fn kinetic_energy(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], kinetic_energy
     let kinetic_energy_0_17_2 = poses.com_x + 0.25;
     let kinetic_energy_0_14 = mu[3] - mu[2] * poses.com_y;
     let kinetic_energy_0_17 = mu[4] + mu[2] * kinetic_energy_0_17_2;
-    let kinetic_energy_0_20 = mu[5] + (mu[0] * poses.com_y - mu[1] * kinetic_energy_0_17_2);
+    let kinetic_energy_0_20 = mu[5]
+        + (mu[0] * poses.com_y - mu[1] * kinetic_energy_0_17_2);
     // ½ ξᵀ Λ ξ
-    *kinetic_energy = (mu[0] * (inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1])
-        + mu[1] * (inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1])
+    *kinetic_energy = (mu[0]
+        * (inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1])
+        + mu[1]
+            * (inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1])
         + mu[2] * (inertias.composite_base_zz * mu[2])
         + kinetic_energy_0_14 * (kinetic_energy_0_14 * 3.75)
         + kinetic_energy_0_17 * (kinetic_energy_0_17 * 3.75)
@@ -1730,20 +1948,21 @@ pub fn kinetic_energy(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], kinetic_energy
                 - (velocities.minus_velocity_link_1_vy * inertias.inertia_link_1_hx
                     + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy))
             + velocities.velocity_link_1_vx
-                * (velocities.velocity_link_1_vx - velocities.velocity_link_1_wz * inertias.inertia_link_1_hy)
+                * (velocities.velocity_link_1_vx
+                    - velocities.velocity_link_1_wz * inertias.inertia_link_1_hy)
             - velocities.minus_velocity_link_1_vy
-                * (velocities.velocity_link_1_wz * inertias.inertia_link_1_hx - velocities.minus_velocity_link_1_vy))
+                * (velocities.velocity_link_1_wz * inertias.inertia_link_1_hx
+                    - velocities.minus_velocity_link_1_vy))
         + (velocities.velocity_link_2_wz
             * (inertias.inertia_link_2_zz * velocities.velocity_link_2_wz
                 - (velocities.minus_velocity_link_2_vy * inertias.inertia_link_2_hx
                     + velocities.velocity_link_2_vx * inertias.inertia_link_2_hy))
             + velocities.velocity_link_2_vx
-                * (velocities.velocity_link_2_vx * 0.75 - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy)
+                * (velocities.velocity_link_2_vx * 0.75
+                    - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy)
             - velocities.minus_velocity_link_2_vy
                 * (velocities.velocity_link_2_wz * inertias.inertia_link_2_hx
-                    - velocities.minus_velocity_link_2_vy * 0.75)))
-        * 0.5
-        + 0.0;
+                    - velocities.minus_velocity_link_2_vy * 0.75))) * 0.5 + 0.0;
 }
 /// ξ̇ = Λ⁻¹ (D_μ ξ − D_q̇ ξ + [F₁; τ − A_lᵀ F₁]) + [0; γ; 0], in O(n); factoring Λ_q where joints mimic.
 ///
@@ -1755,7 +1974,7 @@ pub fn kinetic_energy(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], kinetic_energy
 /// - `tau`: joint torques (2; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (8; rad/s², m/s²)
 ///
-/// 591 operations: 282 + −, 301 ×, 8 ÷; 2 sin cos; about 5.3 KiB of code.
+/// 591 operations: 282 + −, 301 ×, 8 ÷; 2 sin cos; about 7.0 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -1770,12 +1989,15 @@ pub fn forward_dynamics(
     let screws = screws(&poses, &inertias);
     let velocities = velocities(qd, &poses, &screws);
     let xi_dot_0_3_23_4_0_2 = poses.com_x + 0.25;
-    let xi_dot_0_3_2 = inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1];
-    let xi_dot_0_3_23_0 = inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1];
+    let xi_dot_0_3_2 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1];
+    let xi_dot_0_3_23_0 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1];
     let xi_dot_0_3_23_2 = inertias.composite_base_zz * mu[2];
     let xi_dot_0_3_6_0 = mu[3] - mu[2] * poses.com_y;
     let xi_dot_0_3_23_4_0 = mu[4] + mu[2] * xi_dot_0_3_23_4_0_2;
-    let minus_wrench_link_2_mz_12 = mu[5] + (mu[0] * poses.com_y - mu[1] * xi_dot_0_3_23_4_0_2);
+    let minus_wrench_link_2_mz_12 = mu[5]
+        + (mu[0] * poses.com_y - mu[1] * xi_dot_0_3_23_4_0_2);
     let xi_dot_0_3_6 = xi_dot_0_3_6_0 * 3.75;
     let xi_dot_0_3_23_4 = xi_dot_0_3_23_4_0 * 3.75;
     let xi_dot_0_3_23_6 = minus_wrench_link_2_mz_12 * 3.75;
@@ -1789,96 +2011,100 @@ pub fn forward_dynamics(
     let xi_dot_0_3_23_14_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let xi_dot_0_3_23_14 = xi_dot_0_3_23_14_1 + xi_dot_0_3_23_14_1;
     let xi_dot_0_3_14 = xi_dot_0_3_14_1 + xi_dot_0_3_14_1;
-    let xi_dot_0_3_17 = screws.inside_joint_2_fx * qd[1] - screws.minus_inside_joint_1_fx * qd[0];
-    let xi_dot_0_3_23_17 = screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1];
+    let xi_dot_0_3_17 = screws.inside_joint_2_fx * qd[1]
+        - screws.minus_inside_joint_1_fx * qd[0];
+    let xi_dot_0_3_23_17 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1];
     let xi_dot_0_3_23_8 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
-        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0))
-        * qd[0]
-        + (inertias.inertia_link_2_xx
-            - inertias.inertia_link_2_yy
-            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0))
-            * qd[1];
+        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
+        + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
+            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
     let wrench_base_fx_8 = mu[2] - velocities.minus_velocity_base_wz;
     let wrench_base_mz_24 = xi_dot_0_3_6_0 + velocities.velocity_base_vx;
     let wrench_base_mz_22 = xi_dot_0_3_23_4_0 - velocities.minus_velocity_base_vy;
     let xi_dot_0_3_23 = xi_dot_0_3_23_0 * wrench_base_fx_8 - xi_dot_0_3_23_2 * mu[1]
-        + (xi_dot_0_3_23_4 * minus_wrench_link_2_mz_12 - xi_dot_0_3_23_6 * wrench_base_mz_22)
+        + (xi_dot_0_3_23_4 * minus_wrench_link_2_mz_12
+            - xi_dot_0_3_23_6 * wrench_base_mz_22)
         - (xi_dot_0_3_23_8 * mu[1]
-            - ((xi_dot_0_3_23_10 + xi_dot_0_3_23_11) * qd[0] + (xi_dot_0_3_23_13 + xi_dot_0_3_23_14) * qd[1]) * mu[0]
+            - ((xi_dot_0_3_23_10 + xi_dot_0_3_23_11) * qd[0]
+                + (xi_dot_0_3_23_13 + xi_dot_0_3_23_14) * qd[1]) * mu[0]
             + xi_dot_0_3_23_17 * minus_wrench_link_2_mz_12)
         + (base_wrench[0] - base_wrench[5] * poses.com_y);
     let xi_dot_0_3 = (xi_dot_0_3_23_2 * mu[0] - xi_dot_0_3_2 * wrench_base_fx_8
-        + (xi_dot_0_3_23_6 * wrench_base_mz_24 - xi_dot_0_3_6 * minus_wrench_link_2_mz_12)
+        + (xi_dot_0_3_23_6 * wrench_base_mz_24
+            - xi_dot_0_3_6 * minus_wrench_link_2_mz_12)
         - (xi_dot_0_3_23_8 * mu[0]
-            + ((xi_dot_0_3_23_10 - xi_dot_0_3_11) * qd[0] + (xi_dot_0_3_23_13 + xi_dot_0_3_14) * qd[1]) * mu[1]
+            + ((xi_dot_0_3_23_10 - xi_dot_0_3_11) * qd[0]
+                + (xi_dot_0_3_23_13 + xi_dot_0_3_14) * qd[1]) * mu[1]
             - xi_dot_0_3_17 * minus_wrench_link_2_mz_12)
         + (base_wrench[1] + base_wrench[5] * xi_dot_0_3_23_4_0_2)
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_23)
         * inertias.locked_inverse_pivot_y;
-    let xi_dot_0 = xi_dot_0_3_23 * inertias.locked_inverse_pivot_x - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3;
+    let xi_dot_0 = xi_dot_0_3_23 * inertias.locked_inverse_pivot_x
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3;
     // ξ\u{307} = [μ\u{307}; q\u{308}]
     xi_dot[0] = xi_dot_0 + 0.0;
     xi_dot[1] = xi_dot_0_3 + 0.0;
-    let wrench_base_mz_25 = base_wrench[2] + (base_wrench[3] * poses.com_y - base_wrench[4] * xi_dot_0_3_23_4_0_2);
+    let wrench_base_mz_25 = base_wrench[2]
+        + (base_wrench[3] * poses.com_y - base_wrench[4] * xi_dot_0_3_23_4_0_2);
     let xi_dot_2 = (xi_dot_0_3_2 * mu[1] - xi_dot_0_3_23_0 * mu[0]
         + (xi_dot_0_3_6 * wrench_base_mz_22 - xi_dot_0_3_23_4 * wrench_base_mz_24)
-        - (((xi_dot_0_3_14 - xi_dot_0_3_23_14) * qd[1] - (xi_dot_0_3_11 + xi_dot_0_3_23_11) * qd[0]) * mu[2]
+        - (((xi_dot_0_3_14 - xi_dot_0_3_23_14) * qd[1]
+            - (xi_dot_0_3_11 + xi_dot_0_3_23_11) * qd[0]) * mu[2]
             + (xi_dot_0_3_17 * xi_dot_0_3_23_4_0 - xi_dot_0_3_23_17 * xi_dot_0_3_6_0))
-        + wrench_base_mz_25)
-        * inertias.locked_inverse_pivot_z;
+        + wrench_base_mz_25) * inertias.locked_inverse_pivot_z;
     xi_dot[2] = xi_dot_2 + 0.0;
-    xi_dot[3] =
-        (xi_dot_0_3_23_4 * wrench_base_fx_8 - xi_dot_0_3_23_6 * mu[1] + mu[2] * xi_dot_0_3_23_17 + base_wrench[3])
-            * 0.26666666666666666
-            + xi_dot_2 * poses.com_y
-            + gravity[0]
-            + 0.0;
-    xi_dot[4] = (xi_dot_0_3_23_6 * mu[0] - xi_dot_0_3_6 * wrench_base_fx_8 - mu[2] * xi_dot_0_3_17 + base_wrench[4])
+    xi_dot[3] = (xi_dot_0_3_23_4 * wrench_base_fx_8 - xi_dot_0_3_23_6 * mu[1]
+        + mu[2] * xi_dot_0_3_23_17 + base_wrench[3]) * 0.26666666666666666
+        + xi_dot_2 * poses.com_y + gravity[0] + 0.0;
+    xi_dot[4] = (xi_dot_0_3_23_6 * mu[0] - xi_dot_0_3_6 * wrench_base_fx_8
+        - mu[2] * xi_dot_0_3_17 + base_wrench[4]) * 0.26666666666666666
+        - xi_dot_2 * xi_dot_0_3_23_4_0_2 + gravity[1] + 0.0;
+    xi_dot[5] = (xi_dot_0_3_6 * mu[1] - xi_dot_0_3_23_4 * mu[0]
+        - (mu[0] * xi_dot_0_3_23_17 - mu[1] * xi_dot_0_3_17) + base_wrench[5])
         * 0.26666666666666666
-        - xi_dot_2 * xi_dot_0_3_23_4_0_2
-        + gravity[1]
-        + 0.0;
-    xi_dot[5] = (xi_dot_0_3_6 * mu[1] - xi_dot_0_3_23_4 * mu[0] - (mu[0] * xi_dot_0_3_23_17 - mu[1] * xi_dot_0_3_17)
-        + base_wrench[5])
-        * 0.26666666666666666
-        + (xi_dot_0_3 * xi_dot_0_3_23_4_0_2 - xi_dot_0 * poses.com_y)
-        + gravity[2]
-        + 0.0;
+        + (xi_dot_0_3 * xi_dot_0_3_23_4_0_2 - xi_dot_0 * poses.com_y) + gravity[2] + 0.0;
     let wrench_base_fx_9 = minus_wrench_link_2_mz_12 * 2.0
-        + (mu[1] * inertias.minus_inertia_base_hx - mu[0] * inertias.minus_inertia_base_hy);
-    let minus_wrench_link_2_fx_2 =
-        minus_wrench_link_2_mz_12 * 0.75 + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
-    let wrench_base_mz_21 = wrench_base_mz_24 * 2.0 + wrench_base_fx_8 * inertias.minus_inertia_base_hy;
-    let wrench_base_mz_23 = wrench_base_mz_22 * 2.0 - wrench_base_fx_8 * inertias.minus_inertia_base_hx;
+        + (mu[1] * inertias.minus_inertia_base_hx
+            - mu[0] * inertias.minus_inertia_base_hy);
+    let minus_wrench_link_2_fx_2 = minus_wrench_link_2_mz_12 * 0.75
+        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
+    let wrench_base_mz_21 = wrench_base_mz_24 * 2.0
+        + wrench_base_fx_8 * inertias.minus_inertia_base_hy;
+    let wrench_base_mz_23 = wrench_base_mz_22 * 2.0
+        - wrench_base_fx_8 * inertias.minus_inertia_base_hx;
     let wrench_link_1_fx_6 = velocities.velocity_link_1_wz + mu[2];
     let wrench_link_1_mz_24 = velocities.velocity_link_1_vx + xi_dot_0_3_6_0;
     let wrench_link_1_mz_22 = xi_dot_0_3_23_4_0 - velocities.minus_velocity_link_1_vy;
-    let wrench_link_1_mz_21 = wrench_link_1_mz_24 - wrench_link_1_fx_6 * inertias.inertia_link_1_hy;
-    let wrench_link_1_mz_23 = wrench_link_1_mz_22 + wrench_link_1_fx_6 * inertias.inertia_link_1_hx;
-    let wrench_link_1_fx_7 =
-        minus_wrench_link_2_mz_12 + (mu[0] * inertias.inertia_link_1_hy - mu[1] * inertias.inertia_link_1_hx);
+    let wrench_link_1_mz_21 = wrench_link_1_mz_24
+        - wrench_link_1_fx_6 * inertias.inertia_link_1_hy;
+    let wrench_link_1_mz_23 = wrench_link_1_mz_22
+        + wrench_link_1_fx_6 * inertias.inertia_link_1_hx;
+    let wrench_link_1_fx_7 = minus_wrench_link_2_mz_12
+        + (mu[0] * inertias.inertia_link_1_hy - mu[1] * inertias.inertia_link_1_hx);
     let minus_wrench_link_2_fx_1 = velocities.velocity_link_2_wz + mu[2];
     let minus_wrench_link_2_mz_17 = velocities.velocity_link_2_vx + xi_dot_0_3_6_0;
-    let minus_wrench_link_2_mz_15 = xi_dot_0_3_23_4_0 - velocities.minus_velocity_link_2_vy;
-    let minus_wrench_link_2_mz_14 =
-        minus_wrench_link_2_mz_17 * 0.75 - minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hy;
-    let minus_wrench_link_2_mz_16 =
-        minus_wrench_link_2_mz_15 * 0.75 + minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hx;
+    let minus_wrench_link_2_mz_15 = xi_dot_0_3_23_4_0
+        - velocities.minus_velocity_link_2_vy;
+    let minus_wrench_link_2_mz_14 = minus_wrench_link_2_mz_17 * 0.75
+        - minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hy;
+    let minus_wrench_link_2_mz_16 = minus_wrench_link_2_mz_15 * 0.75
+        + minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hx;
     let minus_wrench_link_2_mz = (inertias.inertia_link_2_xx * mu[0]
         + inertias.inertia_link_2_xy * mu[1]
-        + inertias.inertia_link_2_hy * minus_wrench_link_2_mz_12)
-        * mu[1]
+        + inertias.inertia_link_2_hy * minus_wrench_link_2_mz_12) * mu[1]
         - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-            - inertias.inertia_link_2_hx * minus_wrench_link_2_mz_12)
-            * mu[0]
+            - inertias.inertia_link_2_hx * minus_wrench_link_2_mz_12) * mu[0]
         + (minus_wrench_link_2_mz_14 * minus_wrench_link_2_mz_15
             - minus_wrench_link_2_mz_16 * minus_wrench_link_2_mz_17);
-    let minus_wrench_link_2_fx =
-        minus_wrench_link_2_mz_16 * minus_wrench_link_2_fx_1 - minus_wrench_link_2_fx_2 * mu[1];
-    let minus_wrench_link_2_fy =
-        minus_wrench_link_2_fx_2 * mu[0] - minus_wrench_link_2_mz_14 * minus_wrench_link_2_fx_1;
-    let wrench_link_1_mz_3 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_x + minus_wrench_link_2_mz_15) * qd[1];
-    let wrench_link_1_mz_1 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_y - minus_wrench_link_2_mz_17) * qd[1];
+    let minus_wrench_link_2_fx = minus_wrench_link_2_mz_16 * minus_wrench_link_2_fx_1
+        - minus_wrench_link_2_fx_2 * mu[1];
+    let minus_wrench_link_2_fy = minus_wrench_link_2_fx_2 * mu[0]
+        - minus_wrench_link_2_mz_14 * minus_wrench_link_2_fx_1;
+    let wrench_link_1_mz_3 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_x
+        + minus_wrench_link_2_mz_15) * qd[1];
+    let wrench_link_1_mz_1 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_y
+        - minus_wrench_link_2_mz_17) * qd[1];
     let inverse_pivot_joint_2_d = 1.0
         / (screws.inside_joint_2_mz + poses.origin_link_2_y * screws.inside_joint_2_fx
             - poses.origin_link_2_x * screws.inside_joint_2_fy);
@@ -1886,20 +2112,17 @@ pub fn forward_dynamics(
         - (poses.origin_link_2_x * minus_wrench_link_2_fy
             - (minus_wrench_link_2_mz + poses.origin_link_2_y * minus_wrench_link_2_fx));
     let wrench_link_1_mz_6 = (wrench_link_1_mz_6_0
-        - (wrench_link_1_mz_3 * screws.inside_joint_2_fx + wrench_link_1_mz_1 * screws.inside_joint_2_fy))
-        * inverse_pivot_joint_2_d;
+        - (wrench_link_1_mz_3 * screws.inside_joint_2_fx
+            + wrench_link_1_mz_1 * screws.inside_joint_2_fy)) * inverse_pivot_joint_2_d;
     let wrench_link_1_mz = inertias.inertia_link_2_hx * wrench_link_1_mz_1
-        - inertias.inertia_link_2_hy * wrench_link_1_mz_3
-        - minus_wrench_link_2_mz
+        - inertias.inertia_link_2_hy * wrench_link_1_mz_3 - minus_wrench_link_2_mz
         + screws.inside_joint_2_mz * wrench_link_1_mz_6
-        - ((inertias.inertia_link_1_xx * mu[0]
-            + inertias.inertia_link_1_xy * mu[1]
-            + inertias.inertia_link_1_hy * minus_wrench_link_2_mz_12)
-            * mu[1]
+        - ((inertias.inertia_link_1_xx * mu[0] + inertias.inertia_link_1_xy * mu[1]
+            + inertias.inertia_link_1_hy * minus_wrench_link_2_mz_12) * mu[1]
             - (inertias.inertia_link_1_xy * mu[0] + inertias.inertia_link_1_yy * mu[1]
-                - inertias.inertia_link_1_hx * minus_wrench_link_2_mz_12)
-                * mu[0]
-            + (wrench_link_1_mz_21 * wrench_link_1_mz_22 - wrench_link_1_mz_23 * wrench_link_1_mz_24));
+                - inertias.inertia_link_1_hx * minus_wrench_link_2_mz_12) * mu[0]
+            + (wrench_link_1_mz_21 * wrench_link_1_mz_22
+                - wrench_link_1_mz_23 * wrench_link_1_mz_24));
     let wrench_link_1_fx = 0.75 * wrench_link_1_mz_3 - minus_wrench_link_2_fx
         + screws.inside_joint_2_fx * wrench_link_1_mz_6
         - (wrench_link_1_mz_23 * wrench_link_1_fx_6 - wrench_link_1_fx_7 * mu[1]);
@@ -1907,102 +2130,128 @@ pub fn forward_dynamics(
         + screws.inside_joint_2_fy * wrench_link_1_mz_6
         - (wrench_link_1_fx_7 * mu[0] - wrench_link_1_mz_21 * wrench_link_1_fx_6);
     let articulated_link_1_jzz_2 = screws.inside_joint_2_mz * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_mxy_0 = screws.inside_joint_2_fx * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_mxy = minus_articulated_link_1_mxy_0 * screws.inside_joint_2_fy;
-    let articulated_link_1_jzz =
-        inertias.inertia_link_1_zz + (inertias.inertia_link_2_zz - articulated_link_1_jzz_2 * screws.inside_joint_2_mz);
-    let minus_articulated_link_1_hzx =
-        inertias.inertia_link_1_hy + (inertias.inertia_link_2_hy + articulated_link_1_jzz_2 * screws.inside_joint_2_fx);
-    let articulated_link_1_hzy =
-        inertias.inertia_link_1_hx + (inertias.inertia_link_2_hx - articulated_link_1_jzz_2 * screws.inside_joint_2_fy);
-    let articulated_link_1_mxx = 1.0 + (0.75 - minus_articulated_link_1_mxy_0 * screws.inside_joint_2_fx);
-    let articulated_link_1_myy =
-        1.0 + (0.75 - screws.inside_joint_2_fy * inverse_pivot_joint_2_d * screws.inside_joint_2_fy);
-    let wrench_base_mz_4 = (wrench_link_1_fx_6 * poses.origin_link_1_x + wrench_link_1_mz_22) * qd[0];
-    let wrench_base_mz_2 = (wrench_link_1_fx_6 * poses.com_y + wrench_link_1_mz_24) * qd[0];
+    let minus_articulated_link_1_mxy_0 = screws.inside_joint_2_fx
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_mxy = minus_articulated_link_1_mxy_0
+        * screws.inside_joint_2_fy;
+    let articulated_link_1_jzz = inertias.inertia_link_1_zz
+        + (inertias.inertia_link_2_zz
+            - articulated_link_1_jzz_2 * screws.inside_joint_2_mz);
+    let minus_articulated_link_1_hzx = inertias.inertia_link_1_hy
+        + (inertias.inertia_link_2_hy
+            + articulated_link_1_jzz_2 * screws.inside_joint_2_fx);
+    let articulated_link_1_hzy = inertias.inertia_link_1_hx
+        + (inertias.inertia_link_2_hx
+            - articulated_link_1_jzz_2 * screws.inside_joint_2_fy);
+    let articulated_link_1_mxx = 1.0
+        + (0.75 - minus_articulated_link_1_mxy_0 * screws.inside_joint_2_fx);
+    let articulated_link_1_myy = 1.0
+        + (0.75
+            - screws.inside_joint_2_fy * inverse_pivot_joint_2_d
+                * screws.inside_joint_2_fy);
+    let wrench_base_mz_4 = (wrench_link_1_fx_6 * poses.origin_link_1_x
+        + wrench_link_1_mz_22) * qd[0];
+    let wrench_base_mz_2 = (wrench_link_1_fx_6 * poses.com_y + wrench_link_1_mz_24)
+        * qd[0];
     let wrench_outside_link_1_mz = articulated_link_1_jzz
-        + (minus_articulated_link_1_hzx * poses.com_y - articulated_link_1_hzy * poses.origin_link_1_x);
+        + (minus_articulated_link_1_hzx * poses.com_y
+            - articulated_link_1_hzy * poses.origin_link_1_x);
     let wrench_outside_link_1_fx = minus_articulated_link_1_mxy * poses.origin_link_1_x
-        - articulated_link_1_mxx * poses.com_y
-        - minus_articulated_link_1_hzx;
+        - articulated_link_1_mxx * poses.com_y - minus_articulated_link_1_hzx;
     let wrench_outside_link_1_fy = articulated_link_1_hzy
-        + (minus_articulated_link_1_mxy * poses.com_y - articulated_link_1_myy * poses.origin_link_1_x);
+        + (minus_articulated_link_1_mxy * poses.com_y
+            - articulated_link_1_myy * poses.origin_link_1_x);
     let inverse_pivot_joint_1_d = 1.0
-        / (wrench_outside_link_1_mz
-            - poses.com_y * wrench_outside_link_1_fx
+        / (wrench_outside_link_1_mz - poses.com_y * wrench_outside_link_1_fx
             - poses.origin_link_1_x * wrench_outside_link_1_fy);
-    let wrench_base_mz_6_0 =
-        tau[0] - (wrench_link_1_mz - poses.com_y * wrench_link_1_fx - poses.origin_link_1_x * wrench_link_1_fy);
+    let wrench_base_mz_6_0 = tau[0]
+        - (wrench_link_1_mz - poses.com_y * wrench_link_1_fx
+            - poses.origin_link_1_x * wrench_link_1_fy);
     let wrench_base_mz_6 = (wrench_base_mz_6_0
-        - (wrench_base_mz_4 * wrench_outside_link_1_fx - wrench_base_mz_2 * wrench_outside_link_1_fy))
-        * inverse_pivot_joint_1_d;
+        - (wrench_base_mz_4 * wrench_outside_link_1_fx
+            - wrench_base_mz_2 * wrench_outside_link_1_fy)) * inverse_pivot_joint_1_d;
     let wrench_base_mz = wrench_link_1_mz
-        - (articulated_link_1_hzy * wrench_base_mz_2 + minus_articulated_link_1_hzx * wrench_base_mz_4)
+        - (articulated_link_1_hzy * wrench_base_mz_2
+            + minus_articulated_link_1_hzx * wrench_base_mz_4)
         + wrench_outside_link_1_mz * wrench_base_mz_6
-        - ((inertias.inertia_base_xx * mu[0]
-            - inertias.minus_inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_hy * minus_wrench_link_2_mz_12)
-            * mu[1]
+        - ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
+            - inertias.minus_inertia_base_hy * minus_wrench_link_2_mz_12) * mu[1]
             - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-                + inertias.minus_inertia_base_hx * minus_wrench_link_2_mz_12)
-                * mu[0]
-            + (wrench_base_mz_21 * wrench_base_mz_22 - wrench_base_mz_23 * wrench_base_mz_24)
-            + wrench_base_mz_25);
+                + inertias.minus_inertia_base_hx * minus_wrench_link_2_mz_12) * mu[0]
+            + (wrench_base_mz_21 * wrench_base_mz_22
+                - wrench_base_mz_23 * wrench_base_mz_24) + wrench_base_mz_25);
     let wrench_base_fx = wrench_link_1_fx
-        + (articulated_link_1_mxx * wrench_base_mz_4 + minus_articulated_link_1_mxy * wrench_base_mz_2)
+        + (articulated_link_1_mxx * wrench_base_mz_4
+            + minus_articulated_link_1_mxy * wrench_base_mz_2)
         + wrench_outside_link_1_fx * wrench_base_mz_6
-        - (wrench_base_mz_23 * wrench_base_fx_8 - wrench_base_fx_9 * mu[1] + base_wrench[3]);
+        - (wrench_base_mz_23 * wrench_base_fx_8 - wrench_base_fx_9 * mu[1]
+            + base_wrench[3]);
     let wrench_base_fy = wrench_link_1_fy
-        - (minus_articulated_link_1_mxy * wrench_base_mz_4 + articulated_link_1_myy * wrench_base_mz_2)
+        - (minus_articulated_link_1_mxy * wrench_base_mz_4
+            + articulated_link_1_myy * wrench_base_mz_2)
         + wrench_outside_link_1_fy * wrench_base_mz_6
-        - (wrench_base_fx_9 * mu[0] - wrench_base_mz_21 * wrench_base_fx_8 + base_wrench[4]);
+        - (wrench_base_fx_9 * mu[0] - wrench_base_mz_21 * wrench_base_fx_8
+            + base_wrench[4]);
     let articulated_base_jzz_2 = wrench_outside_link_1_mz * inverse_pivot_joint_1_d;
-    let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx * inverse_pivot_joint_1_d;
-    let minus_articulated_base_mxy =
-        minus_articulated_link_1_mxy + minus_articulated_base_mxy_1 * wrench_outside_link_1_fy;
-    let articulated_base_jzz =
-        inertias.inertia_base_zz + (articulated_link_1_jzz - articulated_base_jzz_2 * wrench_outside_link_1_mz);
+    let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx
+        * inverse_pivot_joint_1_d;
+    let minus_articulated_base_mxy = minus_articulated_link_1_mxy
+        + minus_articulated_base_mxy_1 * wrench_outside_link_1_fy;
+    let articulated_base_jzz = inertias.inertia_base_zz
+        + (articulated_link_1_jzz - articulated_base_jzz_2 * wrench_outside_link_1_mz);
     let articulated_base_hzx = inertias.minus_inertia_base_hy
-        - (minus_articulated_link_1_hzx + articulated_base_jzz_2 * wrench_outside_link_1_fx);
-    let articulated_base_hzy =
-        articulated_link_1_hzy - articulated_base_jzz_2 * wrench_outside_link_1_fy - inertias.minus_inertia_base_hx;
-    let articulated_base_mxx = 2.0 + (articulated_link_1_mxx - minus_articulated_base_mxy_1 * wrench_outside_link_1_fx);
-    let articulated_base_myy =
-        2.0 + (articulated_link_1_myy - wrench_outside_link_1_fy * inverse_pivot_joint_1_d * wrench_outside_link_1_fy);
+        - (minus_articulated_link_1_hzx
+            + articulated_base_jzz_2 * wrench_outside_link_1_fx);
+    let articulated_base_hzy = articulated_link_1_hzy
+        - articulated_base_jzz_2 * wrench_outside_link_1_fy
+        - inertias.minus_inertia_base_hx;
+    let articulated_base_mxx = 2.0
+        + (articulated_link_1_mxx
+            - minus_articulated_base_mxy_1 * wrench_outside_link_1_fx);
+    let articulated_base_myy = 2.0
+        + (articulated_link_1_myy
+            - wrench_outside_link_1_fy * inverse_pivot_joint_1_d
+                * wrench_outside_link_1_fy);
     let twist_base_wz_12 = 1.0 / articulated_base_mxx;
     let twist_base_wz_13 = minus_articulated_base_mxy * twist_base_wz_12;
-    let minus_twist_base_vy_5 = 1.0 / (articulated_base_myy - twist_base_wz_13 * minus_articulated_base_mxy);
-    let twist_base_wz_16 = (articulated_base_hzy + twist_base_wz_13 * articulated_base_hzx) * minus_twist_base_vy_5;
-    let twist_base_wz_6 = (wrench_base_fy + twist_base_wz_13 * wrench_base_fx) * minus_twist_base_vy_5;
+    let minus_twist_base_vy_5 = 1.0
+        / (articulated_base_myy - twist_base_wz_13 * minus_articulated_base_mxy);
+    let twist_base_wz_16 = (articulated_base_hzy
+        + twist_base_wz_13 * articulated_base_hzx) * minus_twist_base_vy_5;
+    let twist_base_wz_6 = (wrench_base_fy + twist_base_wz_13 * wrench_base_fx)
+        * minus_twist_base_vy_5;
     let twist_base_wz = (articulated_base_hzy * twist_base_wz_6
-        + articulated_base_hzx * (wrench_base_fx * twist_base_wz_12 + twist_base_wz_13 * twist_base_wz_6)
+        + articulated_base_hzx
+            * (wrench_base_fx * twist_base_wz_12 + twist_base_wz_13 * twist_base_wz_6)
         - wrench_base_mz)
         * (1.0
             / (articulated_base_jzz
                 - (articulated_base_hzx
-                    * (articulated_base_hzx * twist_base_wz_12 + twist_base_wz_13 * twist_base_wz_16)
+                    * (articulated_base_hzx * twist_base_wz_12
+                        + twist_base_wz_13 * twist_base_wz_16)
                     + articulated_base_hzy * twist_base_wz_16)));
     let minus_twist_base_vy_4 = wrench_base_fx + articulated_base_hzx * twist_base_wz;
-    let minus_twist_base_vy =
-        (wrench_base_fy + articulated_base_hzy * twist_base_wz + twist_base_wz_13 * minus_twist_base_vy_4)
-            * minus_twist_base_vy_5;
-    let minus_twist_base_vx = minus_twist_base_vy_4 * twist_base_wz_12 + twist_base_wz_13 * minus_twist_base_vy;
+    let minus_twist_base_vy = (wrench_base_fy + articulated_base_hzy * twist_base_wz
+        + twist_base_wz_13 * minus_twist_base_vy_4) * minus_twist_base_vy_5;
+    let minus_twist_base_vx = minus_twist_base_vy_4 * twist_base_wz_12
+        + twist_base_wz_13 * minus_twist_base_vy;
     let twist_link_1_vx_0 = wrench_base_mz_4 - minus_twist_base_vx;
     let minus_twist_link_1_vy_0 = minus_twist_base_vy + wrench_base_mz_2;
     let twist_link_1_wz_1 = (wrench_base_mz_6_0
-        - (twist_base_wz * wrench_outside_link_1_mz + twist_link_1_vx_0 * wrench_outside_link_1_fx
+        - (twist_base_wz * wrench_outside_link_1_mz
+            + twist_link_1_vx_0 * wrench_outside_link_1_fx
             - minus_twist_link_1_vy_0 * wrench_outside_link_1_fy))
         * inverse_pivot_joint_1_d;
     xi_dot[6] = twist_link_1_wz_1 + 0.0;
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
     let twist_link_1_vx = twist_link_1_vx_0 - poses.com_y * twist_link_1_wz_1;
-    let minus_twist_link_1_vy = minus_twist_link_1_vy_0 + poses.origin_link_1_x * twist_link_1_wz_1;
+    let minus_twist_link_1_vy = minus_twist_link_1_vy_0
+        + poses.origin_link_1_x * twist_link_1_wz_1;
     xi_dot[7] = (wrench_link_1_mz_6_0
         - (twist_link_1_wz * screws.inside_joint_2_mz
             + (twist_link_1_vx + wrench_link_1_mz_3) * screws.inside_joint_2_fx
             + (wrench_link_1_mz_1 - minus_twist_link_1_vy) * screws.inside_joint_2_fy))
-        * inverse_pivot_joint_2_d
-        + 0.0;
+        * inverse_pivot_joint_2_d + 0.0;
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
 ///
@@ -2014,7 +2263,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (2; N·m, N)
 ///
-/// 533 operations: 257 + −, 273 ×, 3 ÷; 2 sin cos; about 4.8 KiB of code.
+/// 533 operations: 257 + −, 273 ×, 3 ÷; 2 sin cos; about 6.3 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -2032,11 +2281,13 @@ pub fn inverse_dynamics(
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
     let base_wrench_0_23_13_0_2 = poses.com_x + 0.25;
-    let base_wrench_0_15 = inertias.composite_base_xy * mu[0] + inertias.composite_base_yy * mu[1];
+    let base_wrench_0_15 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1];
     let base_wrench_0_17 = inertias.composite_base_zz * mu[2];
     let base_wrench_0_23_11_0 = mu[3] - mu[2] * poses.com_y;
     let base_wrench_0_23_13_0 = mu[4] + mu[2] * base_wrench_0_23_13_0_2;
-    let wrench_outside_link_1_mz_18 = mu[5] + (mu[0] * poses.com_y - mu[1] * base_wrench_0_23_13_0_2);
+    let wrench_outside_link_1_mz_18 = mu[5]
+        + (mu[0] * poses.com_y - mu[1] * base_wrench_0_23_13_0_2);
     let base_wrench_0_23_11 = base_wrench_0_23_11_0 * 3.75;
     let base_wrench_0_23_13 = base_wrench_0_23_13_0 * 3.75;
     let base_wrench_0_21 = wrench_outside_link_1_mz_18 * 3.75;
@@ -2046,140 +2297,155 @@ pub fn inverse_dynamics(
     let base_wrench_0_9 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let base_wrench_0_10_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let base_wrench_0_10 = base_wrench_0_10_1 + base_wrench_0_10_1;
-    let base_wrench_0_23_10 = screws.inside_joint_2_fx * qd[1] - screws.minus_inside_joint_1_fx * qd[0];
-    let base_wrench_0_23_8 = screws.inside_joint_1_fy * qd[0] + screws.inside_joint_2_fy * qd[1];
+    let base_wrench_0_23_10 = screws.inside_joint_2_fx * qd[1]
+        - screws.minus_inside_joint_1_fx * qd[0];
+    let base_wrench_0_23_8 = screws.inside_joint_1_fy * qd[0]
+        + screws.inside_joint_2_fy * qd[1];
     let base_wrench_0_4 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
-        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0))
-        * qd[0]
-        + (inertias.inertia_link_2_xx
-            - inertias.inertia_link_2_yy
-            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0))
-            * qd[1];
+        + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
+        + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
+            - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
     let wrench_outside_link_1_fx_5 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_outside_link_1_mz_21 = base_wrench_0_23_13_0 - velocities.minus_velocity_base_vy;
-    let base_wrench_0_23 = (xi_dot[5] - gravity[2] + (xi_dot[0] * poses.com_y - xi_dot[1] * base_wrench_0_23_13_0_2))
-        * 3.75
+    let wrench_outside_link_1_mz_21 = base_wrench_0_23_13_0
+        - velocities.minus_velocity_base_vy;
+    let base_wrench_0_23 = (xi_dot[5] - gravity[2]
+        + (xi_dot[0] * poses.com_y - xi_dot[1] * base_wrench_0_23_13_0_2)) * 3.75
         + (mu[0] * base_wrench_0_23_8 - mu[1] * base_wrench_0_23_10)
         - (base_wrench_0_23_11 * mu[1] - base_wrench_0_23_13 * mu[0]);
     // F₁
     base_wrench[0] = inertias.composite_base_xx * xi_dot[0]
         + inertias.composite_base_xy * xi_dot[1]
         + (base_wrench_0_4 * mu[1]
-            - ((base_wrench_0_6 + base_wrench_0_7) * qd[0] + (base_wrench_0_9 + base_wrench_0_10) * qd[1]) * mu[0]
+            - ((base_wrench_0_6 + base_wrench_0_7) * qd[0]
+                + (base_wrench_0_9 + base_wrench_0_10) * qd[1]) * mu[0]
             + base_wrench_0_23_8 * wrench_outside_link_1_mz_18)
         - (base_wrench_0_15 * wrench_outside_link_1_fx_5 - base_wrench_0_17 * mu[1]
-            + (base_wrench_0_23_13 * wrench_outside_link_1_mz_18 - base_wrench_0_21 * wrench_outside_link_1_mz_21))
-        + base_wrench_0_23 * poses.com_y
-        + 0.0;
-    let base_wrench_1_17 = inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1];
+            + (base_wrench_0_23_13 * wrench_outside_link_1_mz_18
+                - base_wrench_0_21 * wrench_outside_link_1_mz_21))
+        + base_wrench_0_23 * poses.com_y + 0.0;
+    let base_wrench_1_17 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1];
     let base_wrench_1_7_1 = inertias.composite_link_1_hx * poses.com_y;
     let base_wrench_1_7 = base_wrench_1_7_1 + base_wrench_1_7_1;
     let base_wrench_1_10_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let base_wrench_1_10 = base_wrench_1_10_1 + base_wrench_1_10_1;
-    let wrench_outside_link_1_mz_23 = base_wrench_0_23_11_0 + velocities.velocity_base_vx;
+    let wrench_outside_link_1_mz_23 = base_wrench_0_23_11_0
+        + velocities.velocity_base_vx;
     base_wrench[1] = inertias.composite_base_xy * xi_dot[0]
         + inertias.composite_base_yy * xi_dot[1]
         + (base_wrench_0_4 * mu[0]
-            + ((base_wrench_0_6 - base_wrench_1_7) * qd[0] + (base_wrench_0_9 + base_wrench_1_10) * qd[1]) * mu[1]
+            + ((base_wrench_0_6 - base_wrench_1_7) * qd[0]
+                + (base_wrench_0_9 + base_wrench_1_10) * qd[1]) * mu[1]
             - base_wrench_0_23_10 * wrench_outside_link_1_mz_18)
         - (base_wrench_0_17 * mu[0] - base_wrench_1_17 * wrench_outside_link_1_fx_5
-            + (base_wrench_0_21 * wrench_outside_link_1_mz_23 - base_wrench_0_23_11 * wrench_outside_link_1_mz_18))
-        - base_wrench_0_23 * base_wrench_0_23_13_0_2
-        + 0.0;
+            + (base_wrench_0_21 * wrench_outside_link_1_mz_23
+                - base_wrench_0_23_11 * wrench_outside_link_1_mz_18))
+        - base_wrench_0_23 * base_wrench_0_23_13_0_2 + 0.0;
     let base_wrench_2_0 = inertias.composite_base_zz * xi_dot[2]
-        + (((base_wrench_1_10 - base_wrench_0_10) * qd[1] - (base_wrench_1_7 + base_wrench_0_7) * qd[0]) * mu[2]
-            + (base_wrench_0_23_10 * base_wrench_0_23_13_0 - base_wrench_0_23_8 * base_wrench_0_23_11_0))
+        + (((base_wrench_1_10 - base_wrench_0_10) * qd[1]
+            - (base_wrench_1_7 + base_wrench_0_7) * qd[0]) * mu[2]
+            + (base_wrench_0_23_10 * base_wrench_0_23_13_0
+                - base_wrench_0_23_8 * base_wrench_0_23_11_0))
         - (base_wrench_1_17 * mu[1] - base_wrench_0_15 * mu[0]
-            + (base_wrench_0_23_11 * wrench_outside_link_1_mz_21 - base_wrench_0_23_13 * wrench_outside_link_1_mz_23));
+            + (base_wrench_0_23_11 * wrench_outside_link_1_mz_21
+                - base_wrench_0_23_13 * wrench_outside_link_1_mz_23));
     let base_wrench_2_3 = (xi_dot[3] - gravity[0] - xi_dot[2] * poses.com_y) * 3.75
         - mu[2] * base_wrench_0_23_8
         - (base_wrench_0_23_13 * wrench_outside_link_1_fx_5 - base_wrench_0_21 * mu[1]);
-    let base_wrench_2_1 = (xi_dot[4] - gravity[1] + xi_dot[2] * base_wrench_0_23_13_0_2) * 3.75
-        + mu[2] * base_wrench_0_23_10
+    let base_wrench_2_1 = (xi_dot[4] - gravity[1] + xi_dot[2] * base_wrench_0_23_13_0_2)
+        * 3.75 + mu[2] * base_wrench_0_23_10
         - (base_wrench_0_21 * mu[0] - base_wrench_0_23_11 * wrench_outside_link_1_fx_5);
-    base_wrench[2] =
-        base_wrench_2_0 + (base_wrench_2_1 * base_wrench_0_23_13_0_2 - base_wrench_2_3 * poses.com_y) + 0.0;
+    base_wrench[2] = base_wrench_2_0
+        + (base_wrench_2_1 * base_wrench_0_23_13_0_2 - base_wrench_2_3 * poses.com_y)
+        + 0.0;
     base_wrench[3] = base_wrench_2_3 + 0.0;
     base_wrench[4] = base_wrench_2_1 + 0.0;
     base_wrench[5] = base_wrench_0_23 + 0.0;
     let wrench_outside_link_1_fx_6 = wrench_outside_link_1_mz_18 * 2.0
-        + (mu[1] * inertias.minus_inertia_base_hx - mu[0] * inertias.minus_inertia_base_hy);
-    let wrench_link_2_fy_4 =
-        wrench_outside_link_1_mz_18 * 0.75 + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
-    let wrench_outside_link_1_mz_20 =
-        wrench_outside_link_1_mz_23 * 2.0 + wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hy;
-    let wrench_outside_link_1_mz_22 =
-        wrench_outside_link_1_mz_21 * 2.0 - wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hx;
+        + (mu[1] * inertias.minus_inertia_base_hx
+            - mu[0] * inertias.minus_inertia_base_hy);
+    let wrench_link_2_fy_4 = wrench_outside_link_1_mz_18 * 0.75
+        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
+    let wrench_outside_link_1_mz_20 = wrench_outside_link_1_mz_23 * 2.0
+        + wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hy;
+    let wrench_outside_link_1_mz_22 = wrench_outside_link_1_mz_21 * 2.0
+        - wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hx;
     let twist_link_1_vx_1 = velocities.velocity_link_1_wz + mu[2];
     let minus_twist_link_1_vy_3 = velocities.velocity_link_1_vx + base_wrench_0_23_11_0;
     let twist_link_1_vx_3 = base_wrench_0_23_13_0 - velocities.minus_velocity_link_1_vy;
-    let wrench_link_1_mz_0_20 = minus_twist_link_1_vy_3 - twist_link_1_vx_1 * inertias.inertia_link_1_hy;
-    let wrench_outside_link_2_fx_3 = twist_link_1_vx_3 + twist_link_1_vx_1 * inertias.inertia_link_1_hx;
-    let wrench_outside_link_2_fx_5 =
-        wrench_outside_link_1_mz_18 + (mu[0] * inertias.inertia_link_1_hy - mu[1] * inertias.inertia_link_1_hx);
+    let wrench_link_1_mz_0_20 = minus_twist_link_1_vy_3
+        - twist_link_1_vx_1 * inertias.inertia_link_1_hy;
+    let wrench_outside_link_2_fx_3 = twist_link_1_vx_3
+        + twist_link_1_vx_1 * inertias.inertia_link_1_hx;
+    let wrench_outside_link_2_fx_5 = wrench_outside_link_1_mz_18
+        + (mu[0] * inertias.inertia_link_1_hy - mu[1] * inertias.inertia_link_1_hx);
     let twist_link_2_vx_1 = velocities.velocity_link_2_wz + mu[2];
     let twist_link_2_vy_2 = velocities.velocity_link_2_vx + base_wrench_0_23_11_0;
     let twist_link_2_vx_3 = base_wrench_0_23_13_0 - velocities.minus_velocity_link_2_vy;
-    let wrench_link_2_mz_20 = twist_link_2_vy_2 * 0.75 - twist_link_2_vx_1 * inertias.inertia_link_2_hy;
-    let wrench_link_2_mz_22 = twist_link_2_vx_3 * 0.75 + twist_link_2_vx_1 * inertias.inertia_link_2_hx;
-    let minus_twist_base_wz = screws.connection_joint_1_wz * xi_dot[6] + screws.connection_joint_2_wz * xi_dot[7];
-    let twist_base_vx = screws.minus_connection_joint_1_vx * xi_dot[6] - screws.connection_joint_2_vx * xi_dot[7];
-    let minus_twist_base_vy = screws.connection_joint_1_vy * xi_dot[6] + screws.connection_joint_2_vy * xi_dot[7];
+    let wrench_link_2_mz_20 = twist_link_2_vy_2 * 0.75
+        - twist_link_2_vx_1 * inertias.inertia_link_2_hy;
+    let wrench_link_2_mz_22 = twist_link_2_vx_3 * 0.75
+        + twist_link_2_vx_1 * inertias.inertia_link_2_hx;
+    let minus_twist_base_wz = screws.connection_joint_1_wz * xi_dot[6]
+        + screws.connection_joint_2_wz * xi_dot[7];
+    let twist_base_vx = screws.minus_connection_joint_1_vx * xi_dot[6]
+        - screws.connection_joint_2_vx * xi_dot[7];
+    let minus_twist_base_vy = screws.connection_joint_1_vy * xi_dot[6]
+        + screws.connection_joint_2_vy * xi_dot[7];
     let wrench_outside_link_1_mz = inertias.minus_inertia_base_hx * minus_twist_base_vy
         + inertias.minus_inertia_base_hy * twist_base_vx
         - inertias.inertia_base_zz * minus_twist_base_wz
-        - ((inertias.inertia_base_xx * mu[0]
-            - inertias.minus_inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_hy * wrench_outside_link_1_mz_18)
-            * mu[1]
+        - ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
+            - inertias.minus_inertia_base_hy * wrench_outside_link_1_mz_18) * mu[1]
             - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-                + inertias.minus_inertia_base_hx * wrench_outside_link_1_mz_18)
-                * mu[0]
+                + inertias.minus_inertia_base_hx * wrench_outside_link_1_mz_18) * mu[0]
             + (wrench_outside_link_1_mz_20 * wrench_outside_link_1_mz_21
                 - wrench_outside_link_1_mz_22 * wrench_outside_link_1_mz_23));
     let wrench_outside_link_1_fx = twist_base_vx * 2.0
         - minus_twist_base_wz * inertias.minus_inertia_base_hy
-        - (wrench_outside_link_1_mz_22 * wrench_outside_link_1_fx_5 - wrench_outside_link_1_fx_6 * mu[1]);
+        - (wrench_outside_link_1_mz_22 * wrench_outside_link_1_fx_5
+            - wrench_outside_link_1_fx_6 * mu[1]);
     let wrench_outside_link_1_fy = minus_twist_base_wz * inertias.minus_inertia_base_hx
         - minus_twist_base_vy * 2.0
-        - (wrench_outside_link_1_fx_6 * mu[0] - wrench_outside_link_1_mz_20 * wrench_outside_link_1_fx_5);
+        - (wrench_outside_link_1_fx_6 * mu[0]
+            - wrench_outside_link_1_mz_20 * wrench_outside_link_1_fx_5);
     let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
-    let twist_link_1_vx = twist_base_vx + (twist_link_1_vx_1 * poses.origin_link_1_x + twist_link_1_vx_3) * qd[0]
+    let twist_link_1_vx = twist_base_vx
+        + (twist_link_1_vx_1 * poses.origin_link_1_x + twist_link_1_vx_3) * qd[0]
         - poses.com_y * xi_dot[6];
     let minus_twist_link_1_vy = minus_twist_base_vy
         + (twist_link_1_vx_1 * poses.com_y + minus_twist_link_1_vy_3) * qd[0]
         + poses.origin_link_1_x * xi_dot[6];
     let wrench_link_1_mz_0 = inertias.inertia_link_1_zz * twist_link_1_wz
-        - (inertias.inertia_link_1_hx * minus_twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx)
-        - ((inertias.inertia_link_1_xx * mu[0]
-            + inertias.inertia_link_1_xy * mu[1]
-            + inertias.inertia_link_1_hy * wrench_outside_link_1_mz_18)
-            * mu[1]
+        - (inertias.inertia_link_1_hx * minus_twist_link_1_vy
+            + inertias.inertia_link_1_hy * twist_link_1_vx)
+        - ((inertias.inertia_link_1_xx * mu[0] + inertias.inertia_link_1_xy * mu[1]
+            + inertias.inertia_link_1_hy * wrench_outside_link_1_mz_18) * mu[1]
             - (inertias.inertia_link_1_xy * mu[0] + inertias.inertia_link_1_yy * mu[1]
-                - inertias.inertia_link_1_hx * wrench_outside_link_1_mz_18)
-                * mu[0]
-            + (wrench_link_1_mz_0_20 * twist_link_1_vx_3 - wrench_outside_link_2_fx_3 * minus_twist_link_1_vy_3));
+                - inertias.inertia_link_1_hx * wrench_outside_link_1_mz_18) * mu[0]
+            + (wrench_link_1_mz_0_20 * twist_link_1_vx_3
+                - wrench_outside_link_2_fx_3 * minus_twist_link_1_vy_3));
     let wrench_link_1_fy_0 = twist_link_1_wz * inertias.inertia_link_1_hx
         - minus_twist_link_1_vy
-        - (wrench_outside_link_2_fx_5 * mu[0] - wrench_link_1_mz_0_20 * twist_link_1_vx_1);
+        - (wrench_outside_link_2_fx_5 * mu[0]
+            - wrench_link_1_mz_0_20 * twist_link_1_vx_1);
     let twist_link_2_wz = twist_link_1_wz + xi_dot[7];
     let twist_link_2_vx = twist_link_1_vx
         + (twist_link_2_vx_1 * poses.origin_link_2_x + twist_link_2_vx_3) * qd[1]
         + poses.origin_link_2_y * xi_dot[7];
-    let twist_link_2_vy = (twist_link_2_vx_1 * poses.origin_link_2_y - twist_link_2_vy_2) * qd[1]
-        - minus_twist_link_1_vy
-        - poses.origin_link_2_x * xi_dot[7];
+    let twist_link_2_vy = (twist_link_2_vx_1 * poses.origin_link_2_y - twist_link_2_vy_2)
+        * qd[1] - minus_twist_link_1_vy - poses.origin_link_2_x * xi_dot[7];
     let wrench_link_2_mz = inertias.inertia_link_2_zz * twist_link_2_wz
-        + (inertias.inertia_link_2_hx * twist_link_2_vy - inertias.inertia_link_2_hy * twist_link_2_vx)
-        - ((inertias.inertia_link_2_xx * mu[0]
-            + inertias.inertia_link_2_xy * mu[1]
-            + inertias.inertia_link_2_hy * wrench_outside_link_1_mz_18)
-            * mu[1]
+        + (inertias.inertia_link_2_hx * twist_link_2_vy
+            - inertias.inertia_link_2_hy * twist_link_2_vx)
+        - ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1]
+            + inertias.inertia_link_2_hy * wrench_outside_link_1_mz_18) * mu[1]
             - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-                - inertias.inertia_link_2_hx * wrench_outside_link_1_mz_18)
-                * mu[0]
-            + (wrench_link_2_mz_20 * twist_link_2_vx_3 - wrench_link_2_mz_22 * twist_link_2_vy_2));
-    let wrench_link_2_fy = twist_link_2_vy * 0.75 + twist_link_2_wz * inertias.inertia_link_2_hx
+                - inertias.inertia_link_2_hx * wrench_outside_link_1_mz_18) * mu[0]
+            + (wrench_link_2_mz_20 * twist_link_2_vx_3
+                - wrench_link_2_mz_22 * twist_link_2_vy_2));
+    let wrench_link_2_fy = twist_link_2_vy * 0.75
+        + twist_link_2_wz * inertias.inertia_link_2_hx
         - (wrench_link_2_fy_4 * mu[0] - wrench_link_2_mz_20 * twist_link_2_vx_1);
     let wrench_link_1_mz = wrench_link_1_mz_0 + wrench_link_2_mz;
     let wrench_link_1_fy = wrench_link_1_fy_0 + wrench_link_2_fy;
@@ -2189,17 +2455,17 @@ pub fn inverse_dynamics(
         - (screws.connection_joint_1_wz * wrench_outside_link_1_mz
             - screws.minus_connection_joint_1_vx * wrench_outside_link_1_fx
             + screws.connection_joint_1_vy * wrench_outside_link_1_fy)
-        + (screws.connection_joint_1_wz * base_wrench_2_0 - screws.minus_connection_joint_1_vx * base_wrench_2_3
-            + screws.connection_joint_1_vy * base_wrench_2_1)
-        + 0.0;
+        + (screws.connection_joint_1_wz * base_wrench_2_0
+            - screws.minus_connection_joint_1_vx * base_wrench_2_3
+            + screws.connection_joint_1_vy * base_wrench_2_1) + 0.0;
     let wrench_link_2_fx = twist_link_2_vx * 0.75
         - twist_link_2_wz * inertias.inertia_link_2_hy
         - (wrench_link_2_mz_22 * twist_link_2_vx_1 - wrench_link_2_fy_4 * mu[1]);
     let wrench_outside_link_2_mz = wrench_link_1_mz_0 + wrench_outside_link_1_mz;
     let wrench_outside_link_2_fx = twist_link_1_vx
         - twist_link_1_wz * inertias.inertia_link_1_hy
-        - (wrench_outside_link_2_fx_3 * twist_link_1_vx_1 - wrench_outside_link_2_fx_5 * mu[1])
-        + wrench_outside_link_1_fx;
+        - (wrench_outside_link_2_fx_3 * twist_link_1_vx_1
+            - wrench_outside_link_2_fx_5 * mu[1]) + wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = wrench_link_1_fy_0 + wrench_outside_link_1_fy;
     tau[1] = reactions.reaction_joint_2_wz * wrench_link_2_mz
         + reactions.reaction_joint_2_vx * wrench_link_2_fx
@@ -2209,8 +2475,7 @@ pub fn inverse_dynamics(
             + screws.connection_joint_2_vy * wrench_outside_link_2_fy)
         + (screws.connection_joint_2_wz * base_wrench_2_0
             + screws.connection_joint_2_vx * base_wrench_2_3
-            + screws.connection_joint_2_vy * base_wrench_2_1)
-        + 0.0;
+            + screws.connection_joint_2_vy * base_wrench_2_1) + 0.0;
 }
 /// Where a link is, and how the joints move it at zero momentum.
 ///
@@ -2218,8 +2483,12 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×2, by columns; rad, m)
 ///
-/// 148 operations: 69 + −, 76 ×, 3 ÷; 2 sin cos; about 1.4 KiB of code.
-pub fn kinematics_link_2(q: &[f64; 2], pose: &mut [[f64; 3]; 4], generalized_jacobian: &mut [[f64; 6]; 2]) {
+/// 148 operations: 69 + −, 76 ×, 3 ÷; 2 sin cos; about 1.8 KiB of code.
+pub fn kinematics_link_2(
+    q: &[f64; 2],
+    pose: &mut [[f64; 3]; 4],
+    generalized_jacobian: &mut [[f64; 6]; 2],
+) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let complements = complements(&inertias);
@@ -2245,29 +2514,26 @@ pub fn kinematics_link_2(q: &[f64; 2], pose: &mut [[f64; 3]; 4], generalized_jac
     generalized_jacobian[0][0] = 0.0;
     generalized_jacobian[0][1] = 0.0;
     generalized_jacobian[0][2] = reactions.reaction_joint_1_wz + 0.0;
-    let generalized_jacobian_3_0_3 = reactions.reaction_joint_1_wz * poses.origin_link_2_y;
-    let generalized_jacobian_3_0_1 =
-        reactions.reaction_joint_1_wz * poses.origin_link_2_x - reactions.minus_reaction_joint_1_vy;
+    let generalized_jacobian_3_0_3 = reactions.reaction_joint_1_wz
+        * poses.origin_link_2_y;
+    let generalized_jacobian_3_0_1 = reactions.reaction_joint_1_wz
+        * poses.origin_link_2_x - reactions.minus_reaction_joint_1_vy;
     generalized_jacobian[0][3] = poses.rotation_link_2_yx * generalized_jacobian_3_0_1
-        - poses.rotation_link_2_xx * generalized_jacobian_3_0_3
-        + 0.0;
+        - poses.rotation_link_2_xx * generalized_jacobian_3_0_3 + 0.0;
     generalized_jacobian[0][4] = poses.rotation_link_2_yx * generalized_jacobian_3_0_3
-        + poses.rotation_link_2_xx * generalized_jacobian_3_0_1
-        + 0.0;
+        + poses.rotation_link_2_xx * generalized_jacobian_3_0_1 + 0.0;
     generalized_jacobian[0][5] = 0.0;
     // J\u{303}_k = J_k − X_k A_l column joint_2
     generalized_jacobian[1][0] = 0.0;
     generalized_jacobian[1][1] = 0.0;
     generalized_jacobian[1][2] = reactions.reaction_joint_2_wz + 0.0;
-    let generalized_jacobian_3_1_1 =
-        reactions.reaction_joint_2_vx - reactions.reaction_joint_2_wz * poses.origin_link_2_y;
-    let generalized_jacobian_3_1_3 =
-        reactions.reaction_joint_2_vy + reactions.reaction_joint_2_wz * poses.origin_link_2_x;
+    let generalized_jacobian_3_1_1 = reactions.reaction_joint_2_vx
+        - reactions.reaction_joint_2_wz * poses.origin_link_2_y;
+    let generalized_jacobian_3_1_3 = reactions.reaction_joint_2_vy
+        + reactions.reaction_joint_2_wz * poses.origin_link_2_x;
     generalized_jacobian[1][3] = poses.rotation_link_2_xx * generalized_jacobian_3_1_1
-        + poses.rotation_link_2_yx * generalized_jacobian_3_1_3
-        + 0.0;
+        + poses.rotation_link_2_yx * generalized_jacobian_3_1_3 + 0.0;
     generalized_jacobian[1][4] = poses.rotation_link_2_xx * generalized_jacobian_3_1_3
-        - poses.rotation_link_2_yx * generalized_jacobian_3_1_1
-        + 0.0;
+        - poses.rotation_link_2_yx * generalized_jacobian_3_1_1 + 0.0;
     generalized_jacobian[1][5] = 0.0;
 }

@@ -79,7 +79,7 @@ impl Generate {
             let options = Options { outputs: outputs.map(<[Quantity]>::to_vec), ..Options::default() };
             let text = generated(&model, &options)?.text();
             stale.extend(self.settle(Path::new(&format!("generated/src/{name}.rs")), &text)?);
-            library += &format!("pub mod {name};\n");
+            library += &format!("#[rustfmt::skip] // laid out by the generator\npub mod {name};\n");
         }
         stale.extend(self.settle(Path::new("generated/src/lib.rs"), &library)?);
         self.judge(stale)
