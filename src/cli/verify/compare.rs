@@ -182,8 +182,8 @@ mod tests {
         assert_eq!((comparison.tallies[0].compared, comparison.differences()), (127, 1));
         let first = comparison.first.unwrap();
         assert_eq!((first.entry.as_str(), first.state), ("connection[4][2]", 17));
-        assert!(first.text().contains("(0x4048000000000001)"), "{}", first.text());
-        assert_eq!(first.json()["core"]["bits"], "0x4048000000000000");
+        assert!(first.text().contains("(0x404a000000000001)"), "{}", first.text());
+        assert_eq!(first.json()["core"]["bits"], "0x404a000000000000");
     }
 
     #[test]
