@@ -12,11 +12,13 @@
 //! ```
 
 pub mod build;
+mod cut;
 mod emit;
 mod error;
 mod expression;
 pub mod fresh;
 mod glue;
+mod home;
 mod name;
 mod options;
 mod print;
