@@ -31,6 +31,14 @@ pub enum GenerateError {
         /// Of what.
         element: &'static str,
     },
+    /// A number of the robot, or a held value, that the scalar cannot hold.
+    #[error(
+        "{element}: a number of this robot is too large for it; expected finite numbers; choose f64, or smaller values"
+    )]
+    TooLarge {
+        /// The scalar.
+        element: &'static str,
+    },
     /// A coordinate cannot be held, or a payload not be carried, as asked.
     #[error(transparent)]
     Specialise(#[from] SpecialiseError),

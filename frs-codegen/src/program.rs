@@ -144,6 +144,14 @@ impl Program {
         let payload = options.payload.as_deref().map(|link| (link, self.inputs[0]));
         let ((outputs, labels), tape) = record(|| evaluate(model, payload, quantity, &arguments));
         let map = self.graph.absorb(&tape);
+        if self
+            .graph
+            .operations()
+            .iter()
+            .any(|operation| matches!(operation, Operation::Constant(bits) if !f64::from_bits(*bits).is_finite()))
+        {
+            return Err(GenerateError::TooLarge { element: options.precision.name() });
+        }
 
         let mut function = Function {
             quantity,
@@ -211,7 +219,10 @@ fn quantities(model: &Model, options: &Options) -> Result<Vec<Quantity>, Generat
     let mut quantities: Vec<_> = Quantity::ALL.into_iter().filter(|&quantity| asked(quantity)).collect();
     if asked(Quantity::Kinematics(0)) {
         for link in links(model, options)? {
-            quantities.push(Quantity::Kinematics(link));
+            // A link asked for twice is one function.
+            if !quantities.contains(&Quantity::Kinematics(link)) {
+                quantities.push(Quantity::Kinematics(link));
+            }
         }
     }
     Ok(quantities)

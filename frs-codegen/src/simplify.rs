@@ -19,6 +19,16 @@ pub enum Precision {
     Double,
 }
 
+impl Precision {
+    /// The scalar's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Single => "f32",
+            Self::Double => "f64",
+        }
+    }
+}
+
 /// Operations without duplicates, in an order in which operands come first.
 #[derive(Debug, Default)]
 pub struct Graph {

@@ -256,3 +256,20 @@ fn eight_lanes_are_eight_states() {
         }
     }
 }
+
+#[test]
+fn a_value_that_the_scalar_cannot_hold_is_refused() {
+    let model = robot("lwr_satellite");
+    let held = |value, precision| Options { locked: vec![("joint_4".into(), value)], precision, ..Options::default() };
+    let error = |options: &Options| generate(&model, options).err().map(|error| error.to_string());
+    assert!(error(&held(1e300, Precision::Single)).is_some_and(|words| words.starts_with("f32: ")));
+    assert!(error(&held(f64::INFINITY, Precision::Double)).is_some_and(|words| words.starts_with("f64: ")));
+    assert_eq!(error(&held(1e300, Precision::Double)), None);
+}
+
+#[test]
+fn a_link_asked_for_twice_is_one_function() {
+    let links = Some(vec!["link_7".into(), "link_7".into()]);
+    let options = Options { outputs: Some(vec![Quantity::Kinematics(0)]), links, ..Options::default() };
+    assert_eq!(generate(&robot("lwr_satellite"), &options).unwrap().functions.len(), 1);
+}

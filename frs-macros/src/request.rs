@@ -211,6 +211,12 @@ impl Request {
                 options.lanes = Lanes::One;
                 ("lanes", None)
             }
+            GenerateError::TooLarge { .. } => {
+                // Held values may be it, and the numbers of a robot fit into doubles.
+                options.locked.clear();
+                options.precision = Precision::Double;
+                ("scalar", None)
+            }
             GenerateError::Specialise(SpecialiseError::UnknownLink { .. }) => {
                 options.payload = None;
                 ("payload", None)
