@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real` and `Model` stand at the crate's root.
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 13] = [
     ("real.rs", &[]),
     ("spatial", &["Real"]),
     ("model", &["Real", "spatial", "model"]),
@@ -13,6 +13,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("rel", &["Real", "Model", "model", "spatial", "sweep"]),
     ("hamel", &["Real", "model", "spatial", "sweep"]),
     ("derivatives", &["Real"]),
+    ("extended.rs", &["Real"]),
     ("lanes", &["Real"]),
     ("quantity.rs", &[]),
     ("floating_base.rs", &["Curvature", "Model", "Quantity", "Real", "Shape", "Workspace", "spatial"]),

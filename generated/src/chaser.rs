@@ -279,6 +279,8 @@ struct Inertias {
     minus_inertia_base_hx: f64,
     inertia_base_hy: f64,
     minus_inertia_base_hz: f64,
+    inertia_base_yy_1: f64,
+    inertia_base_xx_1: f64,
     inertia_base_xy: f64,
     minus_inertia_base_xz: f64,
     inertia_base_yz: f64,
@@ -353,9 +355,6 @@ struct Inertias {
     inside_joint_3_my_0_0: f64,
     inside_joint_3_mz_0_0: f64,
     inside_joint_3_mz_0_1: f64,
-    inside_joint_3_fx_0: f64,
-    inside_joint_3_fy_1: f64,
-    inside_joint_3_fz_1: f64,
 }
 /// Inertias of the bodies and of their subtrees, centroidal frame.
 #[inline(never)]
@@ -513,14 +512,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inside_joint_3_my_0_0 = inertia_link_3_xy * poses.cos_joint_1;
     let inside_joint_3_mz_0_0 = inertia_link_3_xz * poses.cos_joint_1;
     let inside_joint_3_mz_0_1 = inertia_link_3_yz * poses.sin_joint_1;
-    let inside_joint_3_fx_0 = poses.sin_joint_1 * inertia_link_3_hz;
-    let inside_joint_3_fy_1 = poses.cos_joint_1 * inertia_link_3_hz;
-    let inside_joint_3_fz_1 = poses.cos_joint_1 * inertia_link_3_hy
-        - poses.sin_joint_1 * inertia_link_3_hx;
     Inertias {
         minus_inertia_base_hx,
         inertia_base_hy,
         minus_inertia_base_hz,
+        inertia_base_yy_1,
+        inertia_base_xx_1,
         inertia_base_xy,
         minus_inertia_base_xz,
         inertia_base_yz,
@@ -595,9 +592,6 @@ fn inertias(poses: &Poses) -> Inertias {
         inside_joint_3_my_0_0,
         inside_joint_3_mz_0_0,
         inside_joint_3_mz_0_1,
-        inside_joint_3_fx_0,
-        inside_joint_3_fy_1,
-        inside_joint_3_fz_1,
     }
 }
 /// Inertias of what is outside each subtree, centroidal frame.
@@ -620,10 +614,14 @@ struct Complements {
     complement_link_3_yy: f64,
     complement_link_3_yz: f64,
     complement_link_3_zz: f64,
+    outside_joint_2_mx_0_1: f64,
+    outside_joint_2_my_0_0: f64,
+    outside_joint_2_mz_0_0: f64,
+    outside_joint_2_mz_0_1: f64,
 }
 /// Inertias of what is outside each subtree, centroidal frame.
 #[inline(never)]
-fn complements(inertias: &Inertias) -> Complements {
+fn complements(poses: &Poses, inertias: &Inertias) -> Complements {
     // link_2
     let minus_complement_link_2_hx = inertias.minus_inertia_link_1_hx
         + inertias.minus_inertia_base_hx;
@@ -648,6 +646,10 @@ fn complements(inertias: &Inertias) -> Complements {
     let complement_link_3_yy = inertias.inertia_link_2_yy + complement_link_2_yy;
     let complement_link_3_yz = inertias.inertia_link_2_yz + complement_link_2_yz;
     let complement_link_3_zz = inertias.inertia_link_2_zz + complement_link_2_zz;
+    let outside_joint_2_mx_0_1 = complement_link_2_xy * poses.sin_joint_1;
+    let outside_joint_2_my_0_0 = complement_link_2_xy * poses.cos_joint_1;
+    let outside_joint_2_mz_0_0 = complement_link_2_xz * poses.cos_joint_1;
+    let outside_joint_2_mz_0_1 = complement_link_2_yz * poses.sin_joint_1;
     Complements {
         minus_complement_link_2_hx,
         complement_link_2_hy,
@@ -667,6 +669,10 @@ fn complements(inertias: &Inertias) -> Complements {
         complement_link_3_yy,
         complement_link_3_yz,
         complement_link_3_zz,
+        outside_joint_2_mx_0_1,
+        outside_joint_2_my_0_0,
+        outside_joint_2_mz_0_0,
+        outside_joint_2_mz_0_1,
     }
 }
 /// Screw axes s_j, their momenta h_j = Iᶜ_j s_j, the connection Λ_c⁻¹ h_j.
@@ -694,6 +700,12 @@ struct Screws {
     inside_joint_2_fx: f64,
     inside_joint_2_fy: f64,
     inside_joint_2_fz: f64,
+    outside_joint_2_mx_1_0: f64,
+    outside_joint_2_mx_1_1: f64,
+    outside_joint_2_my_1_0: f64,
+    outside_joint_2_my_1_1: f64,
+    outside_joint_2_mz_1_1: f64,
+    outside_joint_2_mz_1_0: f64,
     connection_joint_2_wz: f64,
     connection_joint_2_wy: f64,
     connection_joint_2_wx: f64,
@@ -724,7 +736,7 @@ struct Screws {
 }
 /// Screw axes s_j, their momenta h_j = Iᶜ_j s_j, the connection Λ_c⁻¹ h_j.
 #[inline(never)]
-fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
+fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Screws {
     // joint_1
     let inside_joint_1_mx = inertias.composite_link_1_xz
         - inertias.composite_link_1_hz * poses.com_x;
@@ -772,6 +784,17 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     let inside_joint_2_fz = poses.cos_joint_1 * inertias.composite_link_2_hy
         - poses.sin_joint_1 * inertias.composite_link_2_hx
         - minus_screw_joint_2_vz * 20.0;
+    let outside_joint_2_mx_1_0 = complements.complement_link_2_hy
+        * minus_screw_joint_2_vz;
+    let outside_joint_2_mx_1_1 = complements.complement_link_2_hz * screw_joint_2_vy;
+    let outside_joint_2_my_1_0 = complements.complement_link_2_hz
+        * minus_screw_joint_2_vx;
+    let outside_joint_2_my_1_1 = complements.minus_complement_link_2_hx
+        * minus_screw_joint_2_vz;
+    let outside_joint_2_mz_1_1 = complements.minus_complement_link_2_hx
+        * screw_joint_2_vy;
+    let outside_joint_2_mz_1_0 = complements.complement_link_2_hy
+        * minus_screw_joint_2_vx;
     let connection_joint_2_wz_4 = inside_joint_2_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_2_mx;
     let connection_joint_2_wz = (inside_joint_2_mz
@@ -804,9 +827,13 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         - (inside_joint_3_my_3 + inside_joint_3_my_4);
     let inside_joint_3_mz = inertias.inside_joint_3_mz_0_0
         + inertias.inside_joint_3_mz_0_1 + (inside_joint_3_mz_2 + inside_joint_3_mz_3);
-    let inside_joint_3_fx = inertias.inside_joint_3_fx_0 - minus_screw_joint_3_vx * 10.0;
-    let inside_joint_3_fy = screw_joint_3_vy * 10.0 - inertias.inside_joint_3_fy_1;
-    let inside_joint_3_fz = screw_joint_3_vz * 10.0 + inertias.inside_joint_3_fz_1;
+    let inside_joint_3_fx = poses.sin_joint_1 * inertias.inertia_link_3_hz
+        - minus_screw_joint_3_vx * 10.0;
+    let inside_joint_3_fy = screw_joint_3_vy * 10.0
+        - poses.cos_joint_1 * inertias.inertia_link_3_hz;
+    let inside_joint_3_fz = screw_joint_3_vz * 10.0
+        + (poses.cos_joint_1 * inertias.inertia_link_3_hy
+            - poses.sin_joint_1 * inertias.inertia_link_3_hx);
     let connection_joint_3_wz_4 = inside_joint_3_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_3_mx;
     let connection_joint_3_wz = (inside_joint_3_mz
@@ -845,6 +872,12 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         inside_joint_2_fx,
         inside_joint_2_fy,
         inside_joint_2_fz,
+        outside_joint_2_mx_1_0,
+        outside_joint_2_mx_1_1,
+        outside_joint_2_my_1_0,
+        outside_joint_2_my_1_1,
+        outside_joint_2_mz_1_1,
+        outside_joint_2_mz_1_0,
         connection_joint_2_wz,
         connection_joint_2_wy,
         connection_joint_2_wx,
@@ -908,17 +941,14 @@ fn outside(
     let outside_joint_1_mz = inertias.inertia_base_zz - inertias.inertia_base_zz_1;
     // joint_2
     let outside_joint_2_mx = complements.complement_link_2_xx * poses.cos_joint_1
-        + complements.complement_link_2_xy * poses.sin_joint_1
-        - (complements.complement_link_2_hy * screws.minus_screw_joint_2_vz
-            + complements.complement_link_2_hz * screws.screw_joint_2_vy);
-    let outside_joint_2_my = complements.complement_link_2_xy * poses.cos_joint_1
+        + complements.outside_joint_2_mx_0_1
+        - (screws.outside_joint_2_mx_1_0 + screws.outside_joint_2_mx_1_1);
+    let outside_joint_2_my = complements.outside_joint_2_my_0_0
         + complements.complement_link_2_yy * poses.sin_joint_1
-        - (complements.complement_link_2_hz * screws.minus_screw_joint_2_vx
-            + complements.minus_complement_link_2_hx * screws.minus_screw_joint_2_vz);
-    let outside_joint_2_mz = complements.complement_link_2_xz * poses.cos_joint_1
-        + complements.complement_link_2_yz * poses.sin_joint_1
-        + (complements.complement_link_2_hy * screws.minus_screw_joint_2_vx
-            - complements.minus_complement_link_2_hx * screws.screw_joint_2_vy);
+        - (screws.outside_joint_2_my_1_0 + screws.outside_joint_2_my_1_1);
+    let outside_joint_2_mz = complements.outside_joint_2_mz_0_0
+        + complements.outside_joint_2_mz_0_1
+        + (screws.outside_joint_2_mz_1_0 - screws.outside_joint_2_mz_1_1);
     let outside_joint_2_fx = poses.sin_joint_1 * complements.complement_link_2_hz
         - screws.minus_screw_joint_2_vx * 110.0;
     let outside_joint_2_fy = screws.screw_joint_2_vy * 110.0
@@ -1125,270 +1155,16 @@ fn velocities(qd: &[f64; 3], poses: &Poses, screws: &Screws) -> Velocities {
         velocity_link_3_vz,
     }
 }
-/// What `d_mu`, `b2` have in common.
-struct CommonDMuB2 {
-    b2_0_1: f64,
-    b2_0_2: f64,
-    b2_1_2: f64,
-}
-/// What `d_mu`, `b2` have in common.
-#[inline(never)]
-fn common_d_mu_b2(
-    mu: &[f64; 6],
-    poses: &Poses,
-    inertias: &Inertias,
-    complements: &Complements,
-    screws: &Screws,
-    reactions: &Reactions,
-) -> CommonDMuB2 {
-    let wrench_base_my_2_1 = (inertias.composite_link_1_xx + inertias.composite_link_1_yy
-        + inertias.composite_link_1_zz) * 0.5;
-    let wrench_base_my_2 = mu[0] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1]
-            + inertias.composite_link_1_xz * mu[2]);
-    let wrench_base_mx_0 = mu[1] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xy * mu[0] + inertias.composite_link_1_yy * mu[1]
-            + inertias.composite_link_1_yz * mu[2]);
-    let wrench_base_mx_2 = mu[2] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xz * mu[0] + inertias.composite_link_1_yz * mu[1]
-            + inertias.composite_link_1_zz * mu[2]);
-    let minus_wrench_base_fy_1 = inertias.composite_link_1_hy
-        * reactions.reaction_joint_1_wz
-        - inertias.composite_link_1_hz * reactions.reaction_joint_1_wy;
-    let minus_wrench_base_fx_3 = inertias.composite_link_1_hz
-        * reactions.reaction_joint_1_wx
-        - inertias.composite_link_1_hx * reactions.reaction_joint_1_wz;
-    let minus_wrench_base_fx_1 = inertias.composite_link_1_hx
-        * reactions.reaction_joint_1_wy
-        - inertias.composite_link_1_hy * reactions.reaction_joint_1_wx;
-    let wrench_base_my_9 = mu[2] * screws.connection_joint_1_vy;
-    let wrench_base_mx_11 = mu[2] * screws.connection_joint_1_vx;
-    let wrench_base_mx_9 = mu[0] * screws.connection_joint_1_vy
-        - mu[1] * screws.connection_joint_1_vx;
-    let wrench_base_my_6_1 = (inertias.inertia_base_xx + inertias.inertia_base_yy
-        + inertias.inertia_base_zz) * 0.5;
-    let wrench_base_my_6 = mu[0] * wrench_base_my_6_1
-        - (inertias.inertia_base_xx * mu[0] + inertias.inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_xz * mu[2]);
-    let wrench_base_mx_4 = mu[1] * wrench_base_my_6_1
-        - (inertias.inertia_base_xy * mu[0] + inertias.inertia_base_yy * mu[1]
-            + inertias.inertia_base_yz * mu[2]);
-    let wrench_base_mx_6 = mu[2] * wrench_base_my_6_1
-        - (inertias.inertia_base_yz * mu[1] - inertias.minus_inertia_base_xz * mu[0]
-            + inertias.inertia_base_zz * mu[2]);
-    let minus_wrench_base_fy_7 = inertias.inertia_base_hy * screws.connection_joint_1_wz
-        + inertias.minus_inertia_base_hz * screws.connection_joint_1_wy;
-    let minus_wrench_base_fx_7 = inertias.minus_inertia_base_hx
-        * screws.connection_joint_1_wz
-        - inertias.minus_inertia_base_hz * screws.connection_joint_1_wx;
-    let minus_wrench_base_fx_5 = inertias.minus_inertia_base_hx
-        * screws.connection_joint_1_wy
-        + inertias.inertia_base_hy * screws.connection_joint_1_wx;
-    let wrench_base_mx = wrench_base_mx_0 * reactions.reaction_joint_1_wz
-        - wrench_base_mx_2 * reactions.reaction_joint_1_wy
-        - (wrench_base_mx_4 * screws.connection_joint_1_wz
-            - wrench_base_mx_6 * screws.connection_joint_1_wy
-            + (inertias.inertia_base_hy * wrench_base_mx_9
-                + inertias.minus_inertia_base_hz * wrench_base_mx_11));
-    let wrench_base_my = wrench_base_mx_2 * reactions.reaction_joint_1_wx
-        - wrench_base_my_2 * reactions.reaction_joint_1_wz
-        - (wrench_base_mx_6 * screws.connection_joint_1_wx
-            - wrench_base_my_6 * screws.connection_joint_1_wz
-            + (inertias.minus_inertia_base_hz * wrench_base_my_9
-                + inertias.minus_inertia_base_hx * wrench_base_mx_9));
-    let wrench_base_mz = wrench_base_my_2 * reactions.reaction_joint_1_wy
-        - wrench_base_mx_0 * reactions.reaction_joint_1_wx
-        - (wrench_base_my_6 * screws.connection_joint_1_wy
-            - wrench_base_mx_4 * screws.connection_joint_1_wx
-            + (inertias.inertia_base_hy * wrench_base_my_9
-                - inertias.minus_inertia_base_hx * wrench_base_mx_11));
-    let minus_wrench_base_fx = mu[1] * minus_wrench_base_fx_1
-        - mu[2] * minus_wrench_base_fx_3
-        + (mu[1] * minus_wrench_base_fx_5 + mu[2] * minus_wrench_base_fx_7
-            - wrench_base_my_9 * 105.0);
-    let minus_wrench_base_fy = mu[2] * minus_wrench_base_fy_1
-        - mu[0] * minus_wrench_base_fx_1
-        + (wrench_base_mx_11 * 105.0
-            - (mu[2] * minus_wrench_base_fy_7 + mu[0] * minus_wrench_base_fx_5));
-    let minus_wrench_base_fz = mu[0] * minus_wrench_base_fx_3
-        - mu[1] * minus_wrench_base_fy_1
-        + (wrench_base_mx_9 * 105.0
-            - (mu[0] * minus_wrench_base_fx_7 - mu[1] * minus_wrench_base_fy_7));
-    let six_joint_2_my_3 = mu[1] * screws.minus_screw_joint_2_vz
-        + mu[2] * screws.screw_joint_2_vy;
-    let six_joint_2_mx_3 = mu[0] * screws.minus_screw_joint_2_vz
-        - mu[2] * screws.minus_screw_joint_2_vx;
-    let six_joint_2_mx_1 = mu[0] * screws.screw_joint_2_vy
-        + mu[1] * screws.minus_screw_joint_2_vx;
-    let six_joint_2_mz_0_1 = (inertias.composite_link_2_xx + inertias.composite_link_2_yy
-        + inertias.composite_link_2_zz) * 0.5;
-    let six_joint_2_mz_0 = mu[0] * six_joint_2_mz_0_1
-        - (inertias.composite_link_2_xx * mu[0] + inertias.composite_link_2_xy * mu[1]
-            + inertias.composite_link_2_xz * mu[2]);
-    let six_joint_2_mz_2 = mu[1] * six_joint_2_mz_0_1
-        - (inertias.composite_link_2_xy * mu[0] + inertias.composite_link_2_yy * mu[1]
-            + inertias.composite_link_2_yz * mu[2]);
-    let six_joint_2_mx_4 = mu[2] * six_joint_2_mz_0_1
-        - (inertias.composite_link_2_xz * mu[0] + inertias.composite_link_2_yz * mu[1]
-            + inertias.composite_link_2_zz * mu[2]);
-    let six_joint_2_mx = inertias.composite_link_2_hy * six_joint_2_mx_1
-        - inertias.composite_link_2_hz * six_joint_2_mx_3
-        - six_joint_2_mx_4 * poses.sin_joint_1;
-    let six_joint_2_my = six_joint_2_mx_4 * poses.cos_joint_1
-        - (inertias.composite_link_2_hz * six_joint_2_my_3
-            + inertias.composite_link_2_hx * six_joint_2_mx_1);
-    let six_joint_2_mz = six_joint_2_mz_0 * poses.sin_joint_1
-        - six_joint_2_mz_2 * poses.cos_joint_1
-        + (inertias.composite_link_2_hx * six_joint_2_mx_3
-            + inertias.composite_link_2_hy * six_joint_2_my_3);
-    let wrench_link_1_my_5 = mu[1] * reactions.reaction_joint_2_vz
-        - mu[2] * reactions.reaction_joint_2_vy;
-    let wrench_link_1_mx_7 = mu[2] * reactions.reaction_joint_2_vx
-        - mu[0] * reactions.reaction_joint_2_vz;
-    let wrench_link_1_mx_5 = mu[0] * reactions.reaction_joint_2_vy
-        - mu[1] * reactions.reaction_joint_2_vx;
-    let wrench_link_1_fy_3 = inertias.composite_link_2_hy * reactions.reaction_joint_2_wz
-        - inertias.composite_link_2_hz * reactions.reaction_joint_2_wy;
-    let wrench_link_1_fx_5 = inertias.composite_link_2_hz * reactions.reaction_joint_2_wx
-        - inertias.composite_link_2_hx * reactions.reaction_joint_2_wz;
-    let wrench_link_1_fx_3 = inertias.composite_link_2_hx * reactions.reaction_joint_2_wy
-        - inertias.composite_link_2_hy * reactions.reaction_joint_2_wx;
-    let wrench_link_1_my_13 = mu[1] * screws.connection_joint_2_vz
-        - mu[2] * screws.connection_joint_2_vy;
-    let wrench_link_1_mx_15 = mu[2] * screws.connection_joint_2_vx
-        - mu[0] * screws.connection_joint_2_vz;
-    let wrench_link_1_mx_13 = mu[0] * screws.connection_joint_2_vy
-        - mu[1] * screws.connection_joint_2_vx;
-    let wrench_link_1_my_10_1 = (complements.complement_link_2_xx
-        + complements.complement_link_2_yy + complements.complement_link_2_zz) * 0.5;
-    let wrench_link_1_my_10 = mu[0] * wrench_link_1_my_10_1
-        - (complements.complement_link_2_xx * mu[0]
-            + complements.complement_link_2_xy * mu[1]
-            + complements.complement_link_2_xz * mu[2]);
-    let wrench_link_1_mx_8 = mu[1] * wrench_link_1_my_10_1
-        - (complements.complement_link_2_xy * mu[0]
-            + complements.complement_link_2_yy * mu[1]
-            + complements.complement_link_2_yz * mu[2]);
-    let wrench_link_1_mx_10 = mu[2] * wrench_link_1_my_10_1
-        - (complements.complement_link_2_xz * mu[0]
-            + complements.complement_link_2_yz * mu[1]
-            + complements.complement_link_2_zz * mu[2]);
-    let wrench_link_1_fy_9 = complements.complement_link_2_hy
-        * screws.connection_joint_2_wz
-        - complements.complement_link_2_hz * screws.connection_joint_2_wy;
-    let wrench_link_1_fx_11 = complements.complement_link_2_hz
-        * screws.connection_joint_2_wx
-        + complements.minus_complement_link_2_hx * screws.connection_joint_2_wz;
-    let wrench_link_1_fx_9 = complements.minus_complement_link_2_hx
-        * screws.connection_joint_2_wy
-        + complements.complement_link_2_hy * screws.connection_joint_2_wx;
-    let wrench_link_1_mx = six_joint_2_mz_2 * reactions.reaction_joint_2_wz
-        - six_joint_2_mx_4 * reactions.reaction_joint_2_wy
-        + (inertias.composite_link_2_hy * wrench_link_1_mx_5
-            - inertias.composite_link_2_hz * wrench_link_1_mx_7)
-        - (wrench_link_1_mx_8 * screws.connection_joint_2_wz
-            - wrench_link_1_mx_10 * screws.connection_joint_2_wy
-            + (complements.complement_link_2_hy * wrench_link_1_mx_13
-                - complements.complement_link_2_hz * wrench_link_1_mx_15));
-    let wrench_link_1_my = six_joint_2_mx_4 * reactions.reaction_joint_2_wx
-        - six_joint_2_mz_0 * reactions.reaction_joint_2_wz
-        + (inertias.composite_link_2_hz * wrench_link_1_my_5
-            - inertias.composite_link_2_hx * wrench_link_1_mx_5)
-        - (wrench_link_1_mx_10 * screws.connection_joint_2_wx
-            - wrench_link_1_my_10 * screws.connection_joint_2_wz
-            + (complements.complement_link_2_hz * wrench_link_1_my_13
-                + complements.minus_complement_link_2_hx * wrench_link_1_mx_13));
-    let wrench_link_1_mz = six_joint_2_mz_0 * reactions.reaction_joint_2_wy
-        - six_joint_2_mz_2 * reactions.reaction_joint_2_wx
-        + (inertias.composite_link_2_hx * wrench_link_1_mx_7
-            - inertias.composite_link_2_hy * wrench_link_1_my_5)
-        - (wrench_link_1_my_10 * screws.connection_joint_2_wy
-            - wrench_link_1_mx_8 * screws.connection_joint_2_wx
-            - (complements.minus_complement_link_2_hx * wrench_link_1_mx_15
-                + complements.complement_link_2_hy * wrench_link_1_my_13));
-    let wrench_link_1_fx = wrench_link_1_my_5 * 20.0
-        - (mu[1] * wrench_link_1_fx_3 - mu[2] * wrench_link_1_fx_5)
-        - (wrench_link_1_my_13 * 110.0
-            + (mu[1] * wrench_link_1_fx_9 + mu[2] * wrench_link_1_fx_11));
-    let wrench_link_1_fy = wrench_link_1_mx_7 * 20.0
-        - (mu[2] * wrench_link_1_fy_3 - mu[0] * wrench_link_1_fx_3)
-        - (wrench_link_1_mx_15 * 110.0
-            - (mu[2] * wrench_link_1_fy_9 + mu[0] * wrench_link_1_fx_9));
-    let wrench_link_1_fz = wrench_link_1_mx_5 * 20.0
-        - (mu[0] * wrench_link_1_fx_5 - mu[1] * wrench_link_1_fy_3)
-        - (wrench_link_1_mx_13 * 110.0
-            - (mu[0] * wrench_link_1_fx_11 - mu[1] * wrench_link_1_fy_9));
-    let six_joint_3_my_3 = mu[1] * screws.screw_joint_3_vz
-        - mu[2] * screws.screw_joint_3_vy;
-    let six_joint_3_mx_3 = mu[2] * screws.minus_screw_joint_3_vx
-        + mu[0] * screws.screw_joint_3_vz;
-    let six_joint_3_mx_1 = mu[0] * screws.screw_joint_3_vy
-        + mu[1] * screws.minus_screw_joint_3_vx;
-    let six_joint_3_mz_10 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
-        + inertias.inertia_link_3_zz) * 0.5;
-    let six_joint_3_mx_4 = mu[2] * six_joint_3_mz_10
-        - (inertias.inertia_link_3_xz * mu[0] + inertias.inertia_link_3_yz * mu[1]
-            + inertias.inertia_link_3_zz * mu[2]);
-    let six_joint_3_mx = inertias.inertia_link_3_hy * six_joint_3_mx_1
-        + inertias.inertia_link_3_hz * six_joint_3_mx_3
-        - six_joint_3_mx_4 * poses.sin_joint_1;
-    let six_joint_3_my = six_joint_3_mx_4 * poses.cos_joint_1
-        + (inertias.inertia_link_3_hz * six_joint_3_my_3
-            - inertias.inertia_link_3_hx * six_joint_3_mx_1);
-    let six_joint_3_mz = (mu[0] * six_joint_3_mz_10
-        - (inertias.inertia_link_3_xx * mu[0] + inertias.inertia_link_3_xy * mu[1]
-            + inertias.inertia_link_3_xz * mu[2])) * poses.sin_joint_1
-        - (mu[1] * six_joint_3_mz_10
-            - (inertias.inertia_link_3_xy * mu[0] + inertias.inertia_link_3_yy * mu[1]
-                + inertias.inertia_link_3_yz * mu[2])) * poses.cos_joint_1
-        - (inertias.inertia_link_3_hx * six_joint_3_mx_3
-            + inertias.inertia_link_3_hy * six_joint_3_my_3);
-    let six_joint_3_fx = six_joint_3_my_3 * 10.0
-        + (mu[1] * inertias.inside_joint_3_fz_1 + mu[2] * inertias.inside_joint_3_fy_1);
-    let minus_six_joint_3_fy = six_joint_3_mx_3 * 10.0
-        + (mu[0] * inertias.inside_joint_3_fz_1 - mu[2] * inertias.inside_joint_3_fx_0);
-    let six_joint_3_fz = six_joint_3_mx_1 * 10.0
-        - (mu[0] * inertias.inside_joint_3_fy_1 + mu[1] * inertias.inside_joint_3_fx_0);
-    let b2_0_1 = reactions.reaction_joint_1_wx * six_joint_2_mx
-        + reactions.reaction_joint_1_wy * six_joint_2_my
-        + reactions.reaction_joint_1_wz * six_joint_2_mz
-        + wrench_base_mx * screws.connection_joint_2_wx
-        + wrench_base_my * screws.connection_joint_2_wy
-        + wrench_base_mz * screws.connection_joint_2_wz
-        - minus_wrench_base_fx * screws.connection_joint_2_vx
-        - minus_wrench_base_fy * screws.connection_joint_2_vy
-        - minus_wrench_base_fz * screws.connection_joint_2_vz;
-    let b2_0_2 = reactions.reaction_joint_1_wx * six_joint_3_mx
-        + reactions.reaction_joint_1_wy * six_joint_3_my
-        + reactions.reaction_joint_1_wz * six_joint_3_mz
-        + wrench_base_mx * screws.connection_joint_3_wx
-        + wrench_base_my * screws.connection_joint_3_wy
-        + wrench_base_mz * screws.connection_joint_3_wz
-        - minus_wrench_base_fx * screws.connection_joint_3_vx
-        - minus_wrench_base_fy * screws.connection_joint_3_vy
-        - minus_wrench_base_fz * screws.connection_joint_3_vz;
-    let b2_1_2 = reactions.reaction_joint_2_wx * six_joint_3_mx
-        + reactions.reaction_joint_2_wy * six_joint_3_my
-        + reactions.reaction_joint_2_wz * six_joint_3_mz
-        + reactions.reaction_joint_2_vx * six_joint_3_fx
-        - reactions.reaction_joint_2_vy * minus_six_joint_3_fy
-        + reactions.reaction_joint_2_vz * six_joint_3_fz
-        + wrench_link_1_mx * screws.connection_joint_3_wx
-        + wrench_link_1_my * screws.connection_joint_3_wy
-        + wrench_link_1_mz * screws.connection_joint_3_wz
-        + wrench_link_1_fx * screws.connection_joint_3_vx
-        + wrench_link_1_fy * screws.connection_joint_3_vy
-        + wrench_link_1_fz * screws.connection_joint_3_vz;
-    CommonDMuB2 {
-        b2_0_1,
-        b2_0_2,
-        b2_1_2,
-    }
-}
 /// What `coupling_torque`, `d_mu_xi` have in common.
 struct CommonCouplingTorqueDMuXi {
+    coupling_torque_0_46_0: f64,
+    coupling_torque_0_48_0: f64,
+    coupling_torque_0_37_0: f64,
     coupling_torque_0: f64,
     coupling_torque_1: f64,
+    coupling_torque_2_19_0: f64,
+    coupling_torque_2_21_0: f64,
+    coupling_torque_2_10_0: f64,
     coupling_torque_2: f64,
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
@@ -1426,16 +1202,19 @@ fn common_coupling_torque_d_mu_xi(
         + (mu[2] * inertias.composite_link_1_hx - mu[0] * inertias.composite_link_1_hz);
     let coupling_torque_0_14 = coupling_torque_0_19_7 * 25.0
         + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx);
-    let coupling_torque_0_46 = inertias.inertia_base_xx * mu[0]
-        + inertias.inertia_base_xy * mu[1] - inertias.minus_inertia_base_xz * mu[2]
+    let coupling_torque_0_46_0 = inertias.inertia_base_xx * mu[0]
+        + inertias.inertia_base_xy * mu[1] - inertias.minus_inertia_base_xz * mu[2];
+    let coupling_torque_0_48_0 = inertias.inertia_base_xy * mu[0]
+        + inertias.inertia_base_yy * mu[1] + inertias.inertia_base_yz * mu[2];
+    let coupling_torque_0_37_0 = inertias.inertia_base_yz * mu[1]
+        - inertias.minus_inertia_base_xz * mu[0] + inertias.inertia_base_zz * mu[2];
+    let coupling_torque_0_46 = coupling_torque_0_46_0
         + (inertias.inertia_base_hy * coupling_torque_0_19_7
             + inertias.minus_inertia_base_hz * coupling_torque_0_19_9);
-    let coupling_torque_0_48 = inertias.inertia_base_xy * mu[0]
-        + inertias.inertia_base_yy * mu[1] + inertias.inertia_base_yz * mu[2]
+    let coupling_torque_0_48 = coupling_torque_0_48_0
         + (inertias.minus_inertia_base_hx * coupling_torque_0_19_7
             - inertias.minus_inertia_base_hz * coupling_torque_0_21_7);
-    let coupling_torque_0_37 = inertias.inertia_base_yz * mu[1]
-        - inertias.minus_inertia_base_xz * mu[0] + inertias.inertia_base_zz * mu[2]
+    let coupling_torque_0_37 = coupling_torque_0_37_0
         - (inertias.minus_inertia_base_hx * coupling_torque_0_19_9
             + inertias.inertia_base_hy * coupling_torque_0_21_7);
     let coupling_torque_0_62 = coupling_torque_0_21_7 * 105.0
@@ -1551,16 +1330,19 @@ fn common_coupling_torque_d_mu_xi(
                 * (coupling_torque_1_75 * mu[0] - coupling_torque_1_80 * mu[2])
             + screws.connection_joint_2_vz
                 * (coupling_torque_1_80 * mu[1] - coupling_torque_1_82 * mu[0]));
-    let coupling_torque_2_19 = inertias.inertia_link_3_xx * mu[0]
-        + inertias.inertia_link_3_xy * mu[1] + inertias.inertia_link_3_xz * mu[2]
+    let coupling_torque_2_19_0 = inertias.inertia_link_3_xx * mu[0]
+        + inertias.inertia_link_3_xy * mu[1] + inertias.inertia_link_3_xz * mu[2];
+    let coupling_torque_2_21_0 = inertias.inertia_link_3_xy * mu[0]
+        + inertias.inertia_link_3_yy * mu[1] + inertias.inertia_link_3_yz * mu[2];
+    let coupling_torque_2_10_0 = inertias.inertia_link_3_xz * mu[0]
+        + inertias.inertia_link_3_yz * mu[1] + inertias.inertia_link_3_zz * mu[2];
+    let coupling_torque_2_19 = coupling_torque_2_19_0
         + (inertias.inertia_link_3_hy * coupling_torque_0_19_7
             - inertias.inertia_link_3_hz * coupling_torque_0_19_9);
-    let coupling_torque_2_21 = inertias.inertia_link_3_xy * mu[0]
-        + inertias.inertia_link_3_yy * mu[1] + inertias.inertia_link_3_yz * mu[2]
+    let coupling_torque_2_21 = coupling_torque_2_21_0
         + (inertias.inertia_link_3_hz * coupling_torque_0_21_7
             - inertias.inertia_link_3_hx * coupling_torque_0_19_7);
-    let coupling_torque_2_10 = inertias.inertia_link_3_xz * mu[0]
-        + inertias.inertia_link_3_yz * mu[1] + inertias.inertia_link_3_zz * mu[2]
+    let coupling_torque_2_10 = coupling_torque_2_10_0
         + (inertias.inertia_link_3_hx * coupling_torque_0_19_9
             - inertias.inertia_link_3_hy * coupling_torque_0_21_7);
     let coupling_torque_2_38 = coupling_torque_0_21_7 * 10.0
@@ -1630,8 +1412,14 @@ fn common_coupling_torque_d_mu_xi(
             + screws.connection_joint_3_vz
                 * (coupling_torque_2_80 * mu[1] - coupling_torque_2_82 * mu[0]));
     CommonCouplingTorqueDMuXi {
+        coupling_torque_0_46_0,
+        coupling_torque_0_48_0,
+        coupling_torque_0_37_0,
         coupling_torque_0,
         coupling_torque_1,
+        coupling_torque_2_19_0,
+        coupling_torque_2_21_0,
+        coupling_torque_2_10_0,
         coupling_torque_2,
     }
 }
@@ -2129,8 +1917,10 @@ fn d_mu_itself(
     mu: &[f64; 6],
     poses: &Poses,
     inertias: &Inertias,
+    complements: &Complements,
     screws: &Screws,
-    common_d_mu_b2: &CommonDMuB2,
+    outside: &Outside,
+    reactions: &Reactions,
     d_mu: &mut [[f64; 9]; 9],
 ) {
     let d_mu_0_0_1_1 = poses.com_z + 0.023809523809523808;
@@ -2139,11 +1929,11 @@ fn d_mu_itself(
     let d_mu_0_0_3 = d_mu_0_0_1_0 * poses.origin_base_y;
     // D_μ column 0
     d_mu[0][0] = 0.0 - (poses.origin_base_y * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_0_0_3);
+    let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
         + inertias.composite_base_zz) * 0.5;
-    let d_mu_1_0_0_2 = inertias.composite_base_xz * mu[0]
-        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - d_mu_1_0_0_2;
+    let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - wrench_base_mx_1;
     let d_mu_1_0_4_1_0 = mu[2] * 130.0;
     let d_mu_1_0_4_0_0 = mu[1] * 130.0;
     let d_mu_1_0_4_1 = d_mu_1_0_4_1_0 * d_mu_0_0_1_1;
@@ -2151,14 +1941,19 @@ fn d_mu_itself(
     let d_mu_1_0_4 = d_mu_1_0_4_0 - d_mu_1_0_4_1;
     d_mu[0][1] = 0.0
         - (d_mu_1_0_0 + (poses.com_x * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_1_0_4));
-    let d_mu_2_0_4_2 = inertias.composite_base_xy * mu[0]
+    let wrench_base_mx_3 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let d_mu_2_0_4 = mu[1] * d_mu_1_0_0_1 - d_mu_2_0_4_2;
+    let d_mu_2_0_4 = mu[1] * d_mu_1_0_0_1 - wrench_base_mx_3;
     d_mu[0][2] = 0.0
         - (poses.com_x * d_mu_0_0_3 - poses.origin_base_y * d_mu_1_0_4 - d_mu_2_0_4);
     d_mu[0][3] = d_mu_1_0_4 + 0.0;
     d_mu[0][4] = 0.0 - d_mu_0_0_3;
     d_mu[0][5] = d_mu_0_0_1 + 0.0;
+    let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
+    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
     let d_mu_6_0_15_4_0 = mu[3] + (mu[1] * d_mu_0_0_1_1 + mu[2] * poses.origin_base_y);
     let d_mu_6_0_17_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_mu_0_0_1_1);
     let d_mu_6_0_15_2_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
@@ -2169,11 +1964,6 @@ fn d_mu_itself(
     let d_mu_6_0_17_2 = mu[1] * 0.5;
     let d_mu_6_0_15_0 = mu[2] * 0.5;
     let d_mu_6_0_8 = d_mu_6_0_15_2_0 * 0.5;
-    let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
-    let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
-    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
     let d_mu_6_0_15 = d_mu_6_0_15_0 * screws.inside_joint_1_fx
         + (d_mu_6_0_15_2 * screws.connection_joint_1_wx
             - d_mu_6_0_15_4 * screws.connection_joint_1_wz);
@@ -2184,69 +1974,69 @@ fn d_mu_itself(
     let d_mu_6_0 = (d_mu_6_0_0 - d_mu_6_0_1) * d_mu_6_0_17_0 + d_mu_6_0_3 * d_mu_6_0_17_2
         - screws.inside_joint_1_my * d_mu_6_0_15_0
         + screws.inside_joint_1_fy * d_mu_6_0_8
-        + (d_mu_2_0_4_2 * screws.connection_joint_1_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_1_wy
+        + (wrench_base_mx_3 * screws.connection_joint_1_wz
+            - wrench_base_mx_1 * screws.connection_joint_1_wy
             - d_mu_6_0_15_2 * screws.connection_joint_1_vy)
         - (d_mu_6_0_15 * d_mu_0_0_1_1 + d_mu_6_0_17 * poses.origin_base_y);
     d_mu[0][6] = d_mu_6_0 + 0.0;
-    let d_mu_7_0_12 = d_mu_6_0_17_6_0 * 0.5;
-    let d_mu_7_0_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
-    let d_mu_7_0_2_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
-    let d_mu_7_0_3_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
-    let d_mu_7_0_2 = d_mu_7_0_2_1 + d_mu_7_0_2_1;
-    let d_mu_7_0_3 = d_mu_7_0_3_1 + d_mu_7_0_3_1;
-    let d_mu_7_0_5 = inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
+    let d_mu_7_0_0_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
+    let d_mu_7_0_0_2_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
+    let d_mu_7_0_0_3_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
+    let d_mu_7_0_0_2 = d_mu_7_0_0_2_1 + d_mu_7_0_0_2_1;
+    let d_mu_7_0_0_3 = d_mu_7_0_0_3_1 + d_mu_7_0_0_3_1;
+    let d_mu_7_0_0 = d_mu_7_0_0_1 + d_mu_7_0_0_1 + (d_mu_7_0_0_2 - d_mu_7_0_0_3);
+    let d_mu_7_0_2 = inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
         - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3);
-    let d_mu_7_0_7 = poses.sin_joint_1 * inertias.composite_link_2_zz
+    let d_mu_7_0_4 = poses.sin_joint_1 * inertias.composite_link_2_zz
         + (inertias.inside_joint_2_my_0_0
             - poses.sin_joint_1 * inertias.composite_link_2_xx)
         + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
-    let d_mu_7_0_21 = d_mu_6_0_15_0 * screws.inside_joint_2_fx
+    let d_mu_7_0_9 = d_mu_6_0_17_6_0 * 0.5;
+    let d_mu_7_0_18 = d_mu_6_0_15_0 * screws.inside_joint_2_fx
         - d_mu_6_0_17_0 * screws.inside_joint_2_fz
         + (d_mu_6_0_15_2 * screws.connection_joint_2_wx
             - d_mu_6_0_15_4 * screws.connection_joint_2_wz);
-    let d_mu_7_0_23 = d_mu_6_0_17_0 * screws.inside_joint_2_fy
+    let d_mu_7_0_20 = d_mu_6_0_17_0 * screws.inside_joint_2_fy
         - d_mu_6_0_17_2 * screws.inside_joint_2_fx
         + (d_mu_6_0_15_4 * screws.connection_joint_2_wy
             - d_mu_6_0_17_6 * screws.connection_joint_2_wx);
-    let d_mu_7_0 = (d_mu_7_0_1 + d_mu_7_0_1 + (d_mu_7_0_2 - d_mu_7_0_3)) * d_mu_6_0_17_0
-        + d_mu_7_0_5 * d_mu_6_0_17_2 + d_mu_7_0_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fy * d_mu_6_0_8
-            - screws.inside_joint_2_fz * d_mu_7_0_12)
-        + (d_mu_2_0_4_2 * screws.connection_joint_2_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_2_wy
+    let d_mu_7_0 = d_mu_7_0_0 * d_mu_6_0_17_0 + d_mu_7_0_2 * d_mu_6_0_17_2
+        + d_mu_7_0_4 * d_mu_6_0_15_0
+        + (screws.inside_joint_2_fy * d_mu_6_0_8 - screws.inside_joint_2_fz * d_mu_7_0_9)
+        + (wrench_base_mx_3 * screws.connection_joint_2_wz
+            - wrench_base_mx_1 * screws.connection_joint_2_wy
             + (d_mu_6_0_17_6 * screws.connection_joint_2_vz
                 - d_mu_6_0_15_2 * screws.connection_joint_2_vy))
-        - (d_mu_7_0_21 * d_mu_0_0_1_1 + d_mu_7_0_23 * poses.origin_base_y);
+        - (d_mu_7_0_18 * d_mu_0_0_1_1 + d_mu_7_0_20 * poses.origin_base_y);
     d_mu[0][7] = d_mu_7_0 + 0.0;
-    let d_mu_8_0_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
-    let d_mu_8_0_2_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
-    let d_mu_8_0_3_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
-    let d_mu_8_0_2 = d_mu_8_0_2_1 + d_mu_8_0_2_1;
-    let d_mu_8_0_3 = d_mu_8_0_3_1 + d_mu_8_0_3_1;
-    let d_mu_8_0_5 = inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
+    let d_mu_8_0_0_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
+    let d_mu_8_0_0_2_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
+    let d_mu_8_0_0_3_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
+    let d_mu_8_0_0_2 = d_mu_8_0_0_2_1 + d_mu_8_0_0_2_1;
+    let d_mu_8_0_0_3 = d_mu_8_0_0_3_1 + d_mu_8_0_0_3_1;
+    let d_mu_8_0_0 = d_mu_8_0_0_1 + d_mu_8_0_0_1 + (d_mu_8_0_0_2 + d_mu_8_0_0_3);
+    let d_mu_8_0_2 = inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
         - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3);
-    let d_mu_8_0_7 = poses.sin_joint_1 * inertias.inertia_link_3_zz
+    let d_mu_8_0_4 = poses.sin_joint_1 * inertias.inertia_link_3_zz
         + (inertias.inside_joint_3_my_0_0
             - poses.sin_joint_1 * inertias.inertia_link_3_xx)
         - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
-    let d_mu_8_0_21 = d_mu_6_0_15_0 * screws.inside_joint_3_fx
+    let d_mu_8_0_18 = d_mu_6_0_15_0 * screws.inside_joint_3_fx
         - d_mu_6_0_17_0 * screws.inside_joint_3_fz
         + (d_mu_6_0_15_2 * screws.connection_joint_3_wx
             - d_mu_6_0_15_4 * screws.connection_joint_3_wz);
-    let d_mu_8_0_23 = d_mu_6_0_17_0 * screws.inside_joint_3_fy
+    let d_mu_8_0_20 = d_mu_6_0_17_0 * screws.inside_joint_3_fy
         - d_mu_6_0_17_2 * screws.inside_joint_3_fx
         + (d_mu_6_0_15_4 * screws.connection_joint_3_wy
             - d_mu_6_0_17_6 * screws.connection_joint_3_wx);
-    let d_mu_8_0 = (d_mu_8_0_1 + d_mu_8_0_1 + (d_mu_8_0_2 + d_mu_8_0_3)) * d_mu_6_0_17_0
-        + d_mu_8_0_5 * d_mu_6_0_17_2 + d_mu_8_0_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fy * d_mu_6_0_8
-            - screws.inside_joint_3_fz * d_mu_7_0_12)
-        + (d_mu_2_0_4_2 * screws.connection_joint_3_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_3_wy
+    let d_mu_8_0 = d_mu_8_0_0 * d_mu_6_0_17_0 + d_mu_8_0_2 * d_mu_6_0_17_2
+        + d_mu_8_0_4 * d_mu_6_0_15_0
+        + (screws.inside_joint_3_fy * d_mu_6_0_8 - screws.inside_joint_3_fz * d_mu_7_0_9)
+        + (wrench_base_mx_3 * screws.connection_joint_3_wz
+            - wrench_base_mx_1 * screws.connection_joint_3_wy
             + (d_mu_6_0_17_6 * screws.connection_joint_3_vz
                 - d_mu_6_0_15_2 * screws.connection_joint_3_vy))
-        - (d_mu_8_0_21 * d_mu_0_0_1_1 + d_mu_8_0_23 * poses.origin_base_y);
+        - (d_mu_8_0_18 * d_mu_0_0_1_1 + d_mu_8_0_20 * poses.origin_base_y);
     d_mu[0][8] = d_mu_8_0 + 0.0;
     let d_mu_0_1_1 = d_mu_1_0_4_0_0 * d_mu_0_0_1_1;
     let d_mu_0_1_3_0 = d_mu_0_0_1_0 * poses.com_x;
@@ -2256,9 +2046,9 @@ fn d_mu_itself(
         - (poses.origin_base_y * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_0_1_3 - d_mu_1_0_0);
     let d_mu_1_1_3 = d_mu_1_0_4_0_0 * poses.com_x;
     d_mu[1][1] = 0.0 - (poses.com_x * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_1_1_3);
-    let d_mu_2_1_0_2 = inertias.composite_base_xx * mu[0]
+    let wrench_base_my_1 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - d_mu_2_1_0_2;
+    let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - wrench_base_my_1;
     d_mu[1][2] = 0.0
         - (d_mu_2_1_0 + (poses.com_x * d_mu_0_1_3 - poses.origin_base_y * d_mu_1_1_3));
     d_mu[1][3] = d_mu_1_1_3 + 0.0;
@@ -2272,54 +2062,52 @@ fn d_mu_itself(
     let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_17_0 + (d_mu_6_0_1 + d_mu_6_1_3) * d_mu_6_0_17_2
         + screws.inside_joint_1_mx * d_mu_6_0_15_0
         - screws.inside_joint_1_fx * d_mu_6_0_8
-        + (d_mu_1_0_0_2 * screws.connection_joint_1_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_1_wz
+        + (wrench_base_mx_1 * screws.connection_joint_1_wx
+            - wrench_base_my_1 * screws.connection_joint_1_wz
             + d_mu_6_0_15_2 * screws.connection_joint_1_vx)
         + (d_mu_6_1_15 * d_mu_0_0_1_1 - d_mu_6_0_17 * poses.com_x);
     d_mu[1][6] = d_mu_6_1 + 0.0;
-    let d_mu_7_1_10 = d_mu_6_0_15_4_0 * 0.5;
-    let d_mu_7_1_3 = poses.cos_joint_1 * inertias.composite_link_2_yz;
-    let d_mu_7_1_4_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
-    let d_mu_7_1_4 = d_mu_7_1_4_1 + d_mu_7_1_4_1;
-    let d_mu_7_1_7 = poses.cos_joint_1 * inertias.composite_link_2_yy
+    let d_mu_7_1_2_1 = poses.cos_joint_1 * inertias.composite_link_2_yz;
+    let d_mu_7_1_2_2_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
+    let d_mu_7_1_2_2 = d_mu_7_1_2_2_1 + d_mu_7_1_2_2_1;
+    let d_mu_7_1_2 = d_mu_7_1_2_1 + d_mu_7_1_2_1 + (d_mu_7_1_2_2 + d_mu_7_0_0_3);
+    let d_mu_7_1_4 = poses.cos_joint_1 * inertias.composite_link_2_yy
         - inertias.inside_joint_2_mx_0_1
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
-    let d_mu_7_1_21 = d_mu_6_0_17_2 * screws.inside_joint_2_fz
+    let d_mu_7_1_7 = d_mu_6_0_15_4_0 * 0.5;
+    let d_mu_7_1_18 = d_mu_6_0_17_2 * screws.inside_joint_2_fz
         - d_mu_6_0_15_0 * screws.inside_joint_2_fy
         + (d_mu_6_0_17_6 * screws.connection_joint_2_wz
             - d_mu_6_0_15_2 * screws.connection_joint_2_wy);
-    let d_mu_7_1 = d_mu_7_0_5 * d_mu_6_0_17_0
-        - (d_mu_7_1_3 + d_mu_7_1_3 + (d_mu_7_1_4 + d_mu_7_0_3)) * d_mu_6_0_17_2
-        + d_mu_7_1_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fz * d_mu_7_1_10
-            - screws.inside_joint_2_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_2_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_2_wz
+    let d_mu_7_1 = d_mu_7_0_2 * d_mu_6_0_17_0 - d_mu_7_1_2 * d_mu_6_0_17_2
+        + d_mu_7_1_4 * d_mu_6_0_15_0
+        + (screws.inside_joint_2_fz * d_mu_7_1_7 - screws.inside_joint_2_fx * d_mu_6_0_8)
+        + (wrench_base_mx_1 * screws.connection_joint_2_wx
+            - wrench_base_my_1 * screws.connection_joint_2_wz
             + (d_mu_6_0_15_2 * screws.connection_joint_2_vx
                 - d_mu_6_0_15_4 * screws.connection_joint_2_vz))
-        + (d_mu_7_1_21 * d_mu_0_0_1_1 - d_mu_7_0_23 * poses.com_x);
+        + (d_mu_7_1_18 * d_mu_0_0_1_1 - d_mu_7_0_20 * poses.com_x);
     d_mu[1][7] = d_mu_7_1 + 0.0;
-    let d_mu_8_1_5 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
-    let d_mu_8_1_3_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
-    let d_mu_8_1_3 = d_mu_8_1_3_1 + d_mu_8_1_3_1;
-    let d_mu_8_1_7 = poses.cos_joint_1 * inertias.inertia_link_3_yy
+    let d_mu_8_1_2_3 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
+    let d_mu_8_1_2_1_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
+    let d_mu_8_1_2_1 = d_mu_8_1_2_1_1 + d_mu_8_1_2_1_1;
+    let d_mu_8_1_2 = d_mu_8_0_0_3 - d_mu_8_1_2_1 - (d_mu_8_1_2_3 + d_mu_8_1_2_3);
+    let d_mu_8_1_4 = poses.cos_joint_1 * inertias.inertia_link_3_yy
         - inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
         - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
-    let d_mu_8_1_21 = d_mu_6_0_17_2 * screws.inside_joint_3_fz
+    let d_mu_8_1_18 = d_mu_6_0_17_2 * screws.inside_joint_3_fz
         - d_mu_6_0_15_0 * screws.inside_joint_3_fy
         + (d_mu_6_0_17_6 * screws.connection_joint_3_wz
             - d_mu_6_0_15_2 * screws.connection_joint_3_wy);
-    let d_mu_8_1 = d_mu_8_0_5 * d_mu_6_0_17_0
-        + (d_mu_8_0_3 - d_mu_8_1_3 - (d_mu_8_1_5 + d_mu_8_1_5)) * d_mu_6_0_17_2
-        + d_mu_8_1_7 * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fz * d_mu_7_1_10
-            - screws.inside_joint_3_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_3_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_3_wz
+    let d_mu_8_1 = d_mu_8_0_2 * d_mu_6_0_17_0 + d_mu_8_1_2 * d_mu_6_0_17_2
+        + d_mu_8_1_4 * d_mu_6_0_15_0
+        + (screws.inside_joint_3_fz * d_mu_7_1_7 - screws.inside_joint_3_fx * d_mu_6_0_8)
+        + (wrench_base_mx_1 * screws.connection_joint_3_wx
+            - wrench_base_my_1 * screws.connection_joint_3_wz
             + (d_mu_6_0_15_2 * screws.connection_joint_3_vx
                 - d_mu_6_0_15_4 * screws.connection_joint_3_vz))
-        + (d_mu_8_1_21 * d_mu_0_0_1_1 - d_mu_8_0_23 * poses.com_x);
+        + (d_mu_8_1_18 * d_mu_0_0_1_1 - d_mu_8_0_20 * poses.com_x);
     d_mu[1][8] = d_mu_8_1 + 0.0;
     let d_mu_0_2_4 = d_mu_1_0_4_1_0 * poses.origin_base_y;
     let d_mu_0_2_2 = d_mu_1_0_4_0 - d_mu_0_1_3_0;
@@ -2336,35 +2124,34 @@ fn d_mu_itself(
     let d_mu_6_2 = screws.inside_joint_1_mx * d_mu_6_0_17_2
         - screws.inside_joint_1_my * d_mu_6_0_17_0
         + (d_mu_6_1_3 + d_mu_6_0_0) * d_mu_6_0_15_0
-        + (screws.inside_joint_1_fx * d_mu_7_0_12
-            - screws.inside_joint_1_fy * d_mu_7_1_10)
-        + (d_mu_2_1_0_2 * screws.connection_joint_1_wy
-            - d_mu_2_0_4_2 * screws.connection_joint_1_wx
+        + (screws.inside_joint_1_fx * d_mu_7_0_9 - screws.inside_joint_1_fy * d_mu_7_1_7)
+        + (wrench_base_my_1 * screws.connection_joint_1_wy
+            - wrench_base_mx_3 * screws.connection_joint_1_wx
             + (d_mu_6_0_15_4 * screws.connection_joint_1_vy
                 - d_mu_6_0_17_6 * screws.connection_joint_1_vx))
         + (d_mu_6_1_15 * poses.origin_base_y + d_mu_6_0_15 * poses.com_x);
     d_mu[2][6] = d_mu_6_2 + 0.0;
-    let d_mu_7_2_5 = d_mu_7_1_3 - d_mu_7_0_1;
-    let d_mu_7_2 = d_mu_7_0_7 * d_mu_6_0_17_0 + d_mu_7_1_7 * d_mu_6_0_17_2
-        + (d_mu_7_2_5 + d_mu_7_2_5 + (d_mu_7_0_2 - d_mu_7_1_4)) * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fx * d_mu_7_0_12
-            - screws.inside_joint_2_fy * d_mu_7_1_10)
-        + (d_mu_2_1_0_2 * screws.connection_joint_2_wy
-            - d_mu_2_0_4_2 * screws.connection_joint_2_wx
+    let d_mu_7_2_4_1 = d_mu_7_1_2_1 - d_mu_7_0_0_1;
+    let d_mu_7_2_4 = d_mu_7_2_4_1 + d_mu_7_2_4_1 + (d_mu_7_0_0_2 - d_mu_7_1_2_2);
+    let d_mu_7_2 = d_mu_7_0_4 * d_mu_6_0_17_0 + d_mu_7_1_4 * d_mu_6_0_17_2
+        + d_mu_7_2_4 * d_mu_6_0_15_0
+        + (screws.inside_joint_2_fx * d_mu_7_0_9 - screws.inside_joint_2_fy * d_mu_7_1_7)
+        + (wrench_base_my_1 * screws.connection_joint_2_wy
+            - wrench_base_mx_3 * screws.connection_joint_2_wx
             + (d_mu_6_0_15_4 * screws.connection_joint_2_vy
                 - d_mu_6_0_17_6 * screws.connection_joint_2_vx))
-        + (d_mu_7_1_21 * poses.origin_base_y + d_mu_7_0_21 * poses.com_x);
+        + (d_mu_7_1_18 * poses.origin_base_y + d_mu_7_0_18 * poses.com_x);
     d_mu[2][7] = d_mu_7_2 + 0.0;
-    let d_mu_8_2_5 = d_mu_8_1_5 - d_mu_8_0_1;
-    let d_mu_8_2 = d_mu_8_0_7 * d_mu_6_0_17_0 + d_mu_8_1_7 * d_mu_6_0_17_2
-        + (d_mu_8_2_5 + d_mu_8_2_5 + (d_mu_8_0_2 - d_mu_8_1_3)) * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fx * d_mu_7_0_12
-            - screws.inside_joint_3_fy * d_mu_7_1_10)
-        + (d_mu_2_1_0_2 * screws.connection_joint_3_wy
-            - d_mu_2_0_4_2 * screws.connection_joint_3_wx
+    let d_mu_8_2_4_1 = d_mu_8_1_2_3 - d_mu_8_0_0_1;
+    let d_mu_8_2_4 = d_mu_8_2_4_1 + d_mu_8_2_4_1 + (d_mu_8_0_0_2 - d_mu_8_1_2_1);
+    let d_mu_8_2 = d_mu_8_0_4 * d_mu_6_0_17_0 + d_mu_8_1_4 * d_mu_6_0_17_2
+        + d_mu_8_2_4 * d_mu_6_0_15_0
+        + (screws.inside_joint_3_fx * d_mu_7_0_9 - screws.inside_joint_3_fy * d_mu_7_1_7)
+        + (wrench_base_my_1 * screws.connection_joint_3_wy
+            - wrench_base_mx_3 * screws.connection_joint_3_wx
             + (d_mu_6_0_15_4 * screws.connection_joint_3_vy
                 - d_mu_6_0_17_6 * screws.connection_joint_3_vx))
-        + (d_mu_8_1_21 * poses.origin_base_y + d_mu_8_0_21 * poses.com_x);
+        + (d_mu_8_1_18 * poses.origin_base_y + d_mu_8_0_18 * poses.com_x);
     d_mu[2][8] = d_mu_8_2 + 0.0;
     // D_μ column 3
     d_mu[3][0] = 0.0 - d_mu_1_0_4;
@@ -2374,8 +2161,8 @@ fn d_mu_itself(
     d_mu[3][4] = 0.0 - d_mu_1_0_4_1_0;
     d_mu[3][5] = d_mu_1_0_4_0_0 + 0.0;
     d_mu[3][6] = d_mu_6_1_15 + 0.0;
-    d_mu[3][7] = d_mu_7_1_21 + 0.0;
-    d_mu[3][8] = d_mu_8_1_21 + 0.0;
+    d_mu[3][7] = d_mu_7_1_18 + 0.0;
+    d_mu[3][8] = d_mu_8_1_18 + 0.0;
     // D_μ column 4
     d_mu[4][0] = d_mu_0_0_3 + 0.0;
     d_mu[4][1] = d_mu_0_1_3 + 0.0;
@@ -2384,8 +2171,8 @@ fn d_mu_itself(
     d_mu[4][4] = 0.0;
     d_mu[4][5] = 0.0 - d_mu_0_0_1_0;
     d_mu[4][6] = d_mu_6_0_15 + 0.0;
-    d_mu[4][7] = d_mu_7_0_21 + 0.0;
-    d_mu[4][8] = d_mu_8_0_21 + 0.0;
+    d_mu[4][7] = d_mu_7_0_18 + 0.0;
+    d_mu[4][8] = d_mu_8_0_18 + 0.0;
     // D_μ column 5
     d_mu[5][0] = 0.0 - d_mu_0_0_1;
     d_mu[5][1] = 0.0 - d_mu_0_1_1;
@@ -2394,8 +2181,8 @@ fn d_mu_itself(
     d_mu[5][4] = d_mu_0_0_1_0 + 0.0;
     d_mu[5][5] = 0.0;
     d_mu[5][6] = d_mu_6_0_17 + 0.0;
-    d_mu[5][7] = d_mu_7_0_23 + 0.0;
-    d_mu[5][8] = d_mu_8_0_23 + 0.0;
+    d_mu[5][7] = d_mu_7_0_20 + 0.0;
+    d_mu[5][8] = d_mu_8_0_20 + 0.0;
     // D_μ column joint_1
     d_mu[6][0] = 0.0 - d_mu_6_0;
     d_mu[6][1] = 0.0 - d_mu_6_1;
@@ -2404,46 +2191,285 @@ fn d_mu_itself(
     d_mu[6][4] = 0.0 - d_mu_6_0_15;
     d_mu[6][5] = 0.0 - d_mu_6_0_17;
     d_mu[6][6] = 0.0;
-    let d_mu_7_6 = common_d_mu_b2.b2_0_1 * 2.0;
+    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.com_x;
+    let wrench_base_mx_4 = wrench_base_mx_4_1 + wrench_base_mx_4_1
+        - (inertias.inertia_base_xy + inertias.inertia_base_xy);
+    let wrench_base_mx_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
+        - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
+    let wrench_base_mx = reactions.reaction_joint_1_wy * wrench_base_mx_1
+        - reactions.reaction_joint_1_wz * wrench_base_mx_3
+        - (wrench_base_mx_4 * mu[0] + wrench_base_mx_6 * mu[1]
+            - outside.outside_joint_1_my * mu[2]);
+    let wrench_base_my = reactions.reaction_joint_1_wz * wrench_base_my_1
+        - reactions.reaction_joint_1_wx * wrench_base_mx_1
+        - (wrench_base_mx_6 * mu[0] + outside.outside_joint_1_mx * mu[2]);
+    let wrench_base_mz = reactions.reaction_joint_1_wx * wrench_base_mx_3
+        - reactions.reaction_joint_1_wy * wrench_base_my_1
+        - (outside.outside_joint_1_mx * mu[1] - outside.outside_joint_1_my * mu[0]
+            + wrench_base_mx_4 * mu[2]);
+    let d_mu_7_6 = reactions.reaction_joint_1_wx
+        * (d_mu_7_0_0 * mu[0] + d_mu_7_0_2 * mu[1] + d_mu_7_0_4 * mu[2])
+        + reactions.reaction_joint_1_wy
+            * (d_mu_7_0_2 * mu[0] - d_mu_7_1_2 * mu[1] + d_mu_7_1_4 * mu[2])
+        + reactions.reaction_joint_1_wz
+            * (d_mu_7_0_4 * mu[0] + d_mu_7_1_4 * mu[1] + d_mu_7_2_4 * mu[2])
+        + wrench_base_mx * screws.connection_joint_2_wx
+        + wrench_base_my * screws.connection_joint_2_wy
+        + wrench_base_mz * screws.connection_joint_2_wz;
     d_mu[6][7] = d_mu_7_6 + 0.0;
-    let d_mu_8_6 = common_d_mu_b2.b2_0_2 * 2.0;
+    let d_mu_8_6_1 = d_mu_8_0_0 * mu[0] + d_mu_8_0_2 * mu[1] + d_mu_8_0_4 * mu[2];
+    let d_mu_8_6_3 = d_mu_8_0_2 * mu[0] + d_mu_8_1_2 * mu[1] + d_mu_8_1_4 * mu[2];
+    let d_mu_8_6_5 = d_mu_8_0_4 * mu[0] + d_mu_8_1_4 * mu[1] + d_mu_8_2_4 * mu[2];
+    let d_mu_8_6 = reactions.reaction_joint_1_wx * d_mu_8_6_1
+        + reactions.reaction_joint_1_wy * d_mu_8_6_3
+        + reactions.reaction_joint_1_wz * d_mu_8_6_5
+        + wrench_base_mx * screws.connection_joint_3_wx
+        + wrench_base_my * screws.connection_joint_3_wy
+        + wrench_base_mz * screws.connection_joint_3_wz;
     d_mu[6][8] = d_mu_8_6 + 0.0;
     // D_μ column joint_2
     d_mu[7][0] = 0.0 - d_mu_7_0;
     d_mu[7][1] = 0.0 - d_mu_7_1;
     d_mu[7][2] = 0.0 - d_mu_7_2;
-    d_mu[7][3] = 0.0 - d_mu_7_1_21;
-    d_mu[7][4] = 0.0 - d_mu_7_0_21;
-    d_mu[7][5] = 0.0 - d_mu_7_0_23;
+    d_mu[7][3] = 0.0 - d_mu_7_1_18;
+    d_mu[7][4] = 0.0 - d_mu_7_0_18;
+    d_mu[7][5] = 0.0 - d_mu_7_0_20;
     d_mu[7][6] = 0.0 - d_mu_7_6;
     d_mu[7][7] = 0.0;
-    let d_mu_8_7 = common_d_mu_b2.b2_1_2 * 2.0;
+    let wrench_link_1_fy_1 = mu[0] * 260.0;
+    let wrench_link_1_fx_3 = mu[1] * 260.0;
+    let wrench_link_1_fx_1 = mu[2] * 260.0;
+    let wrench_link_1_mx_5 = poses.sin_joint_1 * complements.complement_link_2_xz;
+    let wrench_link_1_my_9 = poses.cos_joint_1 * complements.complement_link_2_yz;
+    let wrench_link_1_mz_9 = wrench_link_1_my_9 - wrench_link_1_mx_5;
+    let wrench_link_1_my_6_1 = complements.minus_complement_link_2_hx
+        * screws.minus_screw_joint_2_vx;
+    let wrench_link_1_mx_6_1 = complements.complement_link_2_hy
+        * screws.screw_joint_2_vy;
+    let wrench_link_1_mx_7_1 = complements.complement_link_2_hz
+        * screws.minus_screw_joint_2_vz;
+    let wrench_link_1_mx_6 = wrench_link_1_mx_6_1 + wrench_link_1_mx_6_1;
+    let wrench_link_1_mx_7 = wrench_link_1_mx_7_1 + wrench_link_1_mx_7_1;
+    let wrench_link_1_my_6 = wrench_link_1_my_6_1 + wrench_link_1_my_6_1;
+    let wrench_link_1_mx_9 = complements.outside_joint_2_mz_0_1
+        - complements.outside_joint_2_mz_0_0
+        + (screws.outside_joint_2_mz_1_1 + screws.outside_joint_2_mz_1_0);
+    let wrench_link_1_mx_11 = poses.sin_joint_1 * complements.complement_link_2_zz
+        + (complements.outside_joint_2_my_0_0
+            - poses.sin_joint_1 * complements.complement_link_2_xx)
+        - (screws.outside_joint_2_my_1_1 - screws.outside_joint_2_my_1_0);
+    let wrench_link_1_my_11 = poses.cos_joint_1 * complements.complement_link_2_yy
+        - complements.outside_joint_2_mx_0_1
+        - poses.cos_joint_1 * complements.complement_link_2_zz
+        - (screws.outside_joint_2_mx_1_1 - screws.outside_joint_2_mx_1_0);
+    let wrench_link_1_mx = reactions.reaction_joint_2_wy * wrench_base_mx_1
+        - reactions.reaction_joint_2_wz * wrench_base_mx_3
+        - ((wrench_link_1_mx_5 + wrench_link_1_mx_5
+            + (wrench_link_1_mx_6 - wrench_link_1_mx_7)) * mu[0]
+            + wrench_link_1_mx_9 * mu[1] + wrench_link_1_mx_11 * mu[2]);
+    let wrench_link_1_my = reactions.reaction_joint_2_wz * wrench_base_my_1
+        - reactions.reaction_joint_2_wx * wrench_base_mx_1
+        - (wrench_link_1_mx_9 * mu[0]
+            + (wrench_link_1_my_6 - wrench_link_1_mx_7
+                - (wrench_link_1_my_9 + wrench_link_1_my_9)) * mu[1]
+            + wrench_link_1_my_11 * mu[2]);
+    let wrench_link_1_mz = reactions.reaction_joint_2_wx * wrench_base_mx_3
+        - reactions.reaction_joint_2_wy * wrench_base_my_1
+        - (wrench_link_1_mx_11 * mu[0] + wrench_link_1_my_11 * mu[1]
+            + (wrench_link_1_mz_9 + wrench_link_1_mz_9
+                + (wrench_link_1_my_6 + wrench_link_1_mx_6)) * mu[2]);
+    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
+        - reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
+    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
+    let wrench_link_1_fz = reactions.reaction_joint_2_vx * wrench_link_1_fx_3
+        - reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
+    let d_mu_8_7 = reactions.reaction_joint_2_wx * d_mu_8_6_1
+        + reactions.reaction_joint_2_wy * d_mu_8_6_3
+        + reactions.reaction_joint_2_wz * d_mu_8_6_5
+        + wrench_link_1_mx * screws.connection_joint_3_wx
+        + wrench_link_1_my * screws.connection_joint_3_wy
+        + wrench_link_1_mz * screws.connection_joint_3_wz
+        + wrench_link_1_fx * screws.connection_joint_3_vx
+        + wrench_link_1_fy * screws.connection_joint_3_vy
+        + wrench_link_1_fz * screws.connection_joint_3_vz;
     d_mu[7][8] = d_mu_8_7 + 0.0;
     // D_μ column joint_3
     d_mu[8][0] = 0.0 - d_mu_8_0;
     d_mu[8][1] = 0.0 - d_mu_8_1;
     d_mu[8][2] = 0.0 - d_mu_8_2;
-    d_mu[8][3] = 0.0 - d_mu_8_1_21;
-    d_mu[8][4] = 0.0 - d_mu_8_0_21;
-    d_mu[8][5] = 0.0 - d_mu_8_0_23;
+    d_mu[8][3] = 0.0 - d_mu_8_1_18;
+    d_mu[8][4] = 0.0 - d_mu_8_0_18;
+    d_mu[8][5] = 0.0 - d_mu_8_0_20;
     d_mu[8][6] = 0.0 - d_mu_8_6;
     d_mu[8][7] = 0.0 - d_mu_8_7;
     d_mu[8][8] = 0.0;
 }
 /// What only `b2` computes.
 #[inline(never)]
-fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 3]; 3]) {
+fn b2_itself(
+    mu: &[f64; 6],
+    poses: &Poses,
+    inertias: &Inertias,
+    complements: &Complements,
+    screws: &Screws,
+    outside: &Outside,
+    reactions: &Reactions,
+    b2: &mut [[f64; 3]; 3],
+) {
     // B_2(μ) column joint_1
     b2[0][0] = 0.0;
-    b2[0][1] = 0.0 - common_d_mu_b2.b2_0_1;
-    b2[0][2] = 0.0 - common_d_mu_b2.b2_0_2;
+    let wrench_base_my_1 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+    let wrench_base_mx_3 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.com_x;
+    let wrench_base_mx_4 = wrench_base_mx_4_1 + wrench_base_mx_4_1
+        - (inertias.inertia_base_xy + inertias.inertia_base_xy);
+    let wrench_base_mx_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
+        - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
+    let wrench_base_mx = reactions.reaction_joint_1_wy * wrench_base_mx_1
+        - reactions.reaction_joint_1_wz * wrench_base_mx_3
+        - (wrench_base_mx_4 * mu[0] + wrench_base_mx_6 * mu[1]
+            - outside.outside_joint_1_my * mu[2]);
+    let wrench_base_my = reactions.reaction_joint_1_wz * wrench_base_my_1
+        - reactions.reaction_joint_1_wx * wrench_base_mx_1
+        - (wrench_base_mx_6 * mu[0] + outside.outside_joint_1_mx * mu[2]);
+    let wrench_base_mz = reactions.reaction_joint_1_wx * wrench_base_mx_3
+        - reactions.reaction_joint_1_wy * wrench_base_my_1
+        - (outside.outside_joint_1_mx * mu[1] - outside.outside_joint_1_my * mu[0]
+            + wrench_base_mx_4 * mu[2]);
+    let b2_1_0_26_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
+    let b2_1_0_26_0 = poses.cos_joint_1 * inertias.composite_link_2_yz;
+    let b2_1_0_26 = b2_1_0_26_0 - b2_1_0_26_1;
+    let b2_1_0_28_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
+    let b2_1_0_27_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
+    let b2_1_0_16_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
+    let b2_1_0_27 = b2_1_0_27_1 + b2_1_0_27_1;
+    let b2_1_0_16 = b2_1_0_16_1 + b2_1_0_16_1;
+    let b2_1_0_28 = b2_1_0_28_1 + b2_1_0_28_1;
+    let b2_1_0_11 = inertias.inside_joint_2_mz_0_1 - inertias.inside_joint_2_mz_0_0
+        - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3);
+    let b2_1_0_21 = poses.sin_joint_1 * inertias.composite_link_2_zz
+        + (inertias.inside_joint_2_my_0_0
+            - poses.sin_joint_1 * inertias.composite_link_2_xx)
+        + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
+    let b2_1_0_23 = poses.cos_joint_1 * inertias.composite_link_2_yy
+        - inertias.inside_joint_2_mx_0_1
+        - poses.cos_joint_1 * inertias.composite_link_2_zz
+        - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
+    let b2_1_0 = (reactions.reaction_joint_1_wx
+        * ((b2_1_0_26_1 + b2_1_0_26_1 + (b2_1_0_27 - b2_1_0_16)) * mu[0]
+            + b2_1_0_11 * mu[1] + b2_1_0_21 * mu[2])
+        + reactions.reaction_joint_1_wy
+            * (b2_1_0_11 * mu[0]
+                - (b2_1_0_26_0 + b2_1_0_26_0 + (b2_1_0_28 + b2_1_0_16)) * mu[1]
+                + b2_1_0_23 * mu[2])
+        + reactions.reaction_joint_1_wz
+            * (b2_1_0_21 * mu[0] + b2_1_0_23 * mu[1]
+                + (b2_1_0_26 + b2_1_0_26 + (b2_1_0_27 - b2_1_0_28)) * mu[2])
+        + wrench_base_mx * screws.connection_joint_2_wx
+        + wrench_base_my * screws.connection_joint_2_wy
+        + wrench_base_mz * screws.connection_joint_2_wz) * 0.5;
+    b2[0][1] = 0.0 - b2_1_0;
+    let b2_2_0_5_5_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
+    let b2_2_0_5_5_0 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
+    let b2_2_0_5_5 = b2_2_0_5_5_0 - b2_2_0_5_5_1;
+    let b2_2_0_3_3_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
+    let b2_2_0_1_2_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
+    let b2_2_0_1_3_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
+    let b2_2_0_1_2 = b2_2_0_1_2_1 + b2_2_0_1_2_1;
+    let b2_2_0_1_3 = b2_2_0_1_3_1 + b2_2_0_1_3_1;
+    let b2_2_0_3_3 = b2_2_0_3_3_1 + b2_2_0_3_3_1;
+    let b2_2_0_1_5 = inertias.inside_joint_3_mz_0_1 - inertias.inside_joint_3_mz_0_0
+        - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3);
+    let b2_2_0_1_7 = poses.sin_joint_1 * inertias.inertia_link_3_zz
+        + (inertias.inside_joint_3_my_0_0
+            - poses.sin_joint_1 * inertias.inertia_link_3_xx)
+        - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
+    let b2_2_0_3_7 = poses.cos_joint_1 * inertias.inertia_link_3_yy
+        - inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
+        - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
+    let b2_2_0_1 = (b2_2_0_5_5_1 + b2_2_0_5_5_1 + (b2_2_0_1_2 + b2_2_0_1_3)) * mu[0]
+        + b2_2_0_1_5 * mu[1] + b2_2_0_1_7 * mu[2];
+    let b2_2_0_3 = b2_2_0_1_5 * mu[0]
+        + (b2_2_0_1_3 - b2_2_0_3_3 - (b2_2_0_5_5_0 + b2_2_0_5_5_0)) * mu[1]
+        + b2_2_0_3_7 * mu[2];
+    let b2_2_0_5 = b2_2_0_1_7 * mu[0] + b2_2_0_3_7 * mu[1]
+        + (b2_2_0_5_5 + b2_2_0_5_5 + (b2_2_0_1_2 - b2_2_0_3_3)) * mu[2];
+    let b2_2_0 = (reactions.reaction_joint_1_wx * b2_2_0_1
+        + reactions.reaction_joint_1_wy * b2_2_0_3
+        + reactions.reaction_joint_1_wz * b2_2_0_5
+        + wrench_base_mx * screws.connection_joint_3_wx
+        + wrench_base_my * screws.connection_joint_3_wy
+        + wrench_base_mz * screws.connection_joint_3_wz) * 0.5;
+    b2[0][2] = 0.0 - b2_2_0;
     // B_2(μ) column joint_2
-    b2[1][0] = common_d_mu_b2.b2_0_1 + 0.0;
+    b2[1][0] = b2_1_0 + 0.0;
     b2[1][1] = 0.0;
-    b2[1][2] = 0.0 - common_d_mu_b2.b2_1_2;
+    let wrench_link_1_fy_1 = mu[0] * 260.0;
+    let wrench_link_1_fx_3 = mu[1] * 260.0;
+    let wrench_link_1_fx_1 = mu[2] * 260.0;
+    let wrench_link_1_mx_5 = poses.sin_joint_1 * complements.complement_link_2_xz;
+    let wrench_link_1_my_9 = poses.cos_joint_1 * complements.complement_link_2_yz;
+    let wrench_link_1_mz_9 = wrench_link_1_my_9 - wrench_link_1_mx_5;
+    let wrench_link_1_my_6_1 = complements.minus_complement_link_2_hx
+        * screws.minus_screw_joint_2_vx;
+    let wrench_link_1_mx_6_1 = complements.complement_link_2_hy
+        * screws.screw_joint_2_vy;
+    let wrench_link_1_mx_7_1 = complements.complement_link_2_hz
+        * screws.minus_screw_joint_2_vz;
+    let wrench_link_1_mx_6 = wrench_link_1_mx_6_1 + wrench_link_1_mx_6_1;
+    let wrench_link_1_mx_7 = wrench_link_1_mx_7_1 + wrench_link_1_mx_7_1;
+    let wrench_link_1_my_6 = wrench_link_1_my_6_1 + wrench_link_1_my_6_1;
+    let wrench_link_1_mx_9 = complements.outside_joint_2_mz_0_1
+        - complements.outside_joint_2_mz_0_0
+        + (screws.outside_joint_2_mz_1_1 + screws.outside_joint_2_mz_1_0);
+    let wrench_link_1_mx_11 = poses.sin_joint_1 * complements.complement_link_2_zz
+        + (complements.outside_joint_2_my_0_0
+            - poses.sin_joint_1 * complements.complement_link_2_xx)
+        - (screws.outside_joint_2_my_1_1 - screws.outside_joint_2_my_1_0);
+    let wrench_link_1_my_11 = poses.cos_joint_1 * complements.complement_link_2_yy
+        - complements.outside_joint_2_mx_0_1
+        - poses.cos_joint_1 * complements.complement_link_2_zz
+        - (screws.outside_joint_2_mx_1_1 - screws.outside_joint_2_mx_1_0);
+    let wrench_link_1_mx = reactions.reaction_joint_2_wy * wrench_base_mx_1
+        - reactions.reaction_joint_2_wz * wrench_base_mx_3
+        - ((wrench_link_1_mx_5 + wrench_link_1_mx_5
+            + (wrench_link_1_mx_6 - wrench_link_1_mx_7)) * mu[0]
+            + wrench_link_1_mx_9 * mu[1] + wrench_link_1_mx_11 * mu[2]);
+    let wrench_link_1_my = reactions.reaction_joint_2_wz * wrench_base_my_1
+        - reactions.reaction_joint_2_wx * wrench_base_mx_1
+        - (wrench_link_1_mx_9 * mu[0]
+            + (wrench_link_1_my_6 - wrench_link_1_mx_7
+                - (wrench_link_1_my_9 + wrench_link_1_my_9)) * mu[1]
+            + wrench_link_1_my_11 * mu[2]);
+    let wrench_link_1_mz = reactions.reaction_joint_2_wx * wrench_base_mx_3
+        - reactions.reaction_joint_2_wy * wrench_base_my_1
+        - (wrench_link_1_mx_11 * mu[0] + wrench_link_1_my_11 * mu[1]
+            + (wrench_link_1_mz_9 + wrench_link_1_mz_9
+                + (wrench_link_1_my_6 + wrench_link_1_mx_6)) * mu[2]);
+    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
+        - reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
+    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
+    let wrench_link_1_fz = reactions.reaction_joint_2_vx * wrench_link_1_fx_3
+        - reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
+    let b2_2_1 = (reactions.reaction_joint_2_wx * b2_2_0_1
+        + reactions.reaction_joint_2_wy * b2_2_0_3
+        + reactions.reaction_joint_2_wz * b2_2_0_5
+        + wrench_link_1_mx * screws.connection_joint_3_wx
+        + wrench_link_1_my * screws.connection_joint_3_wy
+        + wrench_link_1_mz * screws.connection_joint_3_wz
+        + wrench_link_1_fx * screws.connection_joint_3_vx
+        + wrench_link_1_fy * screws.connection_joint_3_vy
+        + wrench_link_1_fz * screws.connection_joint_3_vz) * 0.5;
+    b2[1][2] = 0.0 - b2_2_1;
     // B_2(μ) column joint_3
-    b2[2][0] = common_d_mu_b2.b2_0_2 + 0.0;
-    b2[2][1] = common_d_mu_b2.b2_1_2 + 0.0;
+    b2[2][0] = b2_2_0 + 0.0;
+    b2[2][1] = b2_2_1 + 0.0;
     b2[2][2] = 0.0;
 }
 /// The block-diagonal inertia diag(Λ_b, Λ_q) and the connection A_l = Λ_b⁻¹ M_bq.
@@ -2462,8 +2488,8 @@ pub fn inertia(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     inertia_itself(
         &poses,
@@ -2481,23 +2507,24 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (9×9, by columns; Λ's · 1/s)
 ///
-/// 1364 operations: 616 + −, 745 ×, 3 ÷; 3 sin cos; about 16.1 KiB of code.
+/// 1093 operations: 512 + −, 578 ×, 3 ÷; 3 sin cos; about 12.9 KiB of code.
 pub fn d_mu(q: &[f64; 3], mu: &[f64; 6], d_mu: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_b2 = common_d_mu_b2(
+    d_mu_itself(
         mu,
         &poses,
         &inertias,
         &complements,
         &screws,
+        &outside,
         &reactions,
+        d_mu,
     );
-    d_mu_itself(mu, &poses, &inertias, &screws, &common_d_mu_b2, d_mu);
 }
 /// B_2(μ) = Σ_k J̃_kᵀ C(M_k; X_k μ) J̃_k.
 ///
@@ -2505,23 +2532,15 @@ pub fn d_mu(q: &[f64; 3], mu: &[f64; 6], d_mu: &mut [[f64; 9]; 9]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (3×3, by columns; kg·m²/s)
 ///
-/// 950 operations: 412 + −, 535 ×, 3 ÷; 3 sin cos; about 11.2 KiB of code.
+/// 766 operations: 362 + −, 401 ×, 3 ÷; 3 sin cos; about 9.1 KiB of code.
 pub fn b2(q: &[f64; 3], mu: &[f64; 6], b2: &mut [[f64; 3]; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_b2 = common_d_mu_b2(
-        mu,
-        &poses,
-        &inertias,
-        &complements,
-        &screws,
-        &reactions,
-    );
-    b2_itself(&common_d_mu_b2, b2);
+    b2_itself(mu, &poses, &inertias, &complements, &screws, &outside, &reactions, b2);
 }
 /// Λ_b, A_l, Λ_q, D_μ and B_2 at once, sharing their work.
 ///
@@ -2533,7 +2552,7 @@ pub fn b2(q: &[f64; 3], mu: &[f64; 6], b2: &mut [[f64; 3]; 3]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (9×9, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (3×3, by columns; kg·m²/s)
 ///
-/// 1466 operations: 664 + −, 799 ×, 3 ÷; 3 sin cos; about 17.3 KiB of code.
+/// 1452 operations: 700 + −, 749 ×, 3 ÷; 3 sin cos; about 17.1 KiB of code.
 pub fn matrices(
     q: &[f64; 3],
     mu: &[f64; 6],
@@ -2545,18 +2564,10 @@ pub fn matrices(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_b2 = common_d_mu_b2(
-        mu,
-        &poses,
-        &inertias,
-        &complements,
-        &screws,
-        &reactions,
-    );
     inertia_itself(
         &poses,
         &inertias,
@@ -2566,8 +2577,17 @@ pub fn matrices(
         connection,
         shape_inertia,
     );
-    d_mu_itself(mu, &poses, &inertias, &screws, &common_d_mu_b2, d_mu);
-    b2_itself(&common_d_mu_b2, b2);
+    d_mu_itself(
+        mu,
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &outside,
+        &reactions,
+        d_mu,
+    );
+    b2_itself(mu, &poses, &inertias, &complements, &screws, &outside, &reactions, b2);
 }
 /// D_q̇ = diag(½ P(q̇), Γ'_q(q̇)): dΛ_q/dt = Γ'_q + Γ'_qᵀ, dΛ_b/dt = P(q̇).
 ///
@@ -2579,8 +2599,8 @@ pub fn matrices(
 pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
@@ -2728,8 +2748,6 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     d_qdot[6][5] = 0.0;
     let factor_outside_link_1_yz_5_1 = (inertias.inertia_base_xx
         + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
-    let factor_link_3_yz_5_1 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
-        + inertias.inertia_link_3_zz) * 0.5;
     let factor_outside_link_1_yz_0 = inertias.inertia_base_xy
         * velocities.minus_velocity_base_wy;
     let factor_outside_link_1_zy_0 = inertias.minus_inertia_base_xz
@@ -2950,6 +2968,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         + factor_link_2_yz_0_5;
     let factor_link_2_zz_0 = factor_link_2_yy_0_1 - factor_link_2_xx_0_0
         + factor_link_2_xx_0_3_2 + factor_link_2_xx_0_3;
+    let factor_link_3_yz_5_1 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
+        + inertias.inertia_link_3_zz) * 0.5;
     let factor_link_3_yz_2 = inertias.inertia_link_3_xy * velocities.velocity_link_3_wy;
     let factor_link_3_zy_0 = inertias.inertia_link_3_xz * velocities.velocity_link_1_wz;
     let factor_link_3_xz_0 = inertias.inertia_link_3_xy * velocities.velocity_link_3_wx;
@@ -3409,8 +3429,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
 pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
@@ -3433,12 +3453,12 @@ pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (9; N·m, N)
 ///
-/// 1701 operations: 774 + −, 924 ×, 3 ÷; 3 sin cos; about 20.1 KiB of code.
+/// 1671 operations: 762 + −, 906 ×, 3 ÷; 3 sin cos; about 19.7 KiB of code.
 pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
@@ -3455,13 +3475,6 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
     let d_mu_xi_0_2 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let d_mu_xi_0_31_2_0 = mu[3]
-        + (mu[1] * d_mu_xi_0_31_2_0_2 + mu[2] * poses.origin_base_y);
-    let d_mu_xi_0_33_2_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_mu_xi_0_31_2_0_2);
-    let d_mu_xi_0_31_0_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
-    let d_mu_xi_0_31_2 = d_mu_xi_0_31_2_0 * 130.0;
-    let d_mu_xi_0_33_2 = d_mu_xi_0_33_2_0 * 130.0;
-    let d_mu_xi_0_31_0 = d_mu_xi_0_31_0_0 * 130.0;
     let d_mu_xi_0_9 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let d_mu_xi_0_8_1 = inertias.composite_link_1_hy * poses.com_x;
     let d_mu_xi_0_8 = d_mu_xi_0_8_1 + d_mu_xi_0_8_1;
@@ -3475,6 +3488,13 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let d_mu_xi_0_19_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let d_mu_xi_0_18 = d_mu_xi_0_18_1 + d_mu_xi_0_18_1;
     let d_mu_xi_0_19 = d_mu_xi_0_19_1 + d_mu_xi_0_19_1;
+    let d_mu_xi_0_31_2_0 = mu[3]
+        + (mu[1] * d_mu_xi_0_31_2_0_2 + mu[2] * poses.origin_base_y);
+    let d_mu_xi_0_33_2_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_mu_xi_0_31_2_0_2);
+    let d_mu_xi_0_31_0_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let d_mu_xi_0_31_2 = d_mu_xi_0_31_2_0 * 130.0;
+    let d_mu_xi_0_33_2 = d_mu_xi_0_33_2_0 * 130.0;
+    let d_mu_xi_0_31_0 = d_mu_xi_0_31_0_0 * 130.0;
     let d_mu_xi_0_31_5 = screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
     let d_mu_xi_0_33_5 = screws.inside_joint_1_fy * qd[0]
@@ -3564,26 +3584,6 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     d_mu_xi[5] = d_mu_xi_0_33 + 0.0;
     let wrench_outside_link_1_my_0_1 = (inertias.inertia_base_xx
         + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
-    let wrench_outside_link_1_my_0 = mu[0] * wrench_outside_link_1_my_0_1
-        - (inertias.inertia_base_xx * mu[0] + inertias.inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_xz * mu[2]);
-    let wrench_outside_link_1_mx_2 = mu[1] * wrench_outside_link_1_my_0_1
-        - (inertias.inertia_base_xy * mu[0] + inertias.inertia_base_yy * mu[1]
-            + inertias.inertia_base_yz * mu[2]);
-    let wrench_outside_link_1_mx_0 = mu[2] * wrench_outside_link_1_my_0_1
-        - (inertias.inertia_base_yz * mu[1] - inertias.minus_inertia_base_xz * mu[0]
-            + inertias.inertia_base_zz * mu[2]);
-    let wrench_link_3_my_2_1 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
-        + inertias.inertia_link_3_zz) * 0.5;
-    let wrench_link_3_my_2 = mu[0] * wrench_link_3_my_2_1
-        - (inertias.inertia_link_3_xx * mu[0] + inertias.inertia_link_3_xy * mu[1]
-            + inertias.inertia_link_3_xz * mu[2]);
-    let wrench_link_3_mx_0 = mu[1] * wrench_link_3_my_2_1
-        - (inertias.inertia_link_3_xy * mu[0] + inertias.inertia_link_3_yy * mu[1]
-            + inertias.inertia_link_3_yz * mu[2]);
-    let wrench_link_3_mx_2 = mu[2] * wrench_link_3_my_2_1
-        - (inertias.inertia_link_3_xz * mu[0] + inertias.inertia_link_3_yz * mu[1]
-            + inertias.inertia_link_3_zz * mu[2]);
     let wrench_outside_link_1_fy_3 = velocities.minus_velocity_base_wy
         * inertias.minus_inertia_base_hz
         + velocities.minus_velocity_base_wz * inertias.inertia_base_hy;
@@ -3597,6 +3597,8 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         + inertias.inertia_link_1_zz) * 0.5;
     let wrench_link_2_my_0_2_1 = (inertias.inertia_link_2_xx + inertias.inertia_link_2_yy
         + inertias.inertia_link_2_zz) * 0.5;
+    let wrench_link_3_my_2_1 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
+        + inertias.inertia_link_3_zz) * 0.5;
     let wrench_outside_link_1_my_7_2 = mu[1] * velocities.minus_velocity_base_vz;
     let wrench_outside_link_1_my_7 = mu[2] * velocities.minus_velocity_base_vy
         - wrench_outside_link_1_my_7_2;
@@ -3605,6 +3607,12 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         - mu[2] * velocities.minus_velocity_base_vx;
     let wrench_outside_link_1_mx_5 = mu[1] * velocities.minus_velocity_base_vx
         - mu[0] * velocities.minus_velocity_base_vy;
+    let wrench_outside_link_1_my_0 = mu[0] * wrench_outside_link_1_my_0_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_46_0;
+    let wrench_outside_link_1_mx_2 = mu[1] * wrench_outside_link_1_my_0_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_48_0;
+    let wrench_outside_link_1_mx_0 = mu[2] * wrench_outside_link_1_my_0_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_37_0;
     let wrench_outside_link_1_mx = wrench_outside_link_1_mx_0
         * velocities.minus_velocity_base_wy
         - wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wz
@@ -3685,6 +3693,12 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
         - mu[0] * velocities.velocity_link_3_vz;
     let wrench_link_3_mx_5 = mu[0] * velocities.velocity_link_3_vy
         - mu[1] * velocities.velocity_link_3_vx;
+    let wrench_link_3_my_2 = mu[0] * wrench_link_3_my_2_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_2_19_0;
+    let wrench_link_3_mx_0 = mu[1] * wrench_link_3_my_2_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_2_21_0;
+    let wrench_link_3_mx_2 = mu[2] * wrench_link_3_my_2_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_2_10_0;
     let wrench_link_3_mx = wrench_link_3_mx_0 * velocities.velocity_link_1_wz
         - wrench_link_3_mx_2 * velocities.velocity_link_3_wy
         + (inertias.inertia_link_3_hy * wrench_link_3_mx_5
@@ -3809,14 +3823,12 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
 pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
     let d_qdot_xi_0_21_4 = poses.com_z + 0.023809523809523808;
-    let d_qdot_xi_0_21 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_qdot_xi_0_21_4);
-    let d_qdot_xi_0_19 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let d_qdot_xi_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let d_qdot_xi_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
     let d_qdot_xi_0_0 = d_qdot_xi_0_0_1 + d_qdot_xi_0_0_1;
@@ -3830,6 +3842,8 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_0_11_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let d_qdot_xi_0_10 = d_qdot_xi_0_10_1 + d_qdot_xi_0_10_1;
     let d_qdot_xi_0_11 = d_qdot_xi_0_11_1 + d_qdot_xi_0_11_1;
+    let d_qdot_xi_0_21 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_qdot_xi_0_21_4);
+    let d_qdot_xi_0_19 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let d_qdot_xi_0_23_1 = screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
     let d_qdot_xi_0_25_1 = screws.inside_joint_1_fy * qd[0]
@@ -3861,8 +3875,6 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
         + (d_qdot_xi_0_25_1 * d_qdot_xi_0_19 - d_qdot_xi_0_23_3 * d_qdot_xi_0_21)) * 0.5
         - (d_qdot_xi_0_23 * d_qdot_xi_0_21_4 + d_qdot_xi_0_25 * poses.origin_base_y)
         + 0.0;
-    let d_qdot_xi_1_19 = mu[3]
-        + (mu[1] * d_qdot_xi_0_21_4 + mu[2] * poses.origin_base_y);
     let d_qdot_xi_1_3_1 = inertias.composite_link_1_hx * poses.origin_base_y;
     let d_qdot_xi_1_3 = d_qdot_xi_1_3_1 + d_qdot_xi_1_3_1;
     let d_qdot_xi_1_6 = poses.cos_joint_1 * inertias.composite_link_2_yz;
@@ -3871,6 +3883,8 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_1_13 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
     let d_qdot_xi_1_11_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
     let d_qdot_xi_1_11 = d_qdot_xi_1_11_1 + d_qdot_xi_1_11_1;
+    let d_qdot_xi_1_19 = mu[3]
+        + (mu[1] * d_qdot_xi_0_21_4 + mu[2] * poses.origin_base_y);
     let d_qdot_xi_1_16 = screws.inside_joint_1_mx * qd[0]
         + (poses.cos_joint_1 * inertias.composite_link_2_yy
             - inertias.inside_joint_2_mx_0_1
@@ -4259,7 +4273,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (9; N·m, N)
 ///
-/// 1013 operations: 464 + −, 546 ×, 3 ÷; 3 sin cos; about 12.0 KiB of code.
+/// 1041 operations: 482 + −, 556 ×, 3 ÷; 3 sin cos; about 12.3 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -4268,7 +4282,8 @@ pub fn hamel_bias(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     let minus_wrench_outside_link_1_my_5_0_2 = poses.com_z + 0.023809523809523808;
     let minus_wrench_outside_link_1_fy_1_0 = base_twist[0]
@@ -4666,276 +4681,371 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 3×3, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 847 operations: 403 + −, 441 ×, 3 ÷; 3 sin cos; about 10.0 KiB of code.
+/// 968 operations: 452 + −, 513 ×, 3 ÷; 3 sin cos; about 11.5 KiB of code.
 pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     // 𝓑_ω(e_i, e_j) x, column joint_1
     curvature[0][0][0] = 0.0;
-    let inertia_rate_base_xx_1 = inertias.composite_link_1_xy
-        + inertias.composite_link_1_xy;
-    let inertia_rate_base_zz_0_1 = inertias.composite_link_1_hx * poses.origin_base_y;
-    let inertia_rate_base_zz_1_1 = inertias.composite_link_1_hy * poses.com_x;
-    let inertia_rate_base_zz_1 = inertia_rate_base_zz_1_1 + inertia_rate_base_zz_1_1;
-    let inertia_rate_base_zz_0 = inertia_rate_base_zz_0_1 + inertia_rate_base_zz_0_1;
-    let inertia_rate_base_zz = inertia_rate_base_zz_0 + inertia_rate_base_zz_1;
-    let inertia_rate_base_xx = inertia_rate_base_zz_1 - inertia_rate_base_xx_1;
-    let inertia_rate_base_xy = inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
-    let inertia_rate_base_yy = inertia_rate_base_xx_1 + inertia_rate_base_zz_0;
-    let inertia_rate_link_1_xx_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
-    let minus_inertia_rate_link_1_yy_1 = poses.cos_joint_1
+    let minus_wrench_base_mz_0_1 = inertias.inertia_base_hy * poses.com_x;
+    let minus_wrench_base_mz_0 = minus_wrench_base_mz_0_1 + minus_wrench_base_mz_0_1
+        - (inertias.inertia_base_xy + inertias.inertia_base_xy);
+    let wrench_base_mx_3 = inertias.inertia_base_xx - inertias.inertia_base_yy
+        - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
+    let wrench_outside_link_1_mz_3_1_1 = poses.sin_joint_1
+        * inertias.composite_link_2_xz;
+    let wrench_outside_link_1_mz_3_1_0 = poses.cos_joint_1
         * inertias.composite_link_2_yz;
-    let inertia_rate_link_1_zz_1 = minus_inertia_rate_link_1_yy_1
-        - inertia_rate_link_1_xx_1;
-    let minus_inertia_rate_link_1_yy_2_1 = inertias.composite_link_2_hx
+    let wrench_outside_link_1_mz_3_1 = wrench_outside_link_1_mz_3_1_0
+        - wrench_outside_link_1_mz_3_1_1;
+    let curvature_x_1_0_10_2_1 = inertias.composite_link_2_hx
         * screws.minus_screw_joint_2_vx;
-    let inertia_rate_link_1_xx_2_1 = inertias.composite_link_2_hy
-        * screws.screw_joint_2_vy;
-    let inertia_rate_link_1_xx_3_1 = inertias.composite_link_2_hz
+    let curvature_x_1_0_1_2_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
+    let curvature_x_1_0_1_3_1 = inertias.composite_link_2_hz
         * screws.minus_screw_joint_2_vz;
-    let inertia_rate_link_1_xx_2 = inertia_rate_link_1_xx_2_1
-        + inertia_rate_link_1_xx_2_1;
-    let inertia_rate_link_1_xx_3 = inertia_rate_link_1_xx_3_1
-        + inertia_rate_link_1_xx_3_1;
-    let minus_inertia_rate_link_1_yy_2 = minus_inertia_rate_link_1_yy_2_1
-        + minus_inertia_rate_link_1_yy_2_1;
-    let inertia_rate_link_1_xx = inertia_rate_link_1_xx_1 + inertia_rate_link_1_xx_1
-        + (inertia_rate_link_1_xx_2 - inertia_rate_link_1_xx_3);
-    let inertia_rate_link_1_xy = inertias.inside_joint_2_mz_0_1
+    let curvature_x_1_0_1_2 = curvature_x_1_0_1_2_1 + curvature_x_1_0_1_2_1;
+    let curvature_x_1_0_1_3 = curvature_x_1_0_1_3_1 + curvature_x_1_0_1_3_1;
+    let curvature_x_1_0_10_2 = curvature_x_1_0_10_2_1 + curvature_x_1_0_10_2_1;
+    let curvature_x_1_0_1 = wrench_outside_link_1_mz_3_1_1
+        + wrench_outside_link_1_mz_3_1_1 + (curvature_x_1_0_1_2 - curvature_x_1_0_1_3);
+    let curvature_x_1_0_8 = inertias.inside_joint_2_mz_0_1
         - inertias.inside_joint_2_mz_0_0
         - (screws.inside_joint_2_mz_2 - screws.inside_joint_2_mz_3);
-    let inertia_rate_link_1_xz = poses.sin_joint_1 * inertias.composite_link_2_zz
+    let wrench_outside_link_1_mz_0 = poses.sin_joint_1 * inertias.composite_link_2_zz
         + (inertias.inside_joint_2_my_0_0
             - poses.sin_joint_1 * inertias.composite_link_2_xx)
         + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
-    let minus_inertia_rate_link_1_yy = minus_inertia_rate_link_1_yy_1
-        + minus_inertia_rate_link_1_yy_1
-        + (minus_inertia_rate_link_1_yy_2 + inertia_rate_link_1_xx_3);
-    let inertia_rate_link_1_yz = poses.cos_joint_1 * inertias.composite_link_2_yy
+    let curvature_x_1_0_10 = wrench_outside_link_1_mz_3_1_0
+        + wrench_outside_link_1_mz_3_1_0 + (curvature_x_1_0_10_2 + curvature_x_1_0_1_3);
+    let curvature_x_1_0_17 = poses.cos_joint_1 * inertias.composite_link_2_yy
         - inertias.inside_joint_2_mx_0_1
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
-    let inertia_rate_link_1_zz = inertia_rate_link_1_zz_1 + inertia_rate_link_1_zz_1
-        + (inertia_rate_link_1_xx_2 - minus_inertia_rate_link_1_yy_2);
-    let curvature_x_1_0_3_3_23_1 = screws.inside_joint_2_my
-        - screws.inside_joint_2_fz * poses.com_x
-        + (inertia_rate_base_xx * screws.connection_joint_2_wx
-            + inertia_rate_base_xy * screws.connection_joint_2_wy
-            - screws.inside_joint_1_my * screws.connection_joint_2_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_2_vz)
-        + (inertia_rate_link_1_xx * reactions.reaction_joint_1_wx
-            + inertia_rate_link_1_xy * reactions.reaction_joint_1_wy
-            + inertia_rate_link_1_xz * reactions.reaction_joint_1_wz);
-    let curvature_x_1_0_3_3_23 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_1_0_3_3_23_1
-        - (screws.inside_joint_2_fz * poses.origin_base_y - screws.inside_joint_2_mx
-            + (inertia_rate_base_xy * screws.connection_joint_2_wx
-                + inertia_rate_base_yy * screws.connection_joint_2_wy
-                + screws.inside_joint_1_mx * screws.connection_joint_2_wz
-                - screws.inside_joint_1_fx * screws.connection_joint_2_vz)
-            + (inertia_rate_link_1_xy * reactions.reaction_joint_1_wx
-                - minus_inertia_rate_link_1_yy * reactions.reaction_joint_1_wy
-                + inertia_rate_link_1_yz * reactions.reaction_joint_1_wz));
-    let curvature_x_1_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_1_0_3_3_23_1
-        - (screws.inside_joint_2_fx * poses.com_x
-            - screws.inside_joint_2_fy * poses.origin_base_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_2_wy
-                - screws.inside_joint_1_my * screws.connection_joint_2_wx
-                + inertia_rate_base_zz * screws.connection_joint_2_wz
-                + (screws.inside_joint_1_fx * screws.connection_joint_2_vy
-                    - screws.inside_joint_1_fy * screws.connection_joint_2_vx))
-            + (inertia_rate_link_1_xz * reactions.reaction_joint_1_wx
-                + inertia_rate_link_1_yz * reactions.reaction_joint_1_wy
-                + inertia_rate_link_1_zz * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_1_0_3_3_23)
+    let wrench_outside_link_1_mz_3 = wrench_outside_link_1_mz_3_1
+        + wrench_outside_link_1_mz_3_1 + (curvature_x_1_0_1_2 - curvature_x_1_0_10_2);
+    let curvature_x_1_0_21_1_2_3 = (inertias.locked_inverse_pivot_z_4
+        * inertias.locked_inverse_pivot_y_2 - inertias.locked_inverse_pivot_z_2)
         * inertias.locked_inverse_pivot_z;
-    let curvature_x_1_0_3 = curvature_x_1_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_1_0_3_3;
-    let curvature_x_1_0 = curvature_x_1_0_3_3_23_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_1_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_2_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_2_wy);
+    let curvature_x_1_0_21_1_2 = inertias.locked_inverse_pivot_y_2
+        * inertias.locked_inverse_pivot_y
+        + inertias.locked_inverse_pivot_z_4 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_1_0_21_1 = inertias.locked_inverse_pivot_x
+        + inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_21_1_2
+        - inertias.locked_inverse_pivot_z_2 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_1_0_21 = minus_wrench_base_mz_0 * curvature_x_1_0_21_1
+        - wrench_base_mx_3 * curvature_x_1_0_21_1_2
+        - outside.outside_joint_1_my * curvature_x_1_0_21_1_2_3;
+    let curvature_x_1_0_23 = reactions.reaction_joint_1_wz
+        - (wrench_base_mx_3 * curvature_x_1_0_21_1
+            + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2_3);
+    let curvature_x_1_0_25 = reactions.reaction_joint_1_wy
+        + (minus_wrench_base_mz_0 * curvature_x_1_0_21_1_2_3
+            - (outside.outside_joint_1_my * curvature_x_1_0_21_1
+                + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2));
+    let curvature_x_1_0 = reactions.reaction_joint_1_wx
+        * (curvature_x_1_0_1 * curvature_x_1_0_21_1
+            - curvature_x_1_0_8 * curvature_x_1_0_21_1_2
+            + wrench_outside_link_1_mz_0 * curvature_x_1_0_21_1_2_3)
+        + reactions.reaction_joint_1_wy
+            * (curvature_x_1_0_8 * curvature_x_1_0_21_1
+                + curvature_x_1_0_10 * curvature_x_1_0_21_1_2
+                + curvature_x_1_0_17 * curvature_x_1_0_21_1_2_3)
+        + reactions.reaction_joint_1_wz
+            * (wrench_outside_link_1_mz_0 * curvature_x_1_0_21_1
+                - curvature_x_1_0_17 * curvature_x_1_0_21_1_2
+                + wrench_outside_link_1_mz_3 * curvature_x_1_0_21_1_2_3)
+        - curvature_x_1_0_21 * screws.connection_joint_2_wx
+        + curvature_x_1_0_23 * screws.connection_joint_2_wy
+        - curvature_x_1_0_25 * screws.connection_joint_2_wz;
     curvature[0][0][1] = curvature_x_1_0 + 0.0;
-    let inertia_rate_link_2_xx_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
-    let inertia_rate_link_2_yy_3 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
-    let inertia_rate_link_2_zz_1 = inertia_rate_link_2_yy_3 - inertia_rate_link_2_xx_1;
-    let inertia_rate_link_2_yy_1_1 = inertias.inertia_link_3_hx
+    let wrench_outside_link_2_mz_3_1_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
+    let wrench_outside_link_2_mz_3_1_0 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
+    let wrench_outside_link_2_mz_3_1 = wrench_outside_link_2_mz_3_1_0
+        - wrench_outside_link_2_mz_3_1_1;
+    let curvature_x_2_0_3_2_1_1 = inertias.inertia_link_3_hx
         * screws.minus_screw_joint_3_vx;
-    let inertia_rate_link_2_xx_2_1 = inertias.inertia_link_3_hy
-        * screws.screw_joint_3_vy;
-    let inertia_rate_link_2_xx_3_1 = inertias.inertia_link_3_hz
-        * screws.screw_joint_3_vz;
-    let inertia_rate_link_2_xx_2 = inertia_rate_link_2_xx_2_1
-        + inertia_rate_link_2_xx_2_1;
-    let inertia_rate_link_2_xx_3 = inertia_rate_link_2_xx_3_1
-        + inertia_rate_link_2_xx_3_1;
-    let inertia_rate_link_2_yy_1 = inertia_rate_link_2_yy_1_1
-        + inertia_rate_link_2_yy_1_1;
-    let inertia_rate_link_2_xx = inertia_rate_link_2_xx_1 + inertia_rate_link_2_xx_1
-        + (inertia_rate_link_2_xx_2 + inertia_rate_link_2_xx_3);
-    let inertia_rate_link_2_xy = inertias.inside_joint_3_mz_0_1
+    let curvature_x_2_0_1_0_2_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
+    let curvature_x_2_0_1_0_3_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
+    let curvature_x_2_0_1_0_2 = curvature_x_2_0_1_0_2_1 + curvature_x_2_0_1_0_2_1;
+    let curvature_x_2_0_1_0_3 = curvature_x_2_0_1_0_3_1 + curvature_x_2_0_1_0_3_1;
+    let curvature_x_2_0_3_2_1 = curvature_x_2_0_3_2_1_1 + curvature_x_2_0_3_2_1_1;
+    let curvature_x_2_0_1_0 = wrench_outside_link_2_mz_3_1_1
+        + wrench_outside_link_2_mz_3_1_1
+        + (curvature_x_2_0_1_0_2 + curvature_x_2_0_1_0_3);
+    let curvature_x_2_0_1_2 = inertias.inside_joint_3_mz_0_1
         - inertias.inside_joint_3_mz_0_0
         - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3);
-    let inertia_rate_link_2_xz = poses.sin_joint_1 * inertias.inertia_link_3_zz
+    let wrench_outside_link_2_mz_0 = poses.sin_joint_1 * inertias.inertia_link_3_zz
         + (inertias.inside_joint_3_my_0_0
             - poses.sin_joint_1 * inertias.inertia_link_3_xx)
         - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
-    let inertia_rate_link_2_yy = inertia_rate_link_2_xx_3 - inertia_rate_link_2_yy_1
-        - (inertia_rate_link_2_yy_3 + inertia_rate_link_2_yy_3);
-    let inertia_rate_link_2_yz = poses.cos_joint_1 * inertias.inertia_link_3_yy
+    let curvature_x_2_0_3_2 = curvature_x_2_0_1_0_3 - curvature_x_2_0_3_2_1
+        - (wrench_outside_link_2_mz_3_1_0 + wrench_outside_link_2_mz_3_1_0);
+    let curvature_x_2_0_3_4 = poses.cos_joint_1 * inertias.inertia_link_3_yy
         - inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
         - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
-    let inertia_rate_link_2_zz = inertia_rate_link_2_zz_1 + inertia_rate_link_2_zz_1
-        + (inertia_rate_link_2_xx_2 - inertia_rate_link_2_yy_1);
-    let curvature_x_2_0_3_3_23_1 = screws.inside_joint_3_my
-        - screws.inside_joint_3_fz * poses.com_x
-        + (inertia_rate_base_xx * screws.connection_joint_3_wx
-            + inertia_rate_base_xy * screws.connection_joint_3_wy
-            - screws.inside_joint_1_my * screws.connection_joint_3_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_3_vz)
-        + (inertia_rate_link_2_xx * reactions.reaction_joint_1_wx
-            + inertia_rate_link_2_xy * reactions.reaction_joint_1_wy
-            + inertia_rate_link_2_xz * reactions.reaction_joint_1_wz);
-    let curvature_x_2_0_3_3_23 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_2_0_3_3_23_1
-        - (screws.inside_joint_3_fz * poses.origin_base_y - screws.inside_joint_3_mx
-            + (inertia_rate_base_xy * screws.connection_joint_3_wx
-                + inertia_rate_base_yy * screws.connection_joint_3_wy
-                + screws.inside_joint_1_mx * screws.connection_joint_3_wz
-                - screws.inside_joint_1_fx * screws.connection_joint_3_vz)
-            + (inertia_rate_link_2_xy * reactions.reaction_joint_1_wx
-                + inertia_rate_link_2_yy * reactions.reaction_joint_1_wy
-                + inertia_rate_link_2_yz * reactions.reaction_joint_1_wz));
-    let curvature_x_2_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_2_0_3_3_23_1
-        - (screws.inside_joint_3_fx * poses.com_x
-            - screws.inside_joint_3_fy * poses.origin_base_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_3_wy
-                - screws.inside_joint_1_my * screws.connection_joint_3_wx
-                + inertia_rate_base_zz * screws.connection_joint_3_wz
-                + (screws.inside_joint_1_fx * screws.connection_joint_3_vy
-                    - screws.inside_joint_1_fy * screws.connection_joint_3_vx))
-            + (inertia_rate_link_2_xz * reactions.reaction_joint_1_wx
-                + inertia_rate_link_2_yz * reactions.reaction_joint_1_wy
-                + inertia_rate_link_2_zz * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_2_0_3_3_23)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_2_0_3 = curvature_x_2_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_2_0_3_3;
-    let curvature_x_2_0 = curvature_x_2_0_3_3_23_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_2_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_2_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_3_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_3_wy);
+    let wrench_outside_link_2_mz_3 = wrench_outside_link_2_mz_3_1
+        + wrench_outside_link_2_mz_3_1 + (curvature_x_2_0_1_0_2 - curvature_x_2_0_3_2_1);
+    let curvature_x_2_0_1 = curvature_x_2_0_1_0 * curvature_x_1_0_21_1
+        - curvature_x_2_0_1_2 * curvature_x_1_0_21_1_2
+        + wrench_outside_link_2_mz_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_3 = curvature_x_2_0_1_2 * curvature_x_1_0_21_1
+        - curvature_x_2_0_3_2 * curvature_x_1_0_21_1_2
+        + curvature_x_2_0_3_4 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_5 = wrench_outside_link_2_mz_0 * curvature_x_1_0_21_1
+        - curvature_x_2_0_3_4 * curvature_x_1_0_21_1_2
+        + wrench_outside_link_2_mz_3 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0 = reactions.reaction_joint_1_wx * curvature_x_2_0_1
+        + reactions.reaction_joint_1_wy * curvature_x_2_0_3
+        + reactions.reaction_joint_1_wz * curvature_x_2_0_5
+        - curvature_x_1_0_21 * screws.connection_joint_3_wx
+        + curvature_x_1_0_23 * screws.connection_joint_3_wy
+        - curvature_x_1_0_25 * screws.connection_joint_3_wz;
     curvature[0][0][2] = curvature_x_2_0 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_2
     curvature[0][1][0] = 0.0 - curvature_x_1_0;
     curvature[0][1][1] = 0.0;
-    let curvature_x_2_1_3_3_1_27 = screws.inside_joint_3_mz * poses.sin_joint_1
-        + (screws.inside_joint_3_fy * screws.minus_screw_joint_2_vz
-            + screws.inside_joint_3_fz * screws.screw_joint_2_vy)
-        - (inertia_rate_link_1_xx * screws.connection_joint_3_wx
-            + inertia_rate_link_1_xy * screws.connection_joint_3_wy
-            + inertia_rate_link_1_xz * screws.connection_joint_3_wz
-            + (screws.inside_joint_2_fy * screws.connection_joint_3_vz
-                - screws.inside_joint_2_fz * screws.connection_joint_3_vy))
-        - (inertia_rate_link_2_xx * reactions.reaction_joint_2_wx
-            + inertia_rate_link_2_xy * reactions.reaction_joint_2_wy
-            + inertia_rate_link_2_xz * reactions.reaction_joint_2_wz
-            + (screws.inside_joint_3_fy * reactions.reaction_joint_2_vz
-                - screws.inside_joint_3_fz * reactions.reaction_joint_2_vy));
-    let curvature_x_2_1_3_3_1 = screws.inside_joint_3_mz * poses.cos_joint_1
-        + (screws.inside_joint_3_fx * screws.minus_screw_joint_2_vz
-            - screws.inside_joint_3_fz * screws.minus_screw_joint_2_vx)
-        + (inertia_rate_link_1_xy * screws.connection_joint_3_wx
-            - minus_inertia_rate_link_1_yy * screws.connection_joint_3_wy
-            + inertia_rate_link_1_yz * screws.connection_joint_3_wz
-            + (screws.inside_joint_2_fz * screws.connection_joint_3_vx
-                - screws.inside_joint_2_fx * screws.connection_joint_3_vz))
-        + (inertia_rate_link_2_xy * reactions.reaction_joint_2_wx
-            + inertia_rate_link_2_yy * reactions.reaction_joint_2_wy
-            + inertia_rate_link_2_yz * reactions.reaction_joint_2_wz
-            + (screws.inside_joint_3_fz * reactions.reaction_joint_2_vx
-                - screws.inside_joint_3_fx * reactions.reaction_joint_2_vz))
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_2_1_3_3_1_27;
-    let curvature_x_2_1_3_3 = (inertias.locked_inverse_pivot_z_4 * curvature_x_2_1_3_3_1
-        - (screws.inside_joint_3_mx * poses.sin_joint_1
-            - screws.inside_joint_3_my * poses.cos_joint_1
-            + (screws.inside_joint_3_fx * screws.screw_joint_2_vy
-                + screws.inside_joint_3_fy * screws.minus_screw_joint_2_vx)
-            + (inertia_rate_link_1_xz * screws.connection_joint_3_wx
-                + inertia_rate_link_1_yz * screws.connection_joint_3_wy
-                + inertia_rate_link_1_zz * screws.connection_joint_3_wz
-                + (screws.inside_joint_2_fx * screws.connection_joint_3_vy
-                    - screws.inside_joint_2_fy * screws.connection_joint_3_vx))
-            + (inertia_rate_link_2_xz * reactions.reaction_joint_2_wx
-                + inertia_rate_link_2_yz * reactions.reaction_joint_2_wy
-                + inertia_rate_link_2_zz * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_3_fx * reactions.reaction_joint_2_vy
-                    - screws.inside_joint_3_fy * reactions.reaction_joint_2_vx))
-            + inertias.locked_inverse_pivot_z_2 * curvature_x_2_1_3_3_1_27))
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_2_1_3 = curvature_x_2_1_3_3_1 * inertias.locked_inverse_pivot_y
-        + inertias.locked_inverse_pivot_z_4 * curvature_x_2_1_3_3;
-    let curvature_x_2_1 = curvature_x_2_1_3_3_1_27 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_2_1_3
-        - inertias.locked_inverse_pivot_z_2 * curvature_x_2_1_3_3
-        - (screws.connection_joint_2_wy * screws.connection_joint_3_wz
-            - screws.connection_joint_2_wz * screws.connection_joint_3_wy);
-    curvature[0][1][2] = 0.0 - curvature_x_2_1;
+    let minus_wrench_link_1_mz_3_1_1 = poses.sin_joint_1
+        * complements.complement_link_2_xz;
+    let minus_wrench_link_1_mz_3_1_0 = poses.cos_joint_1
+        * complements.complement_link_2_yz;
+    let minus_wrench_link_1_mz_3_1 = minus_wrench_link_1_mz_3_1_0
+        - minus_wrench_link_1_mz_3_1_1;
+    let minus_wrench_link_1_my_3_0_1 = complements.minus_complement_link_2_hx
+        * screws.minus_screw_joint_2_vx;
+    let wrench_link_1_mx_1_2_1 = complements.complement_link_2_hy
+        * screws.screw_joint_2_vy;
+    let wrench_link_1_mx_1_3_1 = complements.complement_link_2_hz
+        * screws.minus_screw_joint_2_vz;
+    let wrench_link_1_mx_1_2 = wrench_link_1_mx_1_2_1 + wrench_link_1_mx_1_2_1;
+    let wrench_link_1_mx_1_3 = wrench_link_1_mx_1_3_1 + wrench_link_1_mx_1_3_1;
+    let minus_wrench_link_1_my_3_0 = minus_wrench_link_1_my_3_0_1
+        + minus_wrench_link_1_my_3_0_1;
+    let wrench_link_1_mx_1 = minus_wrench_link_1_mz_3_1_1 + minus_wrench_link_1_mz_3_1_1
+        + (wrench_link_1_mx_1_2 - wrench_link_1_mx_1_3);
+    let wrench_link_1_mx_3 = complements.outside_joint_2_mz_0_1
+        - complements.outside_joint_2_mz_0_0
+        + (screws.outside_joint_2_mz_1_1 + screws.outside_joint_2_mz_1_0);
+    let minus_wrench_link_1_mz_0 = poses.sin_joint_1 * complements.complement_link_2_zz
+        + (complements.outside_joint_2_my_0_0
+            - poses.sin_joint_1 * complements.complement_link_2_xx)
+        - (screws.outside_joint_2_my_1_1 - screws.outside_joint_2_my_1_0);
+    let minus_wrench_link_1_my_3 = minus_wrench_link_1_my_3_0 - wrench_link_1_mx_1_3
+        - (minus_wrench_link_1_mz_3_1_0 + minus_wrench_link_1_mz_3_1_0);
+    let minus_wrench_link_1_my_5 = poses.cos_joint_1 * complements.complement_link_2_yy
+        - complements.outside_joint_2_mx_0_1
+        - poses.cos_joint_1 * complements.complement_link_2_zz
+        - (screws.outside_joint_2_mx_1_1 - screws.outside_joint_2_mx_1_0);
+    let minus_wrench_link_1_mz_3 = minus_wrench_link_1_mz_3_1
+        + minus_wrench_link_1_mz_3_1
+        + (minus_wrench_link_1_my_3_0 + wrench_link_1_mx_1_2);
+    let curvature_x_2_1_42 = curvature_x_1_0_21_1 * 260.0;
+    let curvature_x_2_1_40 = curvature_x_1_0_21_1_2 * 260.0;
+    let curvature_x_2_1_37 = curvature_x_1_0_21_1_2_3 * 260.0;
+    let curvature_x_2_1 = reactions.reaction_joint_2_wx * curvature_x_2_0_1
+        + reactions.reaction_joint_2_wy * curvature_x_2_0_3
+        + reactions.reaction_joint_2_wz * curvature_x_2_0_5
+        - (wrench_link_1_mx_1 * curvature_x_1_0_21_1
+            - wrench_link_1_mx_3 * curvature_x_1_0_21_1_2
+            + minus_wrench_link_1_mz_0 * curvature_x_1_0_21_1_2_3)
+            * screws.connection_joint_3_wx
+        + (reactions.reaction_joint_2_wz
+            - (wrench_link_1_mx_3 * curvature_x_1_0_21_1
+                - minus_wrench_link_1_my_3 * curvature_x_1_0_21_1_2
+                + minus_wrench_link_1_my_5 * curvature_x_1_0_21_1_2_3))
+            * screws.connection_joint_3_wy
+        - (reactions.reaction_joint_2_wy
+            + (minus_wrench_link_1_mz_0 * curvature_x_1_0_21_1
+                - minus_wrench_link_1_my_5 * curvature_x_1_0_21_1_2
+                + minus_wrench_link_1_mz_3 * curvature_x_1_0_21_1_2_3))
+            * screws.connection_joint_3_wz
+        + (reactions.reaction_joint_2_vy * curvature_x_2_1_37
+            + reactions.reaction_joint_2_vz * curvature_x_2_1_40)
+            * screws.connection_joint_3_vx
+        + (reactions.reaction_joint_2_vz * curvature_x_2_1_42
+            - reactions.reaction_joint_2_vx * curvature_x_2_1_37)
+            * screws.connection_joint_3_vy
+        - (reactions.reaction_joint_2_vx * curvature_x_2_1_40
+            + reactions.reaction_joint_2_vy * curvature_x_2_1_42)
+            * screws.connection_joint_3_vz;
+    curvature[0][1][2] = curvature_x_2_1 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_3
     curvature[0][2][0] = 0.0 - curvature_x_2_0;
-    curvature[0][2][1] = curvature_x_2_1 + 0.0;
+    curvature[0][2][1] = 0.0 - curvature_x_2_1;
     curvature[0][2][2] = 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_1
     curvature[1][0][0] = 0.0;
-    let curvature_y_1_0 = curvature_x_1_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_2_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_2_wz);
-    curvature[1][0][1] = 0.0 - curvature_y_1_0;
-    let curvature_y_2_0 = curvature_x_2_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_3_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_3_wz);
-    curvature[1][0][2] = 0.0 - curvature_y_2_0;
+    let wrench_base_mx_4 = inertias.locked_inverse_pivot_z_4
+        * inertias.locked_inverse_pivot_z;
+    let curvature_y_1_0_22_1_3 = inertias.locked_inverse_pivot_y
+        + inertias.locked_inverse_pivot_z_4 * wrench_base_mx_4;
+    let curvature_y_1_0_22_1 = inertias.locked_inverse_pivot_z_2 * wrench_base_mx_4
+        - inertias.locked_inverse_pivot_y_2 * curvature_y_1_0_22_1_3;
+    let minus_wrench_base_mz_4 = outside.outside_joint_1_mx * wrench_base_mx_4;
+    let curvature_y_1_0_22 = wrench_base_mx_3 * curvature_y_1_0_22_1
+        - minus_wrench_base_mz_4;
+    let curvature_y_1_0_20 = reactions.reaction_joint_1_wz
+        + (minus_wrench_base_mz_0 * curvature_y_1_0_22_1
+            + wrench_base_mx_3 * curvature_y_1_0_22_1_3
+            + outside.outside_joint_1_my * wrench_base_mx_4);
+    let curvature_y_1_0_24 = reactions.reaction_joint_1_wx
+        - (outside.outside_joint_1_mx * curvature_y_1_0_22_1_3
+            - outside.outside_joint_1_my * curvature_y_1_0_22_1
+            - minus_wrench_base_mz_0 * wrench_base_mx_4);
+    let wrench_outside_link_1_mz_2 = curvature_x_1_0_17 * wrench_base_mx_4;
+    let curvature_y_1_0 = reactions.reaction_joint_1_wx
+        * (curvature_x_1_0_1 * curvature_y_1_0_22_1
+            + curvature_x_1_0_8 * curvature_y_1_0_22_1_3
+            - wrench_outside_link_1_mz_0 * wrench_base_mx_4)
+        + reactions.reaction_joint_1_wy
+            * (curvature_x_1_0_8 * curvature_y_1_0_22_1
+                - curvature_x_1_0_10 * curvature_y_1_0_22_1_3
+                - wrench_outside_link_1_mz_2)
+        + reactions.reaction_joint_1_wz
+            * (wrench_outside_link_1_mz_0 * curvature_y_1_0_22_1
+                + curvature_x_1_0_17 * curvature_y_1_0_22_1_3
+                - wrench_outside_link_1_mz_3 * wrench_base_mx_4)
+        - curvature_y_1_0_20 * screws.connection_joint_2_wx
+        - curvature_y_1_0_22 * screws.connection_joint_2_wy
+        + curvature_y_1_0_24 * screws.connection_joint_2_wz;
+    curvature[1][0][1] = curvature_y_1_0 + 0.0;
+    let curvature_y_2_0_1 = curvature_x_2_0_1_0 * curvature_y_1_0_22_1
+        + curvature_x_2_0_1_2 * curvature_y_1_0_22_1_3
+        - wrench_outside_link_2_mz_0 * wrench_base_mx_4;
+    let wrench_outside_link_2_mz_2 = curvature_x_2_0_3_4 * wrench_base_mx_4;
+    let curvature_y_2_0_3 = curvature_x_2_0_1_2 * curvature_y_1_0_22_1
+        + curvature_x_2_0_3_2 * curvature_y_1_0_22_1_3 - wrench_outside_link_2_mz_2;
+    let curvature_y_2_0_5 = wrench_outside_link_2_mz_0 * curvature_y_1_0_22_1
+        + curvature_x_2_0_3_4 * curvature_y_1_0_22_1_3
+        - wrench_outside_link_2_mz_3 * wrench_base_mx_4;
+    let curvature_y_2_0 = reactions.reaction_joint_1_wx * curvature_y_2_0_1
+        + reactions.reaction_joint_1_wy * curvature_y_2_0_3
+        + reactions.reaction_joint_1_wz * curvature_y_2_0_5
+        - curvature_y_1_0_20 * screws.connection_joint_3_wx
+        - curvature_y_1_0_22 * screws.connection_joint_3_wy
+        + curvature_y_1_0_24 * screws.connection_joint_3_wz;
+    curvature[1][0][2] = curvature_y_2_0 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_2
-    curvature[1][1][0] = curvature_y_1_0 + 0.0;
+    curvature[1][1][0] = 0.0 - curvature_y_1_0;
     curvature[1][1][1] = 0.0;
-    let curvature_y_2_1 = curvature_x_2_1_3
-        + (screws.connection_joint_2_wz * screws.connection_joint_3_wx
-            - screws.connection_joint_2_wx * screws.connection_joint_3_wz);
+    let curvature_y_2_1_40 = curvature_y_1_0_22_1 * 260.0;
+    let curvature_y_2_1_38 = curvature_y_1_0_22_1_3 * 260.0;
+    let wrench_link_1_fx_3 = wrench_base_mx_4 * 260.0;
+    let minus_wrench_link_1_mz_2 = minus_wrench_link_1_my_5 * wrench_base_mx_4;
+    let minus_wrench_link_1_fz_0 = reactions.reaction_joint_2_vx * wrench_link_1_fx_3;
+    let curvature_y_2_1 = reactions.reaction_joint_2_wx * curvature_y_2_0_1
+        + reactions.reaction_joint_2_wy * curvature_y_2_0_3
+        + reactions.reaction_joint_2_wz * curvature_y_2_0_5
+        - (reactions.reaction_joint_2_wz
+            + (wrench_link_1_mx_1 * curvature_y_1_0_22_1
+                + wrench_link_1_mx_3 * curvature_y_1_0_22_1_3
+                - minus_wrench_link_1_mz_0 * wrench_base_mx_4))
+            * screws.connection_joint_3_wx
+        - (wrench_link_1_mx_3 * curvature_y_1_0_22_1
+            + minus_wrench_link_1_my_3 * curvature_y_1_0_22_1_3
+            - minus_wrench_link_1_mz_2) * screws.connection_joint_3_wy
+        + (reactions.reaction_joint_2_wx
+            - (minus_wrench_link_1_mz_0 * curvature_y_1_0_22_1
+                + minus_wrench_link_1_my_5 * curvature_y_1_0_22_1_3
+                - minus_wrench_link_1_mz_3 * wrench_base_mx_4))
+            * screws.connection_joint_3_wz
+        - (reactions.reaction_joint_2_vy * wrench_link_1_fx_3
+            + reactions.reaction_joint_2_vz * curvature_y_2_1_38)
+            * screws.connection_joint_3_vx
+        + (reactions.reaction_joint_2_vz * curvature_y_2_1_40 + minus_wrench_link_1_fz_0)
+            * screws.connection_joint_3_vy
+        + (reactions.reaction_joint_2_vx * curvature_y_2_1_38
+            - reactions.reaction_joint_2_vy * curvature_y_2_1_40)
+            * screws.connection_joint_3_vz;
     curvature[1][1][2] = curvature_y_2_1 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_3
-    curvature[1][2][0] = curvature_y_2_0 + 0.0;
+    curvature[1][2][0] = 0.0 - curvature_y_2_0;
     curvature[1][2][1] = 0.0 - curvature_y_2_1;
     curvature[1][2][2] = 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
-    let curvature_z_1_0 = curvature_x_1_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_2_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_2_wx);
-    curvature[2][0][1] = 0.0 - curvature_z_1_0;
-    let curvature_z_2_0 = curvature_x_2_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_3_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_3_wx);
-    curvature[2][0][2] = 0.0 - curvature_z_2_0;
+    let minus_wrench_base_mz_3 = inertias.locked_inverse_pivot_y_2 * wrench_base_mx_4
+        - inertias.locked_inverse_pivot_z_2 * inertias.locked_inverse_pivot_z;
+    let minus_wrench_base_mz = minus_wrench_base_mz_0 * inertias.locked_inverse_pivot_z
+        - (outside.outside_joint_1_my * minus_wrench_base_mz_3 + minus_wrench_base_mz_4);
+    let wrench_base_mx = reactions.reaction_joint_1_wy
+        - (minus_wrench_base_mz_0 * minus_wrench_base_mz_3
+            - wrench_base_mx_3 * wrench_base_mx_4
+            - outside.outside_joint_1_my * inertias.locked_inverse_pivot_z);
+    let minus_wrench_base_my = reactions.reaction_joint_1_wx
+        + (wrench_base_mx_3 * minus_wrench_base_mz_3
+            + outside.outside_joint_1_mx * inertias.locked_inverse_pivot_z);
+    let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0 * minus_wrench_base_mz_3
+        - wrench_outside_link_1_mz_2
+        + wrench_outside_link_1_mz_3 * inertias.locked_inverse_pivot_z;
+    let curvature_z_1_0 = reactions.reaction_joint_1_wx
+        * (curvature_x_1_0_1 * minus_wrench_base_mz_3
+            - curvature_x_1_0_8 * wrench_base_mx_4
+            + wrench_outside_link_1_mz_0 * inertias.locked_inverse_pivot_z)
+        + reactions.reaction_joint_1_wy
+            * (curvature_x_1_0_8 * minus_wrench_base_mz_3
+                + curvature_x_1_0_10 * wrench_base_mx_4
+                + curvature_x_1_0_17 * inertias.locked_inverse_pivot_z)
+        + reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
+        + wrench_base_mx * screws.connection_joint_2_wx
+        - minus_wrench_base_my * screws.connection_joint_2_wy
+        - minus_wrench_base_mz * screws.connection_joint_2_wz;
+    curvature[2][0][1] = curvature_z_1_0 + 0.0;
+    let curvature_z_2_0_1 = curvature_x_2_0_1_0 * minus_wrench_base_mz_3
+        - curvature_x_2_0_1_2 * wrench_base_mx_4
+        + wrench_outside_link_2_mz_0 * inertias.locked_inverse_pivot_z;
+    let curvature_z_2_0_3 = curvature_x_2_0_1_2 * minus_wrench_base_mz_3
+        - curvature_x_2_0_3_2 * wrench_base_mx_4
+        + curvature_x_2_0_3_4 * inertias.locked_inverse_pivot_z;
+    let wrench_outside_link_2_mz = wrench_outside_link_2_mz_0 * minus_wrench_base_mz_3
+        - wrench_outside_link_2_mz_2
+        + wrench_outside_link_2_mz_3 * inertias.locked_inverse_pivot_z;
+    let curvature_z_2_0 = reactions.reaction_joint_1_wx * curvature_z_2_0_1
+        + reactions.reaction_joint_1_wy * curvature_z_2_0_3
+        + reactions.reaction_joint_1_wz * wrench_outside_link_2_mz
+        + wrench_base_mx * screws.connection_joint_3_wx
+        - minus_wrench_base_my * screws.connection_joint_3_wy
+        - minus_wrench_base_mz * screws.connection_joint_3_wz;
+    curvature[2][0][2] = curvature_z_2_0 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_2
-    curvature[2][1][0] = curvature_z_1_0 + 0.0;
+    curvature[2][1][0] = 0.0 - curvature_z_1_0;
     curvature[2][1][1] = 0.0;
-    let curvature_z_2_1 = curvature_x_2_1_3_3
-        - (screws.connection_joint_2_wx * screws.connection_joint_3_wy
-            - screws.connection_joint_2_wy * screws.connection_joint_3_wx);
-    curvature[2][1][2] = 0.0 - curvature_z_2_1;
+    let wrench_link_1_fy_1 = minus_wrench_base_mz_3 * 260.0;
+    let wrench_link_1_fx_1 = inertias.locked_inverse_pivot_z * 260.0;
+    let minus_wrench_link_1_mz = minus_wrench_link_1_mz_0 * minus_wrench_base_mz_3
+        - minus_wrench_link_1_mz_2
+        + minus_wrench_link_1_mz_3 * inertias.locked_inverse_pivot_z;
+    let wrench_link_1_mx = reactions.reaction_joint_2_wy
+        - (wrench_link_1_mx_1 * minus_wrench_base_mz_3
+            - wrench_link_1_mx_3 * wrench_base_mx_4
+            + minus_wrench_link_1_mz_0 * inertias.locked_inverse_pivot_z);
+    let minus_wrench_link_1_my = reactions.reaction_joint_2_wx
+        + (wrench_link_1_mx_3 * minus_wrench_base_mz_3
+            - minus_wrench_link_1_my_3 * wrench_base_mx_4
+            + minus_wrench_link_1_my_5 * inertias.locked_inverse_pivot_z);
+    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
+        + reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
+    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
+    let minus_wrench_link_1_fz = minus_wrench_link_1_fz_0
+        + reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
+    let curvature_z_2_1 = reactions.reaction_joint_2_wx * curvature_z_2_0_1
+        + reactions.reaction_joint_2_wy * curvature_z_2_0_3
+        + reactions.reaction_joint_2_wz * wrench_outside_link_2_mz
+        + wrench_link_1_mx * screws.connection_joint_3_wx
+        - minus_wrench_link_1_my * screws.connection_joint_3_wy
+        - minus_wrench_link_1_mz * screws.connection_joint_3_wz
+        + wrench_link_1_fx * screws.connection_joint_3_vx
+        + wrench_link_1_fy * screws.connection_joint_3_vy
+        - minus_wrench_link_1_fz * screws.connection_joint_3_vz;
+    curvature[2][1][2] = curvature_z_2_1 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_3
-    curvature[2][2][0] = curvature_z_2_0 + 0.0;
-    curvature[2][2][1] = curvature_z_2_1 + 0.0;
+    curvature[2][2][0] = 0.0 - curvature_z_2_0;
+    curvature[2][2][1] = 0.0 - curvature_z_2_1;
     curvature[2][2][2] = 0.0;
     // c
     com[0] = poses.com_x + 0.0;
@@ -4949,7 +5059,7 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 290 operations: 125 + −, 162 ×, 3 ÷; 3 sin cos; about 3.5 KiB of code.
+/// 285 operations: 124 + −, 158 ×, 3 ÷; 3 sin cos; about 3.5 KiB of code.
 pub fn momentum(
     q: &[f64; 3],
     mu: &[f64; 6],
@@ -4999,7 +5109,7 @@ pub fn momentum(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 443 operations: 194 + −, 246 ×, 3 ÷; 3 sin cos; about 5.3 KiB of code.
+/// 471 operations: 212 + −, 256 ×, 3 ÷; 3 sin cos; about 5.6 KiB of code.
 pub fn base_twist(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5008,7 +5118,8 @@ pub fn base_twist(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     // V₁
     base_twist[0] = mu[0] - velocities.minus_velocity_base_wx + 0.0;
@@ -5035,7 +5146,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 683 operations: 295 + −, 385 ×, 3 ÷; 3 sin cos; about 8.1 KiB of code.
+/// 711 operations: 313 + −, 395 ×, 3 ÷; 3 sin cos; about 8.4 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5044,7 +5155,8 @@ pub fn kinetic_energy(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     let kinetic_energy_0_0_22_2 = poses.com_z + 0.023809523809523808;
     let kinetic_energy_0_0_22 = mu[3]
@@ -5213,7 +5325,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (3; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (9; rad/s², m/s²)
 ///
-/// 1939 operations: 932 + −, 995 ×, 12 ÷; 3 sin cos; about 22.8 KiB of code.
+/// 1967 operations: 950 + −, 1005 ×, 12 ÷; 3 sin cos; about 23.2 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5225,7 +5337,8 @@ pub fn forward_dynamics(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
         mu,
@@ -5242,15 +5355,6 @@ pub fn forward_dynamics(
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
     let xi_dot_0_3_3_34_32_2 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let xi_dot_0_3_3_34_6_0 = mu[3]
-        + (mu[1] * xi_dot_0_3_3_34_6_0_2 + mu[2] * poses.origin_base_y);
-    let xi_dot_0_3_3_34_32_4_0 = mu[4]
-        + (mu[2] * poses.com_x - mu[0] * xi_dot_0_3_3_34_6_0_2);
-    let xi_dot_0_3_3_34_32_6_0 = mu[5]
-        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
-    let xi_dot_0_3_3_34_6 = xi_dot_0_3_3_34_6_0 * 130.0;
-    let xi_dot_0_3_3_34_32_4 = xi_dot_0_3_3_34_32_4_0 * 130.0;
-    let xi_dot_0_3_3_34_32_6 = xi_dot_0_3_3_34_32_6_0 * 130.0;
     let xi_dot_0_3_3_34_32_9 = inertias.composite_link_1_xy
         + inertias.composite_link_1_xy;
     let xi_dot_0_3_3_34_11_1 = inertias.composite_link_1_hx * poses.origin_base_y;
@@ -5278,6 +5382,15 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_34_32_18 = xi_dot_0_3_3_34_32_18_1 + xi_dot_0_3_3_34_32_18_1;
     let xi_dot_0_3_3_34_32_19 = xi_dot_0_3_3_34_32_19_1 + xi_dot_0_3_3_34_32_19_1;
     let xi_dot_0_3_3_34_19 = xi_dot_0_3_3_34_19_1 + xi_dot_0_3_3_34_19_1;
+    let xi_dot_0_3_3_34_6_0 = mu[3]
+        + (mu[1] * xi_dot_0_3_3_34_6_0_2 + mu[2] * poses.origin_base_y);
+    let xi_dot_0_3_3_34_32_4_0 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * xi_dot_0_3_3_34_6_0_2);
+    let xi_dot_0_3_3_34_32_6_0 = mu[5]
+        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let xi_dot_0_3_3_34_6 = xi_dot_0_3_3_34_6_0 * 130.0;
+    let xi_dot_0_3_3_34_32_4 = xi_dot_0_3_3_34_32_4_0 * 130.0;
+    let xi_dot_0_3_3_34_32_6 = xi_dot_0_3_3_34_32_6_0 * 130.0;
     let xi_dot_0_3_3_34_28 = screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
     let xi_dot_0_3_3_34_32_26 = screws.inside_joint_1_fy * qd[0]
@@ -6179,8 +6292,8 @@ pub fn inverse_dynamics(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
@@ -6197,15 +6310,6 @@ pub fn inverse_dynamics(
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
     let base_wrench_0_0_30 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let base_wrench_0_1_13_0 = mu[3]
-        + (mu[1] * base_wrench_0_1_13_0_2 + mu[2] * poses.origin_base_y);
-    let base_wrench_0_0_32_0 = mu[4]
-        + (mu[2] * poses.com_x - mu[0] * base_wrench_0_1_13_0_2);
-    let base_wrench_0_0_34_0 = mu[5]
-        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
-    let base_wrench_0_1_13 = base_wrench_0_1_13_0 * 130.0;
-    let base_wrench_0_0_32 = base_wrench_0_0_32_0 * 130.0;
-    let base_wrench_0_0_34 = base_wrench_0_0_34_0 * 130.0;
     let base_wrench_0_0_7 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let base_wrench_0_0_6_1 = inertias.composite_link_1_hy * poses.com_x;
     let base_wrench_0_0_6 = base_wrench_0_0_6_1 + base_wrench_0_0_6_1;
@@ -6220,6 +6324,15 @@ pub fn inverse_dynamics(
     let base_wrench_0_0_17_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let base_wrench_0_0_16 = base_wrench_0_0_16_1 + base_wrench_0_0_16_1;
     let base_wrench_0_0_17 = base_wrench_0_0_17_1 + base_wrench_0_0_17_1;
+    let base_wrench_0_1_13_0 = mu[3]
+        + (mu[1] * base_wrench_0_1_13_0_2 + mu[2] * poses.origin_base_y);
+    let base_wrench_0_0_32_0 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * base_wrench_0_1_13_0_2);
+    let base_wrench_0_0_34_0 = mu[5]
+        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let base_wrench_0_1_13 = base_wrench_0_1_13_0 * 130.0;
+    let base_wrench_0_0_32 = base_wrench_0_0_32_0 * 130.0;
+    let base_wrench_0_0_34 = base_wrench_0_0_34_0 * 130.0;
     let base_wrench_0_1_8 = screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
     let base_wrench_0_0_24 = screws.inside_joint_1_fy * qd[0]
@@ -6608,8 +6721,8 @@ pub fn kinematics_link_3(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     // g_k = [R p] column 0

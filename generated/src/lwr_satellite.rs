@@ -481,6 +481,8 @@ struct Inertias {
     minus_inertia_base_hx: f64,
     minus_inertia_base_hy: f64,
     minus_inertia_base_hz: f64,
+    inertia_base_yy_1: f64,
+    inertia_base_xx_1: f64,
     minus_inertia_base_xy: f64,
     minus_inertia_base_xz: f64,
     minus_inertia_base_yz: f64,
@@ -629,45 +631,30 @@ struct Inertias {
     inside_joint_3_my_0_0: f64,
     inside_joint_3_mz_0_1_0: f64,
     inside_joint_3_mz_0_1_1: f64,
-    inside_joint_3_fx_1: f64,
-    inside_joint_3_fy_1: f64,
-    inside_joint_3_fz_1: f64,
     inside_joint_4_mx_0_0_0: f64,
     inside_joint_4_mx_0_1: f64,
     inside_joint_4_my_0_0_1: f64,
     inside_joint_4_my_0_1: f64,
     inside_joint_4_mz_0_0_1: f64,
     inside_joint_4_mz_0_0_0: f64,
-    inside_joint_4_fx_1: f64,
-    inside_joint_4_fy_0: f64,
-    inside_joint_4_fz_0: f64,
     inside_joint_5_mx_0_1_1: f64,
     inside_joint_5_mx_0_0: f64,
     inside_joint_5_my_0_1_0: f64,
     inside_joint_5_my_0_0: f64,
     inside_joint_5_mz_0_1_0: f64,
     inside_joint_5_mz_0_1_1: f64,
-    inside_joint_5_fx_1: f64,
-    inside_joint_5_fy_1: f64,
-    inside_joint_5_fz_1: f64,
     inside_joint_6_mx_0_0_1: f64,
     inside_joint_6_mx_0_1: f64,
     inside_joint_6_my_0_0_0: f64,
     inside_joint_6_my_0_1: f64,
     inside_joint_6_mz_0_0_0: f64,
     inside_joint_6_mz_0_0_1: f64,
-    inside_joint_6_fx_1: f64,
-    inside_joint_6_fy_1: f64,
-    inside_joint_6_fz_1: f64,
     inside_joint_7_mx_0_1_1: f64,
     inside_joint_7_mx_0_0: f64,
     inside_joint_7_my_0_1_0: f64,
     inside_joint_7_my_0_0: f64,
     inside_joint_7_mz_0_1_0: f64,
     inside_joint_7_mz_0_1_1: f64,
-    inside_joint_7_fx_1: f64,
-    inside_joint_7_fy_1: f64,
-    inside_joint_7_fz_1: f64,
 }
 /// Inertias of the bodies and of their subtrees, centroidal frame.
 #[inline(never)]
@@ -1022,64 +1009,36 @@ fn inertias(poses: &Poses) -> Inertias {
     let inside_joint_3_my_0_0 = composite_link_3_yz * poses.cos_joint_2;
     let inside_joint_3_mz_0_1_0 = composite_link_3_xz * poses.minus_rotation_link_2_xy;
     let inside_joint_3_mz_0_1_1 = composite_link_3_yz * poses.minus_rotation_link_2_yy;
-    let inside_joint_3_fx_1 = poses.minus_rotation_link_2_yy * composite_link_3_hz
-        + poses.cos_joint_2 * composite_link_3_hy;
-    let inside_joint_3_fy_1 = poses.cos_joint_2 * composite_link_3_hx
-        + poses.minus_rotation_link_2_xy * composite_link_3_hz;
-    let inside_joint_3_fz_1 = poses.minus_rotation_link_2_yy * composite_link_3_hx
-        - poses.minus_rotation_link_2_xy * composite_link_3_hy;
     let inside_joint_4_mx_0_0_0 = composite_link_4_xy * poses.rotation_link_3_yy;
     let inside_joint_4_mx_0_1 = composite_link_4_xz * poses.minus_rotation_link_3_zy;
     let inside_joint_4_my_0_0_1 = composite_link_4_xy * poses.minus_rotation_link_3_xy;
     let inside_joint_4_my_0_1 = composite_link_4_yz * poses.minus_rotation_link_3_zy;
     let inside_joint_4_mz_0_0_1 = composite_link_4_xz * poses.minus_rotation_link_3_xy;
     let inside_joint_4_mz_0_0_0 = composite_link_4_yz * poses.rotation_link_3_yy;
-    let inside_joint_4_fx_1 = poses.rotation_link_3_yy * composite_link_4_hz
-        + poses.minus_rotation_link_3_zy * composite_link_4_hy;
-    let inside_joint_4_fy_0 = poses.minus_rotation_link_3_zy * minus_composite_link_4_hx
-        + poses.minus_rotation_link_3_xy * composite_link_4_hz;
-    let inside_joint_4_fz_0 = poses.rotation_link_3_yy * minus_composite_link_4_hx
-        - poses.minus_rotation_link_3_xy * composite_link_4_hy;
     let inside_joint_5_mx_0_1_1 = composite_link_5_xy * poses.rotation_link_4_yy;
     let inside_joint_5_mx_0_0 = composite_link_5_xz * poses.rotation_link_5_zz;
     let inside_joint_5_my_0_1_0 = composite_link_5_xy * poses.rotation_link_4_xy;
     let inside_joint_5_my_0_0 = composite_link_5_yz * poses.rotation_link_5_zz;
     let inside_joint_5_mz_0_1_0 = composite_link_5_xz * poses.rotation_link_4_xy;
     let inside_joint_5_mz_0_1_1 = composite_link_5_yz * poses.rotation_link_4_yy;
-    let inside_joint_5_fx_1 = poses.rotation_link_4_yy * composite_link_5_hz
-        + poses.rotation_link_5_zz * composite_link_5_hy;
-    let inside_joint_5_fy_1 = poses.rotation_link_4_xy * composite_link_5_hz
-        - poses.rotation_link_5_zz * minus_composite_link_5_hx;
-    let inside_joint_5_fz_1 = poses.rotation_link_4_xy * composite_link_5_hy
-        + poses.rotation_link_4_yy * minus_composite_link_5_hx;
     let inside_joint_6_mx_0_0_1 = composite_link_6_xy * poses.rotation_link_5_yy;
     let inside_joint_6_mx_0_1 = composite_link_6_xz * poses.rotation_link_6_zz;
     let inside_joint_6_my_0_0_0 = composite_link_6_xy * poses.rotation_link_6_xz;
     let inside_joint_6_my_0_1 = composite_link_6_yz * poses.rotation_link_6_zz;
     let inside_joint_6_mz_0_0_0 = composite_link_6_xz * poses.rotation_link_6_xz;
     let inside_joint_6_mz_0_0_1 = composite_link_6_yz * poses.rotation_link_5_yy;
-    let inside_joint_6_fx_1 = poses.rotation_link_6_zz * minus_composite_link_6_hy
-        - poses.rotation_link_5_yy * composite_link_6_hz;
-    let inside_joint_6_fy_1 = poses.rotation_link_6_zz * minus_composite_link_6_hx
-        + poses.rotation_link_6_xz * composite_link_6_hz;
-    let inside_joint_6_fz_1 = poses.rotation_link_6_xz * minus_composite_link_6_hy
-        + poses.rotation_link_5_yy * minus_composite_link_6_hx;
     let inside_joint_7_mx_0_1_1 = inertia_link_7_xy * poses.minus_rotation_link_6_yy;
     let inside_joint_7_mx_0_0 = inertia_link_7_xz * poses.rotation_link_6_zy;
     let inside_joint_7_my_0_1_0 = inertia_link_7_xy * poses.minus_rotation_link_6_xy;
     let inside_joint_7_my_0_0 = inertia_link_7_yz * poses.rotation_link_6_zy;
     let inside_joint_7_mz_0_1_0 = inertia_link_7_xz * poses.minus_rotation_link_6_xy;
     let inside_joint_7_mz_0_1_1 = inertia_link_7_yz * poses.minus_rotation_link_6_yy;
-    let inside_joint_7_fx_1 = poses.rotation_link_6_zy * minus_inertia_link_7_hy
-        - poses.minus_rotation_link_6_yy * inertia_link_7_hz;
-    let inside_joint_7_fy_1 = poses.minus_rotation_link_6_xy * inertia_link_7_hz
-        - poses.rotation_link_6_zy * minus_inertia_link_7_hx;
-    let inside_joint_7_fz_1 = poses.minus_rotation_link_6_xy * minus_inertia_link_7_hy
-        - poses.minus_rotation_link_6_yy * minus_inertia_link_7_hx;
     Inertias {
         minus_inertia_base_hx,
         minus_inertia_base_hy,
         minus_inertia_base_hz,
+        inertia_base_yy_1,
+        inertia_base_xx_1,
         minus_inertia_base_xy,
         minus_inertia_base_xz,
         minus_inertia_base_yz,
@@ -1228,45 +1187,30 @@ fn inertias(poses: &Poses) -> Inertias {
         inside_joint_3_my_0_0,
         inside_joint_3_mz_0_1_0,
         inside_joint_3_mz_0_1_1,
-        inside_joint_3_fx_1,
-        inside_joint_3_fy_1,
-        inside_joint_3_fz_1,
         inside_joint_4_mx_0_0_0,
         inside_joint_4_mx_0_1,
         inside_joint_4_my_0_0_1,
         inside_joint_4_my_0_1,
         inside_joint_4_mz_0_0_1,
         inside_joint_4_mz_0_0_0,
-        inside_joint_4_fx_1,
-        inside_joint_4_fy_0,
-        inside_joint_4_fz_0,
         inside_joint_5_mx_0_1_1,
         inside_joint_5_mx_0_0,
         inside_joint_5_my_0_1_0,
         inside_joint_5_my_0_0,
         inside_joint_5_mz_0_1_0,
         inside_joint_5_mz_0_1_1,
-        inside_joint_5_fx_1,
-        inside_joint_5_fy_1,
-        inside_joint_5_fz_1,
         inside_joint_6_mx_0_0_1,
         inside_joint_6_mx_0_1,
         inside_joint_6_my_0_0_0,
         inside_joint_6_my_0_1,
         inside_joint_6_mz_0_0_0,
         inside_joint_6_mz_0_0_1,
-        inside_joint_6_fx_1,
-        inside_joint_6_fy_1,
-        inside_joint_6_fz_1,
         inside_joint_7_mx_0_1_1,
         inside_joint_7_mx_0_0,
         inside_joint_7_my_0_1_0,
         inside_joint_7_my_0_0,
         inside_joint_7_mz_0_1_0,
         inside_joint_7_mz_0_1_1,
-        inside_joint_7_fx_1,
-        inside_joint_7_fy_1,
-        inside_joint_7_fz_1,
     }
 }
 /// Inertias of what is outside each subtree, centroidal frame.
@@ -1325,10 +1269,38 @@ struct Complements {
     complement_link_7_yy: f64,
     complement_link_7_yz: f64,
     complement_link_7_zz: f64,
+    outside_joint_2_mx_0_1: f64,
+    outside_joint_2_my_0_0: f64,
+    outside_joint_2_mz_0_0: f64,
+    outside_joint_2_mz_0_1: f64,
+    outside_joint_3_mx_0_1_1: f64,
+    outside_joint_3_mx_0_0: f64,
+    outside_joint_3_my_0_1_0: f64,
+    outside_joint_3_my_0_0: f64,
+    outside_joint_3_mz_0_1_0: f64,
+    outside_joint_3_mz_0_1_1: f64,
+    outside_joint_4_mx_0_0_0: f64,
+    outside_joint_4_mx_0_1: f64,
+    outside_joint_4_my_0_0_1: f64,
+    outside_joint_4_my_0_1: f64,
+    outside_joint_4_mz_0_0_1: f64,
+    outside_joint_4_mz_0_0_0: f64,
+    outside_joint_5_mx_0_1_1: f64,
+    outside_joint_5_mx_0_0: f64,
+    outside_joint_5_my_0_1_0: f64,
+    outside_joint_5_my_0_0: f64,
+    outside_joint_5_mz_0_1_0: f64,
+    outside_joint_5_mz_0_1_1: f64,
+    outside_joint_6_mx_0_0_1: f64,
+    outside_joint_6_mx_0_1: f64,
+    outside_joint_6_my_0_0_0: f64,
+    outside_joint_6_my_0_1: f64,
+    outside_joint_6_mz_0_0_0: f64,
+    outside_joint_6_mz_0_0_1: f64,
 }
 /// Inertias of what is outside each subtree, centroidal frame.
 #[inline(never)]
-fn complements(inertias: &Inertias) -> Complements {
+fn complements(poses: &Poses, inertias: &Inertias) -> Complements {
     // link_2
     let minus_complement_link_2_hx = inertias.minus_inertia_link_1_hx
         + inertias.minus_inertia_base_hx;
@@ -1395,6 +1367,34 @@ fn complements(inertias: &Inertias) -> Complements {
     let complement_link_7_yy = inertias.inertia_link_6_yy + complement_link_6_yy;
     let complement_link_7_yz = inertias.inertia_link_6_yz + complement_link_6_yz;
     let complement_link_7_zz = inertias.inertia_link_6_zz + complement_link_6_zz;
+    let outside_joint_2_mx_0_1 = complement_link_2_xy * poses.cos_joint_1;
+    let outside_joint_2_my_0_0 = complement_link_2_xy * poses.sin_joint_1;
+    let outside_joint_2_mz_0_0 = complement_link_2_xz * poses.sin_joint_1;
+    let outside_joint_2_mz_0_1 = minus_complement_link_2_yz * poses.cos_joint_1;
+    let outside_joint_3_mx_0_1_1 = complement_link_3_xy * poses.minus_rotation_link_2_yy;
+    let outside_joint_3_mx_0_0 = complement_link_3_xz * poses.cos_joint_2;
+    let outside_joint_3_my_0_1_0 = complement_link_3_xy * poses.minus_rotation_link_2_xy;
+    let outside_joint_3_my_0_0 = complement_link_3_yz * poses.cos_joint_2;
+    let outside_joint_3_mz_0_1_0 = complement_link_3_xz * poses.minus_rotation_link_2_xy;
+    let outside_joint_3_mz_0_1_1 = complement_link_3_yz * poses.minus_rotation_link_2_yy;
+    let outside_joint_4_mx_0_0_0 = complement_link_4_xy * poses.rotation_link_3_yy;
+    let outside_joint_4_mx_0_1 = complement_link_4_xz * poses.minus_rotation_link_3_zy;
+    let outside_joint_4_my_0_0_1 = complement_link_4_xy * poses.minus_rotation_link_3_xy;
+    let outside_joint_4_my_0_1 = complement_link_4_yz * poses.minus_rotation_link_3_zy;
+    let outside_joint_4_mz_0_0_1 = complement_link_4_xz * poses.minus_rotation_link_3_xy;
+    let outside_joint_4_mz_0_0_0 = complement_link_4_yz * poses.rotation_link_3_yy;
+    let outside_joint_5_mx_0_1_1 = complement_link_5_xy * poses.rotation_link_4_yy;
+    let outside_joint_5_mx_0_0 = complement_link_5_xz * poses.rotation_link_5_zz;
+    let outside_joint_5_my_0_1_0 = complement_link_5_xy * poses.rotation_link_4_xy;
+    let outside_joint_5_my_0_0 = complement_link_5_yz * poses.rotation_link_5_zz;
+    let outside_joint_5_mz_0_1_0 = complement_link_5_xz * poses.rotation_link_4_xy;
+    let outside_joint_5_mz_0_1_1 = complement_link_5_yz * poses.rotation_link_4_yy;
+    let outside_joint_6_mx_0_0_1 = complement_link_6_xy * poses.rotation_link_5_yy;
+    let outside_joint_6_mx_0_1 = complement_link_6_xz * poses.rotation_link_6_zz;
+    let outside_joint_6_my_0_0_0 = complement_link_6_xy * poses.rotation_link_6_xz;
+    let outside_joint_6_my_0_1 = complement_link_6_yz * poses.rotation_link_6_zz;
+    let outside_joint_6_mz_0_0_0 = complement_link_6_xz * poses.rotation_link_6_xz;
+    let outside_joint_6_mz_0_0_1 = complement_link_6_yz * poses.rotation_link_5_yy;
     Complements {
         minus_complement_link_2_hx,
         complement_link_2_hy,
@@ -1450,6 +1450,34 @@ fn complements(inertias: &Inertias) -> Complements {
         complement_link_7_yy,
         complement_link_7_yz,
         complement_link_7_zz,
+        outside_joint_2_mx_0_1,
+        outside_joint_2_my_0_0,
+        outside_joint_2_mz_0_0,
+        outside_joint_2_mz_0_1,
+        outside_joint_3_mx_0_1_1,
+        outside_joint_3_mx_0_0,
+        outside_joint_3_my_0_1_0,
+        outside_joint_3_my_0_0,
+        outside_joint_3_mz_0_1_0,
+        outside_joint_3_mz_0_1_1,
+        outside_joint_4_mx_0_0_0,
+        outside_joint_4_mx_0_1,
+        outside_joint_4_my_0_0_1,
+        outside_joint_4_my_0_1,
+        outside_joint_4_mz_0_0_1,
+        outside_joint_4_mz_0_0_0,
+        outside_joint_5_mx_0_1_1,
+        outside_joint_5_mx_0_0,
+        outside_joint_5_my_0_1_0,
+        outside_joint_5_my_0_0,
+        outside_joint_5_mz_0_1_0,
+        outside_joint_5_mz_0_1_1,
+        outside_joint_6_mx_0_0_1,
+        outside_joint_6_mx_0_1,
+        outside_joint_6_my_0_0_0,
+        outside_joint_6_my_0_1,
+        outside_joint_6_mz_0_0_0,
+        outside_joint_6_mz_0_0_1,
     }
 }
 /// Screw axes s_j, their momenta h_j = Iᶜ_j s_j, the connection Λ_c⁻¹ h_j.
@@ -1477,6 +1505,12 @@ struct Screws {
     inside_joint_2_fx: f64,
     inside_joint_2_fy: f64,
     inside_joint_2_fz: f64,
+    outside_joint_2_mx_1_0: f64,
+    outside_joint_2_mx_1_1: f64,
+    outside_joint_2_my_1_0: f64,
+    outside_joint_2_my_1_1: f64,
+    outside_joint_2_mz_1_0: f64,
+    outside_joint_2_mz_1_1: f64,
     connection_joint_2_wz: f64,
     connection_joint_2_wy: f64,
     connection_joint_2_wx: f64,
@@ -1498,6 +1532,12 @@ struct Screws {
     inside_joint_3_fx: f64,
     inside_joint_3_fy: f64,
     inside_joint_3_fz: f64,
+    outside_joint_3_mx_1_0: f64,
+    outside_joint_3_mx_1_1: f64,
+    outside_joint_3_my_1_0: f64,
+    outside_joint_3_my_1_1: f64,
+    outside_joint_3_mz_1_0: f64,
+    outside_joint_3_mz_1_1: f64,
     connection_joint_3_wz: f64,
     connection_joint_3_wy: f64,
     connection_joint_3_wx: f64,
@@ -1519,6 +1559,12 @@ struct Screws {
     inside_joint_4_fx: f64,
     inside_joint_4_fy: f64,
     inside_joint_4_fz: f64,
+    outside_joint_4_mx_1_1: f64,
+    outside_joint_4_mx_1_0: f64,
+    outside_joint_4_my_1_0: f64,
+    outside_joint_4_my_1_1: f64,
+    outside_joint_4_mz_1_0: f64,
+    outside_joint_4_mz_1_1: f64,
     connection_joint_4_wz: f64,
     connection_joint_4_wy: f64,
     connection_joint_4_wx: f64,
@@ -1540,6 +1586,12 @@ struct Screws {
     inside_joint_5_fx: f64,
     inside_joint_5_fy: f64,
     inside_joint_5_fz: f64,
+    outside_joint_5_mx_1_0: f64,
+    outside_joint_5_mx_1_1: f64,
+    outside_joint_5_my_1_0: f64,
+    outside_joint_5_my_1_1: f64,
+    outside_joint_5_mz_1_0: f64,
+    outside_joint_5_mz_1_1: f64,
     connection_joint_5_wz: f64,
     connection_joint_5_wy: f64,
     connection_joint_5_wx: f64,
@@ -1561,6 +1613,12 @@ struct Screws {
     inside_joint_6_fx: f64,
     inside_joint_6_fy: f64,
     inside_joint_6_fz: f64,
+    outside_joint_6_mx_1_0: f64,
+    outside_joint_6_mx_1_1: f64,
+    outside_joint_6_my_1_0: f64,
+    outside_joint_6_my_1_1: f64,
+    outside_joint_6_mz_1_0: f64,
+    outside_joint_6_mz_1_1: f64,
     connection_joint_6_wz: f64,
     connection_joint_6_wy: f64,
     connection_joint_6_wx: f64,
@@ -1591,7 +1649,7 @@ struct Screws {
 }
 /// Screw axes s_j, their momenta h_j = Iᶜ_j s_j, the connection Λ_c⁻¹ h_j.
 #[inline(never)]
-fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
+fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Screws {
     // joint_1
     let inside_joint_1_mx = inertias.composite_link_1_xz
         - inertias.composite_link_1_hz * poses.com_x;
@@ -1639,6 +1697,14 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     let inside_joint_2_fz = screw_joint_2_vz * 12.0
         + (poses.sin_joint_1 * inertias.composite_link_2_hy
             + poses.cos_joint_1 * inertias.composite_link_2_hx);
+    let outside_joint_2_mx_1_0 = complements.complement_link_2_hy * screw_joint_2_vz;
+    let outside_joint_2_mx_1_1 = complements.complement_link_2_hz * screw_joint_2_vy;
+    let outside_joint_2_my_1_0 = complements.complement_link_2_hz * screw_joint_2_vx;
+    let outside_joint_2_my_1_1 = complements.minus_complement_link_2_hx
+        * screw_joint_2_vz;
+    let outside_joint_2_mz_1_0 = complements.minus_complement_link_2_hx
+        * screw_joint_2_vy;
+    let outside_joint_2_mz_1_1 = complements.complement_link_2_hy * screw_joint_2_vx;
     let connection_joint_2_wz_4 = inside_joint_2_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_2_mx;
     let connection_joint_2_wz = (inside_joint_2_mz
@@ -1677,9 +1743,21 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     let inside_joint_3_mz = inertias.composite_link_3_zz * poses.cos_joint_2
         - (inertias.inside_joint_3_mz_0_1_0 + inertias.inside_joint_3_mz_0_1_1)
         + (inside_joint_3_mz_4 - inside_joint_3_mz_5);
-    let inside_joint_3_fx = screw_joint_3_vx * 10.0 - inertias.inside_joint_3_fx_1;
-    let inside_joint_3_fy = screw_joint_3_vy * 10.0 + inertias.inside_joint_3_fy_1;
-    let inside_joint_3_fz = screw_joint_3_vz * 10.0 + inertias.inside_joint_3_fz_1;
+    let inside_joint_3_fx = screw_joint_3_vx * 10.0
+        - (poses.minus_rotation_link_2_yy * inertias.composite_link_3_hz
+            + poses.cos_joint_2 * inertias.composite_link_3_hy);
+    let inside_joint_3_fy = screw_joint_3_vy * 10.0
+        + (poses.cos_joint_2 * inertias.composite_link_3_hx
+            + poses.minus_rotation_link_2_xy * inertias.composite_link_3_hz);
+    let inside_joint_3_fz = screw_joint_3_vz * 10.0
+        + (poses.minus_rotation_link_2_yy * inertias.composite_link_3_hx
+            - poses.minus_rotation_link_2_xy * inertias.composite_link_3_hy);
+    let outside_joint_3_mx_1_0 = complements.complement_link_3_hy * screw_joint_3_vz;
+    let outside_joint_3_mx_1_1 = complements.complement_link_3_hz * screw_joint_3_vy;
+    let outside_joint_3_my_1_0 = complements.complement_link_3_hz * screw_joint_3_vx;
+    let outside_joint_3_my_1_1 = complements.complement_link_3_hx * screw_joint_3_vz;
+    let outside_joint_3_mz_1_0 = complements.complement_link_3_hx * screw_joint_3_vy;
+    let outside_joint_3_mz_1_1 = complements.complement_link_3_hy * screw_joint_3_vx;
     let connection_joint_3_wz_4 = inside_joint_3_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_3_mx;
     let connection_joint_3_wz = (inside_joint_3_mz
@@ -1719,9 +1797,26 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         - inertias.inside_joint_4_mz_0_0_1
         - inertias.composite_link_4_zz * poses.minus_rotation_link_3_zy
         + (inside_joint_4_mz_4 - inside_joint_4_mz_5);
-    let inside_joint_4_fx = screw_joint_4_vx * 8.0 + inertias.inside_joint_4_fx_1;
-    let inside_joint_4_fy = inertias.inside_joint_4_fy_0 - minus_screw_joint_4_vy * 8.0;
-    let inside_joint_4_fz = inertias.inside_joint_4_fz_0 - minus_screw_joint_4_vz * 8.0;
+    let inside_joint_4_fx = screw_joint_4_vx * 8.0
+        + (poses.rotation_link_3_yy * inertias.composite_link_4_hz
+            + poses.minus_rotation_link_3_zy * inertias.composite_link_4_hy);
+    let inside_joint_4_fy = poses.minus_rotation_link_3_zy
+        * inertias.minus_composite_link_4_hx
+        + poses.minus_rotation_link_3_xy * inertias.composite_link_4_hz
+        - minus_screw_joint_4_vy * 8.0;
+    let inside_joint_4_fz = poses.rotation_link_3_yy * inertias.minus_composite_link_4_hx
+        - poses.minus_rotation_link_3_xy * inertias.composite_link_4_hy
+        - minus_screw_joint_4_vz * 8.0;
+    let outside_joint_4_mx_1_1 = complements.complement_link_4_hy
+        * minus_screw_joint_4_vz;
+    let outside_joint_4_mx_1_0 = complements.complement_link_4_hz
+        * minus_screw_joint_4_vy;
+    let outside_joint_4_my_1_0 = complements.complement_link_4_hz * screw_joint_4_vx;
+    let outside_joint_4_my_1_1 = complements.complement_link_4_hx
+        * minus_screw_joint_4_vz;
+    let outside_joint_4_mz_1_0 = complements.complement_link_4_hx
+        * minus_screw_joint_4_vy;
+    let outside_joint_4_mz_1_1 = complements.complement_link_4_hy * screw_joint_4_vx;
     let connection_joint_4_wz_4 = inside_joint_4_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_4_mx;
     let connection_joint_4_wz = (inside_joint_4_mz
@@ -1760,9 +1855,21 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     let inside_joint_5_mz = inertias.composite_link_5_zz * poses.rotation_link_5_zz
         - (inertias.inside_joint_5_mz_0_1_0 + inertias.inside_joint_5_mz_0_1_1)
         - (inside_joint_5_mz_4 + inside_joint_5_mz_5);
-    let inside_joint_5_fx = screw_joint_5_vx * 6.0 - inertias.inside_joint_5_fx_1;
-    let inside_joint_5_fy = screw_joint_5_vy * 6.0 + inertias.inside_joint_5_fy_1;
-    let inside_joint_5_fz = screw_joint_5_vz * 6.0 - inertias.inside_joint_5_fz_1;
+    let inside_joint_5_fx = screw_joint_5_vx * 6.0
+        - (poses.rotation_link_4_yy * inertias.composite_link_5_hz
+            + poses.rotation_link_5_zz * inertias.composite_link_5_hy);
+    let inside_joint_5_fy = screw_joint_5_vy * 6.0
+        + (poses.rotation_link_4_xy * inertias.composite_link_5_hz
+            - poses.rotation_link_5_zz * inertias.minus_composite_link_5_hx);
+    let inside_joint_5_fz = screw_joint_5_vz * 6.0
+        - (poses.rotation_link_4_xy * inertias.composite_link_5_hy
+            + poses.rotation_link_4_yy * inertias.minus_composite_link_5_hx);
+    let outside_joint_5_mx_1_0 = complements.complement_link_5_hy * screw_joint_5_vz;
+    let outside_joint_5_mx_1_1 = complements.complement_link_5_hz * screw_joint_5_vy;
+    let outside_joint_5_my_1_0 = complements.complement_link_5_hz * screw_joint_5_vx;
+    let outside_joint_5_my_1_1 = complements.complement_link_5_hx * screw_joint_5_vz;
+    let outside_joint_5_mz_1_0 = complements.complement_link_5_hx * screw_joint_5_vy;
+    let outside_joint_5_mz_1_1 = complements.complement_link_5_hy * screw_joint_5_vx;
     let connection_joint_5_wz_4 = inside_joint_5_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_5_mx;
     let connection_joint_5_wz = (inside_joint_5_mz
@@ -1800,9 +1907,21 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         - inertias.inside_joint_6_mz_0_0_1
         + inertias.composite_link_6_zz * poses.rotation_link_6_zz
         + (inside_joint_6_mz_4 - inside_joint_6_mz_5);
-    let inside_joint_6_fx = screw_joint_6_vx * 4.0 + inertias.inside_joint_6_fx_1;
-    let inside_joint_6_fy = screw_joint_6_vy * 4.0 - inertias.inside_joint_6_fy_1;
-    let inside_joint_6_fz = screw_joint_6_vz * 4.0 - inertias.inside_joint_6_fz_1;
+    let inside_joint_6_fx = screw_joint_6_vx * 4.0
+        + (poses.rotation_link_6_zz * inertias.minus_composite_link_6_hy
+            - poses.rotation_link_5_yy * inertias.composite_link_6_hz);
+    let inside_joint_6_fy = screw_joint_6_vy * 4.0
+        - (poses.rotation_link_6_zz * inertias.minus_composite_link_6_hx
+            + poses.rotation_link_6_xz * inertias.composite_link_6_hz);
+    let inside_joint_6_fz = screw_joint_6_vz * 4.0
+        - (poses.rotation_link_6_xz * inertias.minus_composite_link_6_hy
+            + poses.rotation_link_5_yy * inertias.minus_composite_link_6_hx);
+    let outside_joint_6_mx_1_0 = complements.complement_link_6_hy * screw_joint_6_vz;
+    let outside_joint_6_mx_1_1 = complements.complement_link_6_hz * screw_joint_6_vy;
+    let outside_joint_6_my_1_0 = complements.complement_link_6_hz * screw_joint_6_vx;
+    let outside_joint_6_my_1_1 = complements.complement_link_6_hx * screw_joint_6_vz;
+    let outside_joint_6_mz_1_0 = complements.complement_link_6_hx * screw_joint_6_vy;
+    let outside_joint_6_mz_1_1 = complements.complement_link_6_hy * screw_joint_6_vx;
     let connection_joint_6_wz_4 = inside_joint_6_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_6_mx;
     let connection_joint_6_wz = (inside_joint_6_mz
@@ -1841,9 +1960,15 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     let inside_joint_7_mz = inertias.inertia_link_7_zz * poses.rotation_link_6_zy
         - (inertias.inside_joint_7_mz_0_1_0 + inertias.inside_joint_7_mz_0_1_1)
         + (inside_joint_7_mz_4 - inside_joint_7_mz_5);
-    let inside_joint_7_fx = screw_joint_7_vx * 2.0 + inertias.inside_joint_7_fx_1;
-    let inside_joint_7_fy = screw_joint_7_vy * 2.0 + inertias.inside_joint_7_fy_1;
-    let inside_joint_7_fz = screw_joint_7_vz * 2.0 + inertias.inside_joint_7_fz_1;
+    let inside_joint_7_fx = screw_joint_7_vx * 2.0
+        + (poses.rotation_link_6_zy * inertias.minus_inertia_link_7_hy
+            - poses.minus_rotation_link_6_yy * inertias.inertia_link_7_hz);
+    let inside_joint_7_fy = screw_joint_7_vy * 2.0
+        + (poses.minus_rotation_link_6_xy * inertias.inertia_link_7_hz
+            - poses.rotation_link_6_zy * inertias.minus_inertia_link_7_hx);
+    let inside_joint_7_fz = screw_joint_7_vz * 2.0
+        + (poses.minus_rotation_link_6_xy * inertias.minus_inertia_link_7_hy
+            - poses.minus_rotation_link_6_yy * inertias.minus_inertia_link_7_hx);
     let connection_joint_7_wz_4 = inside_joint_7_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_7_mx;
     let connection_joint_7_wz = (inside_joint_7_mz
@@ -1882,6 +2007,12 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         inside_joint_2_fx,
         inside_joint_2_fy,
         inside_joint_2_fz,
+        outside_joint_2_mx_1_0,
+        outside_joint_2_mx_1_1,
+        outside_joint_2_my_1_0,
+        outside_joint_2_my_1_1,
+        outside_joint_2_mz_1_0,
+        outside_joint_2_mz_1_1,
         connection_joint_2_wz,
         connection_joint_2_wy,
         connection_joint_2_wx,
@@ -1903,6 +2034,12 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         inside_joint_3_fx,
         inside_joint_3_fy,
         inside_joint_3_fz,
+        outside_joint_3_mx_1_0,
+        outside_joint_3_mx_1_1,
+        outside_joint_3_my_1_0,
+        outside_joint_3_my_1_1,
+        outside_joint_3_mz_1_0,
+        outside_joint_3_mz_1_1,
         connection_joint_3_wz,
         connection_joint_3_wy,
         connection_joint_3_wx,
@@ -1924,6 +2061,12 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         inside_joint_4_fx,
         inside_joint_4_fy,
         inside_joint_4_fz,
+        outside_joint_4_mx_1_1,
+        outside_joint_4_mx_1_0,
+        outside_joint_4_my_1_0,
+        outside_joint_4_my_1_1,
+        outside_joint_4_mz_1_0,
+        outside_joint_4_mz_1_1,
         connection_joint_4_wz,
         connection_joint_4_wy,
         connection_joint_4_wx,
@@ -1945,6 +2088,12 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         inside_joint_5_fx,
         inside_joint_5_fy,
         inside_joint_5_fz,
+        outside_joint_5_mx_1_0,
+        outside_joint_5_mx_1_1,
+        outside_joint_5_my_1_0,
+        outside_joint_5_my_1_1,
+        outside_joint_5_mz_1_0,
+        outside_joint_5_mz_1_1,
         connection_joint_5_wz,
         connection_joint_5_wy,
         connection_joint_5_wx,
@@ -1966,6 +2115,12 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
         inside_joint_6_fx,
         inside_joint_6_fy,
         inside_joint_6_fz,
+        outside_joint_6_mx_1_0,
+        outside_joint_6_mx_1_1,
+        outside_joint_6_my_1_0,
+        outside_joint_6_my_1_1,
+        outside_joint_6_mz_1_0,
+        outside_joint_6_mz_1_1,
         connection_joint_6_wz,
         connection_joint_6_wy,
         connection_joint_6_wx,
@@ -2053,17 +2208,14 @@ fn outside(
     let outside_joint_1_mz = inertias.inertia_base_zz - inertias.inertia_base_zz_1;
     // joint_2
     let outside_joint_2_mx = complements.complement_link_2_xx * poses.sin_joint_1
-        - complements.complement_link_2_xy * poses.cos_joint_1
-        + (complements.complement_link_2_hy * screws.screw_joint_2_vz
-            - complements.complement_link_2_hz * screws.screw_joint_2_vy);
-    let outside_joint_2_my = complements.complement_link_2_xy * poses.sin_joint_1
+        - complements.outside_joint_2_mx_0_1
+        + (screws.outside_joint_2_mx_1_0 - screws.outside_joint_2_mx_1_1);
+    let outside_joint_2_my = complements.outside_joint_2_my_0_0
         - complements.complement_link_2_yy * poses.cos_joint_1
-        + (complements.complement_link_2_hz * screws.screw_joint_2_vx
-            + complements.minus_complement_link_2_hx * screws.screw_joint_2_vz);
-    let outside_joint_2_mz = complements.complement_link_2_xz * poses.sin_joint_1
-        + complements.minus_complement_link_2_yz * poses.cos_joint_1
-        - (complements.minus_complement_link_2_hx * screws.screw_joint_2_vy
-            + complements.complement_link_2_hy * screws.screw_joint_2_vx);
+        + (screws.outside_joint_2_my_1_0 + screws.outside_joint_2_my_1_1);
+    let outside_joint_2_mz = complements.outside_joint_2_mz_0_0
+        + complements.outside_joint_2_mz_0_1
+        - (screws.outside_joint_2_mz_1_0 + screws.outside_joint_2_mz_1_1);
     let outside_joint_2_fx = screws.screw_joint_2_vx * 5.5
         - poses.cos_joint_1 * complements.complement_link_2_hz;
     let outside_joint_2_fy = screws.screw_joint_2_vy * 5.5
@@ -2072,21 +2224,17 @@ fn outside(
         + (poses.sin_joint_1 * complements.complement_link_2_hy
             - poses.cos_joint_1 * complements.minus_complement_link_2_hx);
     // joint_3
-    let outside_joint_3_mx = complements.complement_link_3_xz * poses.cos_joint_2
+    let outside_joint_3_mx = complements.outside_joint_3_mx_0_0
         - (complements.complement_link_3_xx * poses.minus_rotation_link_2_xy
-            + complements.complement_link_3_xy * poses.minus_rotation_link_2_yy)
-        + (complements.complement_link_3_hy * screws.screw_joint_3_vz
-            - complements.complement_link_3_hz * screws.screw_joint_3_vy);
-    let outside_joint_3_my = complements.complement_link_3_yz * poses.cos_joint_2
-        - (complements.complement_link_3_xy * poses.minus_rotation_link_2_xy
+            + complements.outside_joint_3_mx_0_1_1)
+        + (screws.outside_joint_3_mx_1_0 - screws.outside_joint_3_mx_1_1);
+    let outside_joint_3_my = complements.outside_joint_3_my_0_0
+        - (complements.outside_joint_3_my_0_1_0
             + complements.complement_link_3_yy * poses.minus_rotation_link_2_yy)
-        + (complements.complement_link_3_hz * screws.screw_joint_3_vx
-            - complements.complement_link_3_hx * screws.screw_joint_3_vz);
+        + (screws.outside_joint_3_my_1_0 - screws.outside_joint_3_my_1_1);
     let outside_joint_3_mz = complements.complement_link_3_zz * poses.cos_joint_2
-        - (complements.complement_link_3_xz * poses.minus_rotation_link_2_xy
-            + complements.complement_link_3_yz * poses.minus_rotation_link_2_yy)
-        + (complements.complement_link_3_hx * screws.screw_joint_3_vy
-            - complements.complement_link_3_hy * screws.screw_joint_3_vx);
+        - (complements.outside_joint_3_mz_0_1_0 + complements.outside_joint_3_mz_0_1_1)
+        + (screws.outside_joint_3_mz_1_0 - screws.outside_joint_3_mz_1_1);
     let outside_joint_3_fx = screws.screw_joint_3_vx * 7.5
         - (poses.minus_rotation_link_2_yy * complements.complement_link_3_hz
             + poses.cos_joint_2 * complements.complement_link_3_hy);
@@ -2097,21 +2245,17 @@ fn outside(
         + (poses.minus_rotation_link_2_yy * complements.complement_link_3_hx
             - poses.minus_rotation_link_2_xy * complements.complement_link_3_hy);
     // joint_4
-    let outside_joint_4_mx = complements.complement_link_4_xy * poses.rotation_link_3_yy
+    let outside_joint_4_mx = complements.outside_joint_4_mx_0_0_0
         - complements.complement_link_4_xx * poses.minus_rotation_link_3_xy
-        - complements.complement_link_4_xz * poses.minus_rotation_link_3_zy
-        + (complements.complement_link_4_hz * screws.minus_screw_joint_4_vy
-            - complements.complement_link_4_hy * screws.minus_screw_joint_4_vz);
+        - complements.outside_joint_4_mx_0_1
+        + (screws.outside_joint_4_mx_1_0 - screws.outside_joint_4_mx_1_1);
     let outside_joint_4_my = complements.complement_link_4_yy * poses.rotation_link_3_yy
-        - complements.complement_link_4_xy * poses.minus_rotation_link_3_xy
-        - complements.complement_link_4_yz * poses.minus_rotation_link_3_zy
-        + (complements.complement_link_4_hz * screws.screw_joint_4_vx
-            + complements.complement_link_4_hx * screws.minus_screw_joint_4_vz);
-    let outside_joint_4_mz = complements.complement_link_4_yz * poses.rotation_link_3_yy
-        - complements.complement_link_4_xz * poses.minus_rotation_link_3_xy
+        - complements.outside_joint_4_my_0_0_1 - complements.outside_joint_4_my_0_1
+        + (screws.outside_joint_4_my_1_0 + screws.outside_joint_4_my_1_1);
+    let outside_joint_4_mz = complements.outside_joint_4_mz_0_0_0
+        - complements.outside_joint_4_mz_0_0_1
         - complements.complement_link_4_zz * poses.minus_rotation_link_3_zy
-        - (complements.complement_link_4_hx * screws.minus_screw_joint_4_vy
-            + complements.complement_link_4_hy * screws.screw_joint_4_vx);
+        - (screws.outside_joint_4_mz_1_0 + screws.outside_joint_4_mz_1_1);
     let outside_joint_4_fx = screws.screw_joint_4_vx * 9.5
         + (poses.rotation_link_3_yy * complements.complement_link_4_hz
             + poses.minus_rotation_link_3_zy * complements.complement_link_4_hy);
@@ -2123,21 +2267,17 @@ fn outside(
         + (poses.minus_rotation_link_3_xy * complements.complement_link_4_hy
             + poses.rotation_link_3_yy * complements.complement_link_4_hx);
     // joint_5
-    let outside_joint_5_mx = complements.complement_link_5_xz * poses.rotation_link_5_zz
+    let outside_joint_5_mx = complements.outside_joint_5_mx_0_0
         - (complements.complement_link_5_xx * poses.rotation_link_4_xy
-            + complements.complement_link_5_xy * poses.rotation_link_4_yy)
-        + (complements.complement_link_5_hy * screws.screw_joint_5_vz
-            - complements.complement_link_5_hz * screws.screw_joint_5_vy);
-    let outside_joint_5_my = complements.complement_link_5_yz * poses.rotation_link_5_zz
-        - (complements.complement_link_5_xy * poses.rotation_link_4_xy
+            + complements.outside_joint_5_mx_0_1_1)
+        + (screws.outside_joint_5_mx_1_0 - screws.outside_joint_5_mx_1_1);
+    let outside_joint_5_my = complements.outside_joint_5_my_0_0
+        - (complements.outside_joint_5_my_0_1_0
             + complements.complement_link_5_yy * poses.rotation_link_4_yy)
-        + (complements.complement_link_5_hz * screws.screw_joint_5_vx
-            - complements.complement_link_5_hx * screws.screw_joint_5_vz);
+        + (screws.outside_joint_5_my_1_0 - screws.outside_joint_5_my_1_1);
     let outside_joint_5_mz = complements.complement_link_5_zz * poses.rotation_link_5_zz
-        - (complements.complement_link_5_xz * poses.rotation_link_4_xy
-            + complements.complement_link_5_yz * poses.rotation_link_4_yy)
-        + (complements.complement_link_5_hx * screws.screw_joint_5_vy
-            - complements.complement_link_5_hy * screws.screw_joint_5_vx);
+        - (complements.outside_joint_5_mz_0_1_0 + complements.outside_joint_5_mz_0_1_1)
+        + (screws.outside_joint_5_mz_1_0 - screws.outside_joint_5_mz_1_1);
     let outside_joint_5_fx = screws.screw_joint_5_vx * 11.5
         - (poses.rotation_link_4_yy * complements.complement_link_5_hz
             + poses.rotation_link_5_zz * complements.complement_link_5_hy);
@@ -2149,20 +2289,16 @@ fn outside(
             - poses.rotation_link_4_xy * complements.complement_link_5_hy);
     // joint_6
     let outside_joint_6_mx = complements.complement_link_6_xx * poses.rotation_link_6_xz
-        - complements.complement_link_6_xy * poses.rotation_link_5_yy
-        + complements.complement_link_6_xz * poses.rotation_link_6_zz
-        + (complements.complement_link_6_hy * screws.screw_joint_6_vz
-            - complements.complement_link_6_hz * screws.screw_joint_6_vy);
-    let outside_joint_6_my = complements.complement_link_6_xy * poses.rotation_link_6_xz
+        - complements.outside_joint_6_mx_0_0_1 + complements.outside_joint_6_mx_0_1
+        + (screws.outside_joint_6_mx_1_0 - screws.outside_joint_6_mx_1_1);
+    let outside_joint_6_my = complements.outside_joint_6_my_0_0_0
         - complements.complement_link_6_yy * poses.rotation_link_5_yy
-        + complements.complement_link_6_yz * poses.rotation_link_6_zz
-        + (complements.complement_link_6_hz * screws.screw_joint_6_vx
-            - complements.complement_link_6_hx * screws.screw_joint_6_vz);
-    let outside_joint_6_mz = complements.complement_link_6_xz * poses.rotation_link_6_xz
-        - complements.complement_link_6_yz * poses.rotation_link_5_yy
+        + complements.outside_joint_6_my_0_1
+        + (screws.outside_joint_6_my_1_0 - screws.outside_joint_6_my_1_1);
+    let outside_joint_6_mz = complements.outside_joint_6_mz_0_0_0
+        - complements.outside_joint_6_mz_0_0_1
         + complements.complement_link_6_zz * poses.rotation_link_6_zz
-        + (complements.complement_link_6_hx * screws.screw_joint_6_vy
-            - complements.complement_link_6_hy * screws.screw_joint_6_vx);
+        + (screws.outside_joint_6_mz_1_0 - screws.outside_joint_6_mz_1_1);
     let outside_joint_6_fx = screws.screw_joint_6_vx * 13.5
         - (poses.rotation_link_5_yy * complements.complement_link_6_hz
             + poses.rotation_link_6_zz * complements.complement_link_6_hy);
@@ -2604,331 +2740,668 @@ fn velocities(qd: &[f64; 7], poses: &Poses, screws: &Screws) -> Velocities {
         velocity_link_7_vz,
     }
 }
-/// What `d_mu`, `d_qdot`, `d_mu_xi`, `d_qdot_xi`, `curvature`, `forward_dynamics`, `inverse_dynamics` have in common.
-struct CommonDMuAnd6More {
-    d_mu_6_2_0_0_0_1_0: f64,
-    d_mu_6_0_0_0_0_0_0_0: f64,
-    d_mu_6_0_0_0_0_0_1_0: f64,
-    d_mu_6_1_0_0_0_0_1_0: f64,
-    d_mu_7_0_0_0_0_0_0_0: f64,
-    d_mu_7_0_0_0_0_0_1_0: f64,
-    d_mu_7_0_0_0_0_1_0: f64,
-    d_mu_7_1_0_0_0_0_0_0: f64,
-    d_mu_7_1_0_0_0_1_0: f64,
-    d_mu_7_2_0_0_0_1_0: f64,
-    d_mu_8_0_0_0_0_0_0_0: f64,
-    d_mu_8_0_0_0_0_0_1_0: f64,
-    d_mu_8_0_0_0_0_1_0: f64,
-    d_mu_8_1_0_0_0_0_1_0: f64,
-    d_mu_8_1_0_0_0_1_0: f64,
-    d_mu_8_2_0_0_0_1_0: f64,
-    d_mu_9_0_0_0_0_0_0_0: f64,
-    d_mu_9_0_0_0_0_0_1_0: f64,
-    d_mu_9_0_0_0_0_1_0: f64,
-    d_mu_9_1_0_0_0_0_1_0: f64,
-    d_mu_9_1_0_0_0_1_0: f64,
-    d_mu_9_2_0_0_0_1_0: f64,
-    d_mu_10_0_0_0_0_0_0_0: f64,
-    d_mu_10_0_0_0_0_0_1_0: f64,
-    d_mu_10_0_0_0_0_1_0: f64,
-    d_mu_10_1_0_0_0_0_1_0: f64,
-    d_mu_10_1_0_0_0_1_0: f64,
-    d_mu_10_2_0_0_0_1_0: f64,
-    d_mu_11_0_0_0_0_0_0_0: f64,
-    d_mu_11_0_0_0_0_0_1_0: f64,
-    d_mu_11_0_0_0_0_1_0: f64,
-    d_mu_11_1_0_0_0_0_1_0: f64,
-    d_mu_11_1_0_0_0_1_0: f64,
-    d_mu_11_2_0_0_0_1_0: f64,
-    d_mu_12_0_0_0_0_0_0_0: f64,
-    d_mu_12_0_0_0_0_0_1_0: f64,
-    d_mu_12_0_0_0_0_1_0: f64,
-    d_mu_12_1_0_0_0_0_1_0: f64,
-    d_mu_12_1_0_0_0_1_0: f64,
-    d_mu_12_2_0_0_0_1_0: f64,
+/// What `d_mu`, `b2`, `d_qdot`, `d_mu_xi`, `d_qdot_xi`, `curvature`, `forward_dynamics`, `inverse_dynamics` have in common.
+struct CommonDMuAnd7More {
+    d_mu_7_6_0_0_0_0_0_1_0_0_0: f64,
+    d_mu_7_6_0_0_0_0_0_1_0_1_0: f64,
+    d_mu_7_6_0_0_0_0_0_1_1_0: f64,
+    d_mu_7_6_0_0_0_0_1_1_0_0_0: f64,
+    d_mu_7_6_0_0_0_0_1_1_1_0: f64,
+    d_mu_7_6_0_0_0_1_1_1_0: f64,
+    d_mu_8_6_0_0_0_0_0_1_0_0_0: f64,
+    d_mu_8_6_0_0_0_0_0_1_0_1_0: f64,
+    d_mu_8_6_0_0_0_0_0_1_1_0: f64,
+    d_mu_8_6_0_0_0_0_1_1_0_1_0: f64,
+    d_mu_8_6_0_0_0_0_1_1_1_0: f64,
+    d_mu_8_6_0_0_0_1_1_1_0: f64,
+    d_mu_9_6_0_0_0_0_0_1_0_0_0: f64,
+    d_mu_9_6_0_0_0_0_0_1_0_1_0: f64,
+    d_mu_9_6_0_0_0_0_0_1_1_0: f64,
+    d_mu_9_6_0_0_0_0_1_1_0_1_0: f64,
+    d_mu_9_6_0_0_0_0_1_1_1_0: f64,
+    d_mu_9_6_0_0_0_1_1_1_0: f64,
+    d_mu_10_6_0_0_0_0_0_1_0_0_0: f64,
+    d_mu_10_6_0_0_0_0_0_1_0_1_0: f64,
+    d_mu_10_6_0_0_0_0_0_1_1_0: f64,
+    d_mu_10_6_0_0_0_0_1_1_0_1_0: f64,
+    d_mu_10_6_0_0_0_0_1_1_1_0: f64,
+    d_mu_10_6_0_0_0_1_1_1_0: f64,
+    d_mu_11_6_0_0_0_0_0_1_0_0_0: f64,
+    d_mu_11_6_0_0_0_0_0_1_0_1_0: f64,
+    d_mu_11_6_0_0_0_0_0_1_1_0: f64,
+    d_mu_11_6_0_0_0_0_1_1_0_1_0: f64,
+    d_mu_11_6_0_0_0_0_1_1_1_0: f64,
+    d_mu_11_6_0_0_0_1_1_1_0: f64,
+    d_mu_12_6_0_0_0_0_0_1_0_0_0: f64,
+    d_mu_12_6_0_0_0_0_0_1_0_1_0: f64,
+    d_mu_12_6_0_0_0_0_0_1_1_0: f64,
+    d_mu_12_6_0_0_0_0_1_1_0_1_0: f64,
+    d_mu_12_6_0_0_0_0_1_1_1_0: f64,
+    d_mu_12_6_0_0_0_1_1_1_0: f64,
 }
-/// What `d_mu`, `d_qdot`, `d_mu_xi`, `d_qdot_xi`, `curvature`, `forward_dynamics`, `inverse_dynamics` have in common.
+/// What `d_mu`, `b2`, `d_qdot`, `d_mu_xi`, `d_qdot_xi`, `curvature`, `forward_dynamics`, `inverse_dynamics` have in common.
 #[inline(never)]
-fn common_d_mu_and_6_more(
+fn common_d_mu_and_7_more(
     poses: &Poses,
     inertias: &Inertias,
     screws: &Screws,
-) -> CommonDMuAnd6More {
-    let d_mu_6_0_0_0_0_0_0_0_1 = inertias.composite_link_1_xy
-        + inertias.composite_link_1_xy;
-    let d_mu_6_2_0_0_0_1_0_1_1 = inertias.composite_link_1_hx * poses.com_y;
-    let d_mu_6_2_0_0_0_1_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
-    let d_mu_6_2_0_0_0_1_0_0 = d_mu_6_2_0_0_0_1_0_0_1 + d_mu_6_2_0_0_0_1_0_0_1;
-    let d_mu_6_2_0_0_0_1_0_1 = d_mu_6_2_0_0_0_1_0_1_1 + d_mu_6_2_0_0_0_1_0_1_1;
-    let d_mu_6_2_0_0_0_1_0 = d_mu_6_2_0_0_0_1_0_0 - d_mu_6_2_0_0_0_1_0_1;
-    let d_mu_6_0_0_0_0_0_0_0 = d_mu_6_2_0_0_0_1_0_0 - d_mu_6_0_0_0_0_0_0_0_1;
-    let d_mu_6_0_0_0_0_0_1_0 = inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
-    let d_mu_6_1_0_0_0_0_1_0 = d_mu_6_0_0_0_0_0_0_0_1 - d_mu_6_2_0_0_0_1_0_1;
-    let d_mu_7_2_0_0_0_1_0_1_1 = poses.cos_joint_1 * inertias.composite_link_2_xz;
-    let d_mu_7_2_0_0_0_1_0_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yz;
-    let d_mu_7_2_0_0_0_1_0_1 = d_mu_7_2_0_0_0_1_0_1_0 + d_mu_7_2_0_0_0_1_0_1_1;
-    let d_mu_7_1_0_0_0_0_0_0_0_1 = inertias.composite_link_2_hx
+) -> CommonDMuAnd7More {
+    let d_mu_7_6_0_0_0_1_1_1_0_1_1 = poses.cos_joint_1 * inertias.composite_link_2_xz;
+    let d_mu_7_6_0_0_0_1_1_1_0_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yz;
+    let d_mu_7_6_0_0_0_1_1_1_0_1 = d_mu_7_6_0_0_0_1_1_1_0_1_0
+        + d_mu_7_6_0_0_0_1_1_1_0_1_1;
+    let d_mu_7_6_0_0_0_0_1_1_0_0_0_0_1 = inertias.composite_link_2_hx
         * screws.screw_joint_2_vx;
-    let d_mu_7_0_0_0_0_0_0_0_0_1 = inertias.composite_link_2_hy
+    let d_mu_7_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_2_hy
         * screws.screw_joint_2_vy;
-    let d_mu_7_0_0_0_0_0_0_0_1_1 = inertias.composite_link_2_hz
+    let d_mu_7_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.composite_link_2_hz
         * screws.screw_joint_2_vz;
-    let d_mu_7_0_0_0_0_0_0_0_0 = d_mu_7_0_0_0_0_0_0_0_0_1 + d_mu_7_0_0_0_0_0_0_0_0_1;
-    let d_mu_7_0_0_0_0_0_0_0_1 = d_mu_7_0_0_0_0_0_0_0_1_1 + d_mu_7_0_0_0_0_0_0_0_1_1;
-    let d_mu_7_1_0_0_0_0_0_0_0 = d_mu_7_1_0_0_0_0_0_0_0_1 + d_mu_7_1_0_0_0_0_0_0_0_1;
-    let d_mu_7_0_0_0_0_0_0_0 = d_mu_7_0_0_0_0_0_0_0_0 + d_mu_7_0_0_0_0_0_0_0_1
-        - (d_mu_7_2_0_0_0_1_0_1_1 + d_mu_7_2_0_0_0_1_0_1_1);
-    let d_mu_7_0_0_0_0_0_1_0 = inertias.inside_joint_2_mz_0_1
+    let d_mu_7_6_0_0_0_0_0_1_0_0_0_0 = d_mu_7_6_0_0_0_0_0_1_0_0_0_0_1
+        + d_mu_7_6_0_0_0_0_0_1_0_0_0_0_1;
+    let d_mu_7_6_0_0_0_0_0_1_0_0_0_1 = d_mu_7_6_0_0_0_0_0_1_0_0_0_1_1
+        + d_mu_7_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_7_6_0_0_0_0_1_1_0_0_0_0 = d_mu_7_6_0_0_0_0_1_1_0_0_0_0_1
+        + d_mu_7_6_0_0_0_0_1_1_0_0_0_0_1;
+    let d_mu_7_6_0_0_0_0_0_1_0_0_0 = d_mu_7_6_0_0_0_0_0_1_0_0_0_0
+        + d_mu_7_6_0_0_0_0_0_1_0_0_0_1
+        - (d_mu_7_6_0_0_0_1_1_1_0_1_1 + d_mu_7_6_0_0_0_1_1_1_0_1_1);
+    let d_mu_7_6_0_0_0_0_0_1_0_1_0 = inertias.inside_joint_2_mz_0_1
         + inertias.inside_joint_2_mz_0_0
         + (screws.inside_joint_2_mz_2 + screws.inside_joint_2_mz_3);
-    let d_mu_7_0_0_0_0_1_0 = inertias.inside_joint_2_my_0_0
+    let d_mu_7_6_0_0_0_0_0_1_1_0 = inertias.inside_joint_2_my_0_0
         + poses.cos_joint_1 * inertias.composite_link_2_xx
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_my_4 + screws.inside_joint_2_my_3);
-    let d_mu_7_1_0_0_0_0_0_0 = d_mu_7_1_0_0_0_0_0_0_0 + d_mu_7_0_0_0_0_0_0_0_1
-        - (d_mu_7_2_0_0_0_1_0_1_0 + d_mu_7_2_0_0_0_1_0_1_0);
-    let d_mu_7_1_0_0_0_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yy
+    let d_mu_7_6_0_0_0_0_1_1_0_0_0 = d_mu_7_6_0_0_0_0_1_1_0_0_0_0
+        + d_mu_7_6_0_0_0_0_0_1_0_0_0_1
+        - (d_mu_7_6_0_0_0_1_1_1_0_1_0 + d_mu_7_6_0_0_0_1_1_1_0_1_0);
+    let d_mu_7_6_0_0_0_0_1_1_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yy
         + inertias.inside_joint_2_mx_0_1
         - poses.sin_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_3 + screws.inside_joint_2_mx_4);
-    let d_mu_7_2_0_0_0_1_0 = d_mu_7_2_0_0_0_1_0_1 + d_mu_7_2_0_0_0_1_0_1
-        + (d_mu_7_1_0_0_0_0_0_0_0 + d_mu_7_0_0_0_0_0_0_0_0);
-    let d_mu_8_0_0_0_0_0_0_0_3_0 = poses.minus_rotation_link_2_yy
+    let d_mu_7_6_0_0_0_1_1_1_0 = d_mu_7_6_0_0_0_1_1_1_0_1 + d_mu_7_6_0_0_0_1_1_1_0_1
+        + (d_mu_7_6_0_0_0_0_1_1_0_0_0_0 + d_mu_7_6_0_0_0_0_0_1_0_0_0_0);
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0_3_0 = poses.minus_rotation_link_2_yy
         * inertias.composite_link_3_xz;
-    let d_mu_8_0_0_0_0_0_0_0_3_1 = poses.cos_joint_2 * inertias.composite_link_3_xy;
-    let d_mu_8_0_0_0_0_0_0_0_3 = d_mu_8_0_0_0_0_0_0_0_3_0 + d_mu_8_0_0_0_0_0_0_0_3_1;
-    let d_mu_8_1_0_0_0_0_1_0_1_1 = poses.minus_rotation_link_2_xy
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0_3_1 = poses.cos_joint_2
+        * inertias.composite_link_3_xy;
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0_3 = d_mu_8_6_0_0_0_0_0_1_0_0_0_3_0
+        + d_mu_8_6_0_0_0_0_0_1_0_0_0_3_1;
+    let d_mu_8_6_0_0_0_0_1_1_0_1_0_1_1 = poses.minus_rotation_link_2_xy
         * inertias.composite_link_3_yz;
-    let d_mu_8_1_0_0_0_0_1_0_1 = d_mu_8_0_0_0_0_0_0_0_3_1 + d_mu_8_1_0_0_0_0_1_0_1_1;
-    let d_mu_8_2_0_0_0_1_0_1 = d_mu_8_0_0_0_0_0_0_0_3_0 - d_mu_8_1_0_0_0_0_1_0_1_1;
-    let d_mu_8_1_0_0_0_0_1_0_2_1 = inertias.composite_link_3_hx
+    let d_mu_8_6_0_0_0_0_1_1_0_1_0_1 = d_mu_8_6_0_0_0_0_0_1_0_0_0_3_1
+        + d_mu_8_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_8_6_0_0_0_1_1_1_0_1 = d_mu_8_6_0_0_0_0_0_1_0_0_0_3_0
+        - d_mu_8_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_8_6_0_0_0_0_1_1_0_1_0_2_1 = inertias.composite_link_3_hx
         * screws.screw_joint_3_vx;
-    let d_mu_8_0_0_0_0_0_0_0_0_1 = inertias.composite_link_3_hy
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_3_hy
         * screws.screw_joint_3_vy;
-    let d_mu_8_0_0_0_0_0_0_0_1_1 = inertias.composite_link_3_hz
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.composite_link_3_hz
         * screws.screw_joint_3_vz;
-    let d_mu_8_0_0_0_0_0_0_0_0 = d_mu_8_0_0_0_0_0_0_0_0_1 + d_mu_8_0_0_0_0_0_0_0_0_1;
-    let d_mu_8_0_0_0_0_0_0_0_1 = d_mu_8_0_0_0_0_0_0_0_1_1 + d_mu_8_0_0_0_0_0_0_0_1_1;
-    let d_mu_8_1_0_0_0_0_1_0_2 = d_mu_8_1_0_0_0_0_1_0_2_1 + d_mu_8_1_0_0_0_0_1_0_2_1;
-    let d_mu_8_0_0_0_0_0_0_0 = d_mu_8_0_0_0_0_0_0_0_0 + d_mu_8_0_0_0_0_0_0_0_1
-        - (d_mu_8_0_0_0_0_0_0_0_3 + d_mu_8_0_0_0_0_0_0_0_3);
-    let d_mu_8_0_0_0_0_0_1_0 = poses.cos_joint_2 * inertias.composite_link_3_xx
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0_0 = d_mu_8_6_0_0_0_0_0_1_0_0_0_0_1
+        + d_mu_8_6_0_0_0_0_0_1_0_0_0_0_1;
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0_1 = d_mu_8_6_0_0_0_0_0_1_0_0_0_1_1
+        + d_mu_8_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_8_6_0_0_0_0_1_1_0_1_0_2 = d_mu_8_6_0_0_0_0_1_1_0_1_0_2_1
+        + d_mu_8_6_0_0_0_0_1_1_0_1_0_2_1;
+    let d_mu_8_6_0_0_0_0_0_1_0_0_0 = d_mu_8_6_0_0_0_0_0_1_0_0_0_0
+        + d_mu_8_6_0_0_0_0_0_1_0_0_0_1
+        - (d_mu_8_6_0_0_0_0_0_1_0_0_0_3 + d_mu_8_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_8_6_0_0_0_0_0_1_0_1_0 = poses.cos_joint_2 * inertias.composite_link_3_xx
         + inertias.inside_joint_3_mz_0_1_0
         - (inertias.inside_joint_3_mz_0_1_1
             + poses.cos_joint_2 * inertias.composite_link_3_yy)
         - (screws.inside_joint_3_mz_4 + screws.inside_joint_3_mz_5);
-    let d_mu_8_0_0_0_0_1_0 = poses.minus_rotation_link_2_yy
+    let d_mu_8_6_0_0_0_0_0_1_1_0 = poses.minus_rotation_link_2_yy
         * inertias.composite_link_3_xx - inertias.inside_joint_3_my_0_1_0
         - (poses.minus_rotation_link_2_yy * inertias.composite_link_3_zz
             + inertias.inside_joint_3_my_0_0)
         - (screws.inside_joint_3_my_5 + screws.inside_joint_3_my_4);
-    let d_mu_8_1_0_0_0_0_1_0 = d_mu_8_1_0_0_0_0_1_0_1 + d_mu_8_1_0_0_0_0_1_0_1
-        + (d_mu_8_1_0_0_0_0_1_0_2 + d_mu_8_0_0_0_0_0_0_0_1);
-    let d_mu_8_1_0_0_0_1_0 = inertias.inside_joint_3_mx_0_0
+    let d_mu_8_6_0_0_0_0_1_1_0_1_0 = d_mu_8_6_0_0_0_0_1_1_0_1_0_1
+        + d_mu_8_6_0_0_0_0_1_1_0_1_0_1
+        + (d_mu_8_6_0_0_0_0_1_1_0_1_0_2 + d_mu_8_6_0_0_0_0_0_1_0_0_0_1);
+    let d_mu_8_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_3_mx_0_0
         + poses.minus_rotation_link_2_xy * inertias.composite_link_3_zz
         + (inertias.inside_joint_3_mx_0_1_1
             - poses.minus_rotation_link_2_xy * inertias.composite_link_3_yy)
         - (screws.inside_joint_3_mx_4 + screws.inside_joint_3_mx_5);
-    let d_mu_8_2_0_0_0_1_0 = d_mu_8_2_0_0_0_1_0_1 + d_mu_8_2_0_0_0_1_0_1
-        + (d_mu_8_1_0_0_0_0_1_0_2 + d_mu_8_0_0_0_0_0_0_0_0);
-    let d_mu_9_0_0_0_0_0_0_0_1_0 = poses.rotation_link_3_yy
+    let d_mu_8_6_0_0_0_1_1_1_0 = d_mu_8_6_0_0_0_1_1_1_0_1 + d_mu_8_6_0_0_0_1_1_1_0_1
+        + (d_mu_8_6_0_0_0_0_1_1_0_1_0_2 + d_mu_8_6_0_0_0_0_0_1_0_0_0_0);
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0_1_0 = poses.rotation_link_3_yy
         * inertias.composite_link_4_xz;
-    let d_mu_9_0_0_0_0_0_0_0_1_1 = poses.minus_rotation_link_3_zy
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0_1_1 = poses.minus_rotation_link_3_zy
         * inertias.composite_link_4_xy;
-    let d_mu_9_0_0_0_0_0_0_0_1 = d_mu_9_0_0_0_0_0_0_0_1_0 + d_mu_9_0_0_0_0_0_0_0_1_1;
-    let d_mu_9_1_0_0_0_0_1_0_1_0 = poses.minus_rotation_link_3_xy
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0_1 = d_mu_9_6_0_0_0_0_0_1_0_0_0_1_0
+        + d_mu_9_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_9_6_0_0_0_0_1_1_0_1_0_1_0 = poses.minus_rotation_link_3_xy
         * inertias.composite_link_4_yz;
-    let d_mu_9_1_0_0_0_0_1_0_1 = d_mu_9_1_0_0_0_0_1_0_1_0 - d_mu_9_0_0_0_0_0_0_0_1_1;
-    let d_mu_9_2_0_0_0_1_0_1 = d_mu_9_1_0_0_0_0_1_0_1_0 + d_mu_9_0_0_0_0_0_0_0_1_0;
-    let d_mu_9_1_0_0_0_0_1_0_2_1 = inertias.minus_composite_link_4_hx
+    let d_mu_9_6_0_0_0_0_1_1_0_1_0_1 = d_mu_9_6_0_0_0_0_1_1_0_1_0_1_0
+        - d_mu_9_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_9_6_0_0_0_1_1_1_0_1 = d_mu_9_6_0_0_0_0_1_1_0_1_0_1_0
+        + d_mu_9_6_0_0_0_0_0_1_0_0_0_1_0;
+    let d_mu_9_6_0_0_0_0_1_1_0_1_0_2_1 = inertias.minus_composite_link_4_hx
         * screws.screw_joint_4_vx;
-    let d_mu_9_0_0_0_0_0_0_0_2_1 = inertias.composite_link_4_hy
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0_2_1 = inertias.composite_link_4_hy
         * screws.minus_screw_joint_4_vy;
-    let d_mu_9_0_0_0_0_0_0_0_3_1 = inertias.composite_link_4_hz
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0_3_1 = inertias.composite_link_4_hz
         * screws.minus_screw_joint_4_vz;
-    let d_mu_9_0_0_0_0_0_0_0_2 = d_mu_9_0_0_0_0_0_0_0_2_1 + d_mu_9_0_0_0_0_0_0_0_2_1;
-    let d_mu_9_0_0_0_0_0_0_0_3 = d_mu_9_0_0_0_0_0_0_0_3_1 + d_mu_9_0_0_0_0_0_0_0_3_1;
-    let d_mu_9_1_0_0_0_0_1_0_2 = d_mu_9_1_0_0_0_0_1_0_2_1 + d_mu_9_1_0_0_0_0_1_0_2_1;
-    let d_mu_9_0_0_0_0_0_0_0 = d_mu_9_0_0_0_0_0_0_0_1 + d_mu_9_0_0_0_0_0_0_0_1
-        - (d_mu_9_0_0_0_0_0_0_0_2 + d_mu_9_0_0_0_0_0_0_0_3);
-    let d_mu_9_0_0_0_0_0_1_0 = inertias.inside_joint_4_mz_0_0_0
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0_2 = d_mu_9_6_0_0_0_0_0_1_0_0_0_2_1
+        + d_mu_9_6_0_0_0_0_0_1_0_0_0_2_1;
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0_3 = d_mu_9_6_0_0_0_0_0_1_0_0_0_3_1
+        + d_mu_9_6_0_0_0_0_0_1_0_0_0_3_1;
+    let d_mu_9_6_0_0_0_0_1_1_0_1_0_2 = d_mu_9_6_0_0_0_0_1_1_0_1_0_2_1
+        + d_mu_9_6_0_0_0_0_1_1_0_1_0_2_1;
+    let d_mu_9_6_0_0_0_0_0_1_0_0_0 = d_mu_9_6_0_0_0_0_0_1_0_0_0_1
+        + d_mu_9_6_0_0_0_0_0_1_0_0_0_1
+        - (d_mu_9_6_0_0_0_0_0_1_0_0_0_2 + d_mu_9_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_9_6_0_0_0_0_0_1_0_1_0 = inertias.inside_joint_4_mz_0_0_0
         + poses.minus_rotation_link_3_zy * inertias.composite_link_4_yy
         + (inertias.inside_joint_4_mz_0_0_1
             - poses.minus_rotation_link_3_zy * inertias.composite_link_4_xx)
         - (screws.inside_joint_4_mz_4 + screws.inside_joint_4_mz_5);
-    let d_mu_9_0_0_0_0_1_0 = poses.rotation_link_3_yy * inertias.composite_link_4_zz
-        + inertias.inside_joint_4_my_0_1
+    let d_mu_9_6_0_0_0_0_0_1_1_0 = poses.rotation_link_3_yy
+        * inertias.composite_link_4_zz + inertias.inside_joint_4_my_0_1
         - (inertias.inside_joint_4_my_0_0_1
             + poses.rotation_link_3_yy * inertias.composite_link_4_xx)
         - (screws.inside_joint_4_my_5 + screws.inside_joint_4_my_4);
-    let d_mu_9_1_0_0_0_0_1_0 = d_mu_9_1_0_0_0_0_1_0_1 + d_mu_9_1_0_0_0_0_1_0_1
-        - (d_mu_9_1_0_0_0_0_1_0_2 + d_mu_9_0_0_0_0_0_0_0_3);
-    let d_mu_9_1_0_0_0_1_0 = poses.minus_rotation_link_3_xy
+    let d_mu_9_6_0_0_0_0_1_1_0_1_0 = d_mu_9_6_0_0_0_0_1_1_0_1_0_1
+        + d_mu_9_6_0_0_0_0_1_1_0_1_0_1
+        - (d_mu_9_6_0_0_0_0_1_1_0_1_0_2 + d_mu_9_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_9_6_0_0_0_0_1_1_1_0 = poses.minus_rotation_link_3_xy
         * inertias.composite_link_4_zz - inertias.inside_joint_4_mx_0_1
         - (poses.minus_rotation_link_3_xy * inertias.composite_link_4_yy
             + inertias.inside_joint_4_mx_0_0_0)
         + (screws.inside_joint_4_mx_5 + screws.inside_joint_4_mx_4);
-    let d_mu_9_2_0_0_0_1_0 = d_mu_9_2_0_0_0_1_0_1 + d_mu_9_2_0_0_0_1_0_1
-        + (d_mu_9_1_0_0_0_0_1_0_2 + d_mu_9_0_0_0_0_0_0_0_2);
-    let d_mu_10_0_0_0_0_0_0_0_3_0 = poses.rotation_link_4_yy
+    let d_mu_9_6_0_0_0_1_1_1_0 = d_mu_9_6_0_0_0_1_1_1_0_1 + d_mu_9_6_0_0_0_1_1_1_0_1
+        + (d_mu_9_6_0_0_0_0_1_1_0_1_0_2 + d_mu_9_6_0_0_0_0_0_1_0_0_0_2);
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0_3_0 = poses.rotation_link_4_yy
         * inertias.composite_link_5_xz;
-    let d_mu_10_0_0_0_0_0_0_0_3_1 = poses.rotation_link_5_zz
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0_3_1 = poses.rotation_link_5_zz
         * inertias.composite_link_5_xy;
-    let d_mu_10_0_0_0_0_0_0_0_3 = d_mu_10_0_0_0_0_0_0_0_3_0 + d_mu_10_0_0_0_0_0_0_0_3_1;
-    let d_mu_10_1_0_0_0_0_1_0_1_1 = poses.rotation_link_4_xy
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0_3 = d_mu_10_6_0_0_0_0_0_1_0_0_0_3_0
+        + d_mu_10_6_0_0_0_0_0_1_0_0_0_3_1;
+    let d_mu_10_6_0_0_0_0_1_1_0_1_0_1_1 = poses.rotation_link_4_xy
         * inertias.composite_link_5_yz;
-    let d_mu_10_1_0_0_0_0_1_0_1 = d_mu_10_0_0_0_0_0_0_0_3_1 + d_mu_10_1_0_0_0_0_1_0_1_1;
-    let d_mu_10_2_0_0_0_1_0_1 = d_mu_10_0_0_0_0_0_0_0_3_0 - d_mu_10_1_0_0_0_0_1_0_1_1;
-    let d_mu_10_1_0_0_0_0_1_0_3_1 = inertias.minus_composite_link_5_hx
+    let d_mu_10_6_0_0_0_0_1_1_0_1_0_1 = d_mu_10_6_0_0_0_0_0_1_0_0_0_3_1
+        + d_mu_10_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_10_6_0_0_0_1_1_1_0_1 = d_mu_10_6_0_0_0_0_0_1_0_0_0_3_0
+        - d_mu_10_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_10_6_0_0_0_0_1_1_0_1_0_3_1 = inertias.minus_composite_link_5_hx
         * screws.screw_joint_5_vx;
-    let d_mu_10_0_0_0_0_0_0_0_0_1 = inertias.composite_link_5_hy
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_5_hy
         * screws.screw_joint_5_vy;
-    let d_mu_10_0_0_0_0_0_0_0_1_1 = inertias.composite_link_5_hz
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.composite_link_5_hz
         * screws.screw_joint_5_vz;
-    let d_mu_10_0_0_0_0_0_0_0_0 = d_mu_10_0_0_0_0_0_0_0_0_1 + d_mu_10_0_0_0_0_0_0_0_0_1;
-    let d_mu_10_0_0_0_0_0_0_0_1 = d_mu_10_0_0_0_0_0_0_0_1_1 + d_mu_10_0_0_0_0_0_0_0_1_1;
-    let d_mu_10_1_0_0_0_0_1_0_3 = d_mu_10_1_0_0_0_0_1_0_3_1 + d_mu_10_1_0_0_0_0_1_0_3_1;
-    let d_mu_10_0_0_0_0_0_0_0 = d_mu_10_0_0_0_0_0_0_0_0 + d_mu_10_0_0_0_0_0_0_0_1
-        - (d_mu_10_0_0_0_0_0_0_0_3 + d_mu_10_0_0_0_0_0_0_0_3);
-    let d_mu_10_0_0_0_0_0_1_0 = poses.rotation_link_5_zz * inertias.composite_link_5_xx
-        + inertias.inside_joint_5_mz_0_1_0
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0_0 = d_mu_10_6_0_0_0_0_0_1_0_0_0_0_1
+        + d_mu_10_6_0_0_0_0_0_1_0_0_0_0_1;
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0_1 = d_mu_10_6_0_0_0_0_0_1_0_0_0_1_1
+        + d_mu_10_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_10_6_0_0_0_0_1_1_0_1_0_3 = d_mu_10_6_0_0_0_0_1_1_0_1_0_3_1
+        + d_mu_10_6_0_0_0_0_1_1_0_1_0_3_1;
+    let d_mu_10_6_0_0_0_0_0_1_0_0_0 = d_mu_10_6_0_0_0_0_0_1_0_0_0_0
+        + d_mu_10_6_0_0_0_0_0_1_0_0_0_1
+        - (d_mu_10_6_0_0_0_0_0_1_0_0_0_3 + d_mu_10_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_10_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_5_zz
+        * inertias.composite_link_5_xx + inertias.inside_joint_5_mz_0_1_0
         - (inertias.inside_joint_5_mz_0_1_1
             + poses.rotation_link_5_zz * inertias.composite_link_5_yy)
         - (screws.inside_joint_5_mz_5 - screws.inside_joint_5_mz_4);
-    let d_mu_10_0_0_0_0_1_0 = poses.rotation_link_4_yy * inertias.composite_link_5_xx
-        - inertias.inside_joint_5_my_0_1_0
+    let d_mu_10_6_0_0_0_0_0_1_1_0 = poses.rotation_link_4_yy
+        * inertias.composite_link_5_xx - inertias.inside_joint_5_my_0_1_0
         - (poses.rotation_link_4_yy * inertias.composite_link_5_zz
             + inertias.inside_joint_5_my_0_0)
         - (screws.inside_joint_5_my_4 - screws.inside_joint_5_my_5);
-    let d_mu_10_1_0_0_0_0_1_0 = d_mu_10_1_0_0_0_0_1_0_1 + d_mu_10_1_0_0_0_0_1_0_1
-        + (d_mu_10_0_0_0_0_0_0_0_1 - d_mu_10_1_0_0_0_0_1_0_3);
-    let d_mu_10_1_0_0_0_1_0 = inertias.inside_joint_5_mx_0_0
+    let d_mu_10_6_0_0_0_0_1_1_0_1_0 = d_mu_10_6_0_0_0_0_1_1_0_1_0_1
+        + d_mu_10_6_0_0_0_0_1_1_0_1_0_1
+        + (d_mu_10_6_0_0_0_0_0_1_0_0_0_1 - d_mu_10_6_0_0_0_0_1_1_0_1_0_3);
+    let d_mu_10_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_5_mx_0_0
         + poses.rotation_link_4_xy * inertias.composite_link_5_zz
         + (inertias.inside_joint_5_mx_0_1_1
             - poses.rotation_link_4_xy * inertias.composite_link_5_yy)
         - (screws.inside_joint_5_mx_4 + screws.inside_joint_5_mx_5);
-    let d_mu_10_2_0_0_0_1_0 = d_mu_10_2_0_0_0_1_0_1 + d_mu_10_2_0_0_0_1_0_1
-        + (d_mu_10_0_0_0_0_0_0_0_0 - d_mu_10_1_0_0_0_0_1_0_3);
-    let d_mu_11_0_0_0_0_0_0_0_3_0 = poses.rotation_link_5_yy
+    let d_mu_10_6_0_0_0_1_1_1_0 = d_mu_10_6_0_0_0_1_1_1_0_1 + d_mu_10_6_0_0_0_1_1_1_0_1
+        + (d_mu_10_6_0_0_0_0_0_1_0_0_0_0 - d_mu_10_6_0_0_0_0_1_1_0_1_0_3);
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3_0 = poses.rotation_link_5_yy
         * inertias.composite_link_6_xz;
-    let d_mu_11_0_0_0_0_0_0_0_3_1 = poses.rotation_link_6_zz
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1 = poses.rotation_link_6_zz
         * inertias.composite_link_6_xy;
-    let d_mu_11_0_0_0_0_0_0_0_3 = d_mu_11_0_0_0_0_0_0_0_3_0 + d_mu_11_0_0_0_0_0_0_0_3_1;
-    let d_mu_11_1_0_0_0_0_1_0_1_1 = poses.rotation_link_6_xz
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3 = d_mu_11_6_0_0_0_0_0_1_0_0_0_3_0
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1;
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1 = poses.rotation_link_6_xz
         * inertias.composite_link_6_yz;
-    let d_mu_11_1_0_0_0_0_1_0_1 = d_mu_11_0_0_0_0_0_0_0_3_1 - d_mu_11_1_0_0_0_0_1_0_1_1;
-    let d_mu_11_2_0_0_0_1_0_1 = d_mu_11_1_0_0_0_0_1_0_1_1 + d_mu_11_0_0_0_0_0_0_0_3_0;
-    let d_mu_11_1_0_0_0_0_1_0_3_1 = inertias.minus_composite_link_6_hx
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1 = d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1
+        - d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_11_6_0_0_0_1_1_1_0_1 = d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_3_0;
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1 = inertias.minus_composite_link_6_hx
         * screws.screw_joint_6_vx;
-    let d_mu_11_0_0_0_0_0_0_0_1_1 = inertias.minus_composite_link_6_hy
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.minus_composite_link_6_hy
         * screws.screw_joint_6_vy;
-    let d_mu_11_0_0_0_0_0_0_0_0_1 = inertias.composite_link_6_hz
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_6_hz
         * screws.screw_joint_6_vz;
-    let d_mu_11_0_0_0_0_0_0_0_1 = d_mu_11_0_0_0_0_0_0_0_1_1 + d_mu_11_0_0_0_0_0_0_0_1_1;
-    let d_mu_11_0_0_0_0_0_0_0_0 = d_mu_11_0_0_0_0_0_0_0_0_1 + d_mu_11_0_0_0_0_0_0_0_0_1;
-    let d_mu_11_1_0_0_0_0_1_0_3 = d_mu_11_1_0_0_0_0_1_0_3_1 + d_mu_11_1_0_0_0_0_1_0_3_1;
-    let d_mu_11_0_0_0_0_0_0_0 = d_mu_11_0_0_0_0_0_0_0_0 - d_mu_11_0_0_0_0_0_0_0_1
-        - (d_mu_11_0_0_0_0_0_0_0_3 + d_mu_11_0_0_0_0_0_0_0_3);
-    let d_mu_11_0_0_0_0_0_1_0 = poses.rotation_link_6_zz * inertias.composite_link_6_xx
-        - inertias.inside_joint_6_mz_0_0_0
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_0_1
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_0_1;
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3 = d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1
+        + d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_0
+        - d_mu_11_6_0_0_0_0_0_1_0_0_0_1
+        - (d_mu_11_6_0_0_0_0_0_1_0_0_0_3 + d_mu_11_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_11_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_6_zz
+        * inertias.composite_link_6_xx - inertias.inside_joint_6_mz_0_0_0
         - (inertias.inside_joint_6_mz_0_0_1
             + poses.rotation_link_6_zz * inertias.composite_link_6_yy)
         + (screws.inside_joint_6_mz_5 + screws.inside_joint_6_mz_4);
-    let d_mu_11_0_0_0_0_1_0 = inertias.inside_joint_6_my_0_0_0
+    let d_mu_11_6_0_0_0_0_0_1_1_0 = inertias.inside_joint_6_my_0_0_0
         + poses.rotation_link_5_yy * inertias.composite_link_6_xx
         - (poses.rotation_link_5_yy * inertias.composite_link_6_zz
             + inertias.inside_joint_6_my_0_1)
         - (screws.inside_joint_6_my_4 - screws.inside_joint_6_my_5);
-    let d_mu_11_1_0_0_0_0_1_0 = d_mu_11_1_0_0_0_0_1_0_1 + d_mu_11_1_0_0_0_0_1_0_1
-        + (d_mu_11_0_0_0_0_0_0_0_0 - d_mu_11_1_0_0_0_0_1_0_3);
-    let d_mu_11_1_0_0_0_1_0 = inertias.inside_joint_6_mx_0_1
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0 = d_mu_11_6_0_0_0_0_1_1_0_1_0_1
+        + d_mu_11_6_0_0_0_0_1_1_0_1_0_1
+        + (d_mu_11_6_0_0_0_0_0_1_0_0_0_0 - d_mu_11_6_0_0_0_0_1_1_0_1_0_3);
+    let d_mu_11_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_6_mx_0_1
         - poses.rotation_link_6_xz * inertias.composite_link_6_zz
         + (poses.rotation_link_6_xz * inertias.composite_link_6_yy
             + inertias.inside_joint_6_mx_0_0_1)
         - (screws.inside_joint_6_mx_5 - screws.inside_joint_6_mx_4);
-    let d_mu_11_2_0_0_0_1_0 = d_mu_11_2_0_0_0_1_0_1 + d_mu_11_2_0_0_0_1_0_1
-        - (d_mu_11_1_0_0_0_0_1_0_3 + d_mu_11_0_0_0_0_0_0_0_1);
-    let d_mu_12_0_0_0_0_0_0_0_3_0 = poses.minus_rotation_link_6_yy
+    let d_mu_11_6_0_0_0_1_1_1_0 = d_mu_11_6_0_0_0_1_1_1_0_1 + d_mu_11_6_0_0_0_1_1_1_0_1
+        - (d_mu_11_6_0_0_0_0_1_1_0_1_0_3 + d_mu_11_6_0_0_0_0_0_1_0_0_0_1);
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3_0 = poses.minus_rotation_link_6_yy
         * inertias.inertia_link_7_xz;
-    let d_mu_12_0_0_0_0_0_0_0_3_1 = poses.rotation_link_6_zy
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1 = poses.rotation_link_6_zy
         * inertias.inertia_link_7_xy;
-    let d_mu_12_0_0_0_0_0_0_0_3 = d_mu_12_0_0_0_0_0_0_0_3_0 + d_mu_12_0_0_0_0_0_0_0_3_1;
-    let d_mu_12_1_0_0_0_0_1_0_1_1 = poses.minus_rotation_link_6_xy
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_0
+        + d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1;
+    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1_1 = poses.minus_rotation_link_6_xy
         * inertias.inertia_link_7_yz;
-    let d_mu_12_1_0_0_0_0_1_0_1 = d_mu_12_0_0_0_0_0_0_0_3_1 + d_mu_12_1_0_0_0_0_1_0_1_1;
-    let d_mu_12_2_0_0_0_1_0_1 = d_mu_12_0_0_0_0_0_0_0_3_0 - d_mu_12_1_0_0_0_0_1_0_1_1;
-    let d_mu_12_1_0_0_0_0_1_0_3_1 = inertias.minus_inertia_link_7_hx
+    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1
+        + d_mu_12_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_12_6_0_0_0_1_1_1_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_0
+        - d_mu_12_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1 = inertias.minus_inertia_link_7_hx
         * screws.screw_joint_7_vx;
-    let d_mu_12_0_0_0_0_0_0_0_1_1 = inertias.minus_inertia_link_7_hy
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.minus_inertia_link_7_hy
         * screws.screw_joint_7_vy;
-    let d_mu_12_0_0_0_0_0_0_0_0_1 = inertias.inertia_link_7_hz * screws.screw_joint_7_vz;
-    let d_mu_12_0_0_0_0_0_0_0_1 = d_mu_12_0_0_0_0_0_0_0_1_1 + d_mu_12_0_0_0_0_0_0_0_1_1;
-    let d_mu_12_0_0_0_0_0_0_0_0 = d_mu_12_0_0_0_0_0_0_0_0_1 + d_mu_12_0_0_0_0_0_0_0_0_1;
-    let d_mu_12_1_0_0_0_0_1_0_3 = d_mu_12_1_0_0_0_0_1_0_3_1 + d_mu_12_1_0_0_0_0_1_0_3_1;
-    let d_mu_12_0_0_0_0_0_0_0 = d_mu_12_0_0_0_0_0_0_0_0 - d_mu_12_0_0_0_0_0_0_0_1
-        - (d_mu_12_0_0_0_0_0_0_0_3 + d_mu_12_0_0_0_0_0_0_0_3);
-    let d_mu_12_0_0_0_0_0_1_0 = poses.rotation_link_6_zy * inertias.inertia_link_7_xx
-        + inertias.inside_joint_7_mz_0_1_0
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.inertia_link_7_hz
+        * screws.screw_joint_7_vz;
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1
+        + d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_0 = d_mu_12_6_0_0_0_0_0_1_0_0_0_0_1
+        + d_mu_12_6_0_0_0_0_0_1_0_0_0_0_1;
+    let d_mu_12_6_0_0_0_0_1_1_0_1_0_3 = d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1
+        + d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1;
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0 = d_mu_12_6_0_0_0_0_0_1_0_0_0_0
+        - d_mu_12_6_0_0_0_0_0_1_0_0_0_1
+        - (d_mu_12_6_0_0_0_0_0_1_0_0_0_3 + d_mu_12_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_12_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_6_zy
+        * inertias.inertia_link_7_xx + inertias.inside_joint_7_mz_0_1_0
         - (inertias.inside_joint_7_mz_0_1_1
             + poses.rotation_link_6_zy * inertias.inertia_link_7_yy)
         + (screws.inside_joint_7_mz_5 + screws.inside_joint_7_mz_4);
-    let d_mu_12_0_0_0_0_1_0 = poses.minus_rotation_link_6_yy * inertias.inertia_link_7_xx
-        - inertias.inside_joint_7_my_0_1_0
+    let d_mu_12_6_0_0_0_0_0_1_1_0 = poses.minus_rotation_link_6_yy
+        * inertias.inertia_link_7_xx - inertias.inside_joint_7_my_0_1_0
         - (poses.minus_rotation_link_6_yy * inertias.inertia_link_7_zz
             + inertias.inside_joint_7_my_0_0)
         - (screws.inside_joint_7_my_4 - screws.inside_joint_7_my_5);
-    let d_mu_12_1_0_0_0_0_1_0 = d_mu_12_1_0_0_0_0_1_0_1 + d_mu_12_1_0_0_0_0_1_0_1
-        + (d_mu_12_0_0_0_0_0_0_0_0 - d_mu_12_1_0_0_0_0_1_0_3);
-    let d_mu_12_1_0_0_0_1_0 = inertias.inside_joint_7_mx_0_0
+    let d_mu_12_6_0_0_0_0_1_1_0_1_0 = d_mu_12_6_0_0_0_0_1_1_0_1_0_1
+        + d_mu_12_6_0_0_0_0_1_1_0_1_0_1
+        + (d_mu_12_6_0_0_0_0_0_1_0_0_0_0 - d_mu_12_6_0_0_0_0_1_1_0_1_0_3);
+    let d_mu_12_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_7_mx_0_0
         + poses.minus_rotation_link_6_xy * inertias.inertia_link_7_zz
         + (inertias.inside_joint_7_mx_0_1_1
             - poses.minus_rotation_link_6_xy * inertias.inertia_link_7_yy)
         - (screws.inside_joint_7_mx_5 - screws.inside_joint_7_mx_4);
-    let d_mu_12_2_0_0_0_1_0 = d_mu_12_2_0_0_0_1_0_1 + d_mu_12_2_0_0_0_1_0_1
-        - (d_mu_12_1_0_0_0_0_1_0_3 + d_mu_12_0_0_0_0_0_0_0_1);
-    CommonDMuAnd6More {
-        d_mu_6_2_0_0_0_1_0,
-        d_mu_6_0_0_0_0_0_0_0,
-        d_mu_6_0_0_0_0_0_1_0,
-        d_mu_6_1_0_0_0_0_1_0,
-        d_mu_7_0_0_0_0_0_0_0,
-        d_mu_7_0_0_0_0_0_1_0,
-        d_mu_7_0_0_0_0_1_0,
-        d_mu_7_1_0_0_0_0_0_0,
-        d_mu_7_1_0_0_0_1_0,
-        d_mu_7_2_0_0_0_1_0,
-        d_mu_8_0_0_0_0_0_0_0,
-        d_mu_8_0_0_0_0_0_1_0,
-        d_mu_8_0_0_0_0_1_0,
-        d_mu_8_1_0_0_0_0_1_0,
-        d_mu_8_1_0_0_0_1_0,
-        d_mu_8_2_0_0_0_1_0,
-        d_mu_9_0_0_0_0_0_0_0,
-        d_mu_9_0_0_0_0_0_1_0,
-        d_mu_9_0_0_0_0_1_0,
-        d_mu_9_1_0_0_0_0_1_0,
-        d_mu_9_1_0_0_0_1_0,
-        d_mu_9_2_0_0_0_1_0,
-        d_mu_10_0_0_0_0_0_0_0,
-        d_mu_10_0_0_0_0_0_1_0,
-        d_mu_10_0_0_0_0_1_0,
-        d_mu_10_1_0_0_0_0_1_0,
-        d_mu_10_1_0_0_0_1_0,
-        d_mu_10_2_0_0_0_1_0,
-        d_mu_11_0_0_0_0_0_0_0,
-        d_mu_11_0_0_0_0_0_1_0,
-        d_mu_11_0_0_0_0_1_0,
-        d_mu_11_1_0_0_0_0_1_0,
-        d_mu_11_1_0_0_0_1_0,
-        d_mu_11_2_0_0_0_1_0,
-        d_mu_12_0_0_0_0_0_0_0,
-        d_mu_12_0_0_0_0_0_1_0,
-        d_mu_12_0_0_0_0_1_0,
-        d_mu_12_1_0_0_0_0_1_0,
-        d_mu_12_1_0_0_0_1_0,
-        d_mu_12_2_0_0_0_1_0,
+    let d_mu_12_6_0_0_0_1_1_1_0 = d_mu_12_6_0_0_0_1_1_1_0_1 + d_mu_12_6_0_0_0_1_1_1_0_1
+        - (d_mu_12_6_0_0_0_0_1_1_0_1_0_3 + d_mu_12_6_0_0_0_0_0_1_0_0_0_1);
+    CommonDMuAnd7More {
+        d_mu_7_6_0_0_0_0_0_1_0_0_0,
+        d_mu_7_6_0_0_0_0_0_1_0_1_0,
+        d_mu_7_6_0_0_0_0_0_1_1_0,
+        d_mu_7_6_0_0_0_0_1_1_0_0_0,
+        d_mu_7_6_0_0_0_0_1_1_1_0,
+        d_mu_7_6_0_0_0_1_1_1_0,
+        d_mu_8_6_0_0_0_0_0_1_0_0_0,
+        d_mu_8_6_0_0_0_0_0_1_0_1_0,
+        d_mu_8_6_0_0_0_0_0_1_1_0,
+        d_mu_8_6_0_0_0_0_1_1_0_1_0,
+        d_mu_8_6_0_0_0_0_1_1_1_0,
+        d_mu_8_6_0_0_0_1_1_1_0,
+        d_mu_9_6_0_0_0_0_0_1_0_0_0,
+        d_mu_9_6_0_0_0_0_0_1_0_1_0,
+        d_mu_9_6_0_0_0_0_0_1_1_0,
+        d_mu_9_6_0_0_0_0_1_1_0_1_0,
+        d_mu_9_6_0_0_0_0_1_1_1_0,
+        d_mu_9_6_0_0_0_1_1_1_0,
+        d_mu_10_6_0_0_0_0_0_1_0_0_0,
+        d_mu_10_6_0_0_0_0_0_1_0_1_0,
+        d_mu_10_6_0_0_0_0_0_1_1_0,
+        d_mu_10_6_0_0_0_0_1_1_0_1_0,
+        d_mu_10_6_0_0_0_0_1_1_1_0,
+        d_mu_10_6_0_0_0_1_1_1_0,
+        d_mu_11_6_0_0_0_0_0_1_0_0_0,
+        d_mu_11_6_0_0_0_0_0_1_0_1_0,
+        d_mu_11_6_0_0_0_0_0_1_1_0,
+        d_mu_11_6_0_0_0_0_1_1_0_1_0,
+        d_mu_11_6_0_0_0_0_1_1_1_0,
+        d_mu_11_6_0_0_0_1_1_1_0,
+        d_mu_12_6_0_0_0_0_0_1_0_0_0,
+        d_mu_12_6_0_0_0_0_0_1_0_1_0,
+        d_mu_12_6_0_0_0_0_0_1_1_0,
+        d_mu_12_6_0_0_0_0_1_1_0_1_0,
+        d_mu_12_6_0_0_0_0_1_1_1_0,
+        d_mu_12_6_0_0_0_1_1_1_0,
+    }
+}
+/// What `d_mu`, `b2`, `curvature` have in common.
+struct CommonDMuB2Curvature {
+    wrench_base_mx_1_0_0_0: f64,
+    wrench_base_mx_1_0_1_0: f64,
+    wrench_link_1_mx_1_0_0_0: f64,
+    wrench_link_1_mx_1_0_1_0: f64,
+    wrench_link_1_mx_1_1_0: f64,
+    wrench_link_1_my_1_0_1_0: f64,
+    wrench_link_1_my_1_1_0: f64,
+    wrench_link_1_mz_1_1_0: f64,
+    wrench_link_2_mx_1_0_0_0: f64,
+    wrench_link_2_mx_1_0_1_0: f64,
+    wrench_link_2_mx_1_1_0: f64,
+    wrench_link_2_my_1_0_1_0: f64,
+    wrench_link_2_my_1_1_0: f64,
+    wrench_link_2_mz_1_1_0: f64,
+    wrench_link_3_mx_1_0_0_0: f64,
+    wrench_link_3_mx_1_0_1_0: f64,
+    wrench_link_3_mx_1_1_0: f64,
+    wrench_link_3_my_1_0_1_0: f64,
+    wrench_link_3_my_1_1_0: f64,
+    wrench_link_3_mz_1_1_0: f64,
+    wrench_link_4_mx_1_0_0_0: f64,
+    wrench_link_4_mx_1_0_1_0: f64,
+    wrench_link_4_mx_1_1_0: f64,
+    wrench_link_4_my_1_0_1_0: f64,
+    wrench_link_4_my_1_1_0: f64,
+    wrench_link_4_mz_1_1_0: f64,
+    wrench_link_5_mx_1_0_0_0: f64,
+    wrench_link_5_mx_1_0_1_0: f64,
+    wrench_link_5_mx_1_1_0: f64,
+    wrench_link_5_my_1_0_1_0: f64,
+    wrench_link_5_my_1_1_0: f64,
+    wrench_link_5_mz_1_1_0: f64,
+}
+/// What `d_mu`, `b2`, `curvature` have in common.
+#[inline(never)]
+fn common_d_mu_b2_curvature(
+    poses: &Poses,
+    inertias: &Inertias,
+    complements: &Complements,
+    screws: &Screws,
+) -> CommonDMuB2Curvature {
+    let wrench_base_mx_1_0_0_0_3 = inertias.minus_inertia_base_hy * poses.com_x;
+    let wrench_base_mx_1_0_0_0 = inertias.minus_inertia_base_xy
+        + inertias.minus_inertia_base_xy
+        - (wrench_base_mx_1_0_0_0_3 + wrench_base_mx_1_0_0_0_3);
+    let wrench_base_mx_1_0_1_0 = inertias.inertia_base_xx - inertias.inertia_base_yy
+        - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
+    let wrench_link_1_mz_1_1_0_1_0 = poses.cos_joint_1
+        * complements.complement_link_2_xz;
+    let wrench_link_1_mz_1_1_0_1_1 = poses.sin_joint_1
+        * complements.minus_complement_link_2_yz;
+    let wrench_link_1_mz_1_1_0_1 = wrench_link_1_mz_1_1_0_1_0
+        - wrench_link_1_mz_1_1_0_1_1;
+    let wrench_link_1_my_1_0_1_0_3_1 = complements.minus_complement_link_2_hx
+        * screws.screw_joint_2_vx;
+    let wrench_link_1_mx_1_0_0_0_0_1 = complements.complement_link_2_hy
+        * screws.screw_joint_2_vy;
+    let wrench_link_1_mx_1_0_0_0_1_1 = complements.complement_link_2_hz
+        * screws.screw_joint_2_vz;
+    let wrench_link_1_mx_1_0_0_0_0 = wrench_link_1_mx_1_0_0_0_0_1
+        + wrench_link_1_mx_1_0_0_0_0_1;
+    let wrench_link_1_mx_1_0_0_0_1 = wrench_link_1_mx_1_0_0_0_1_1
+        + wrench_link_1_mx_1_0_0_0_1_1;
+    let wrench_link_1_my_1_0_1_0_3 = wrench_link_1_my_1_0_1_0_3_1
+        + wrench_link_1_my_1_0_1_0_3_1;
+    let wrench_link_1_mx_1_0_0_0 = wrench_link_1_mx_1_0_0_0_0
+        + wrench_link_1_mx_1_0_0_0_1
+        - (wrench_link_1_mz_1_1_0_1_0 + wrench_link_1_mz_1_1_0_1_0);
+    let wrench_link_1_mx_1_0_1_0 = complements.outside_joint_2_mz_0_1
+        - complements.outside_joint_2_mz_0_0
+        - (screws.outside_joint_2_mz_1_1 - screws.outside_joint_2_mz_1_0);
+    let wrench_link_1_mx_1_1_0 = complements.outside_joint_2_my_0_0
+        + poses.cos_joint_1 * complements.complement_link_2_xx
+        - poses.cos_joint_1 * complements.complement_link_2_zz
+        - (screws.outside_joint_2_my_1_0 - screws.outside_joint_2_my_1_1);
+    let wrench_link_1_my_1_0_1_0 = wrench_link_1_mz_1_1_0_1_1
+        + wrench_link_1_mz_1_1_0_1_1
+        + (wrench_link_1_mx_1_0_0_0_1 - wrench_link_1_my_1_0_1_0_3);
+    let wrench_link_1_my_1_1_0 = poses.sin_joint_1 * complements.complement_link_2_yy
+        + complements.outside_joint_2_mx_0_1
+        - poses.sin_joint_1 * complements.complement_link_2_zz
+        - (screws.outside_joint_2_mx_1_0 + screws.outside_joint_2_mx_1_1);
+    let wrench_link_1_mz_1_1_0 = wrench_link_1_mz_1_1_0_1 + wrench_link_1_mz_1_1_0_1
+        + (wrench_link_1_mx_1_0_0_0_0 - wrench_link_1_my_1_0_1_0_3);
+    let wrench_link_2_mx_1_0_0_0_3_0 = poses.minus_rotation_link_2_yy
+        * complements.complement_link_3_xz;
+    let wrench_link_2_mx_1_0_0_0_3_1 = poses.cos_joint_2
+        * complements.complement_link_3_xy;
+    let wrench_link_2_mx_1_0_0_0_3 = wrench_link_2_mx_1_0_0_0_3_0
+        + wrench_link_2_mx_1_0_0_0_3_1;
+    let wrench_link_2_my_1_0_1_0_1_1 = poses.minus_rotation_link_2_xy
+        * complements.complement_link_3_yz;
+    let wrench_link_2_my_1_0_1_0_1 = wrench_link_2_mx_1_0_0_0_3_1
+        + wrench_link_2_my_1_0_1_0_1_1;
+    let wrench_link_2_mz_1_1_0_1 = wrench_link_2_mx_1_0_0_0_3_0
+        - wrench_link_2_my_1_0_1_0_1_1;
+    let wrench_link_2_my_1_0_1_0_2_1 = complements.complement_link_3_hx
+        * screws.screw_joint_3_vx;
+    let wrench_link_2_mx_1_0_0_0_0_1 = complements.complement_link_3_hy
+        * screws.screw_joint_3_vy;
+    let wrench_link_2_mx_1_0_0_0_1_1 = complements.complement_link_3_hz
+        * screws.screw_joint_3_vz;
+    let wrench_link_2_mx_1_0_0_0_0 = wrench_link_2_mx_1_0_0_0_0_1
+        + wrench_link_2_mx_1_0_0_0_0_1;
+    let wrench_link_2_mx_1_0_0_0_1 = wrench_link_2_mx_1_0_0_0_1_1
+        + wrench_link_2_mx_1_0_0_0_1_1;
+    let wrench_link_2_my_1_0_1_0_2 = wrench_link_2_my_1_0_1_0_2_1
+        + wrench_link_2_my_1_0_1_0_2_1;
+    let wrench_link_2_mx_1_0_0_0 = wrench_link_2_mx_1_0_0_0_0
+        + wrench_link_2_mx_1_0_0_0_1
+        - (wrench_link_2_mx_1_0_0_0_3 + wrench_link_2_mx_1_0_0_0_3);
+    let wrench_link_2_mx_1_0_1_0 = poses.cos_joint_2 * complements.complement_link_3_xx
+        + complements.outside_joint_3_mz_0_1_0
+        - (complements.outside_joint_3_mz_0_1_1
+            + poses.cos_joint_2 * complements.complement_link_3_yy)
+        - (screws.outside_joint_3_mz_1_0 + screws.outside_joint_3_mz_1_1);
+    let wrench_link_2_mx_1_1_0 = poses.minus_rotation_link_2_yy
+        * complements.complement_link_3_xx - complements.outside_joint_3_my_0_1_0
+        - (poses.minus_rotation_link_2_yy * complements.complement_link_3_zz
+            + complements.outside_joint_3_my_0_0)
+        - (screws.outside_joint_3_my_1_1 + screws.outside_joint_3_my_1_0);
+    let wrench_link_2_my_1_0_1_0 = wrench_link_2_my_1_0_1_0_1
+        + wrench_link_2_my_1_0_1_0_1
+        + (wrench_link_2_my_1_0_1_0_2 + wrench_link_2_mx_1_0_0_0_1);
+    let wrench_link_2_my_1_1_0 = complements.outside_joint_3_mx_0_0
+        + poses.minus_rotation_link_2_xy * complements.complement_link_3_zz
+        + (complements.outside_joint_3_mx_0_1_1
+            - poses.minus_rotation_link_2_xy * complements.complement_link_3_yy)
+        - (screws.outside_joint_3_mx_1_0 + screws.outside_joint_3_mx_1_1);
+    let wrench_link_2_mz_1_1_0 = wrench_link_2_mz_1_1_0_1 + wrench_link_2_mz_1_1_0_1
+        + (wrench_link_2_my_1_0_1_0_2 + wrench_link_2_mx_1_0_0_0_0);
+    let wrench_link_3_mx_1_0_0_0_1_0 = poses.rotation_link_3_yy
+        * complements.complement_link_4_xz;
+    let wrench_link_3_mx_1_0_0_0_1_1 = poses.minus_rotation_link_3_zy
+        * complements.complement_link_4_xy;
+    let wrench_link_3_mx_1_0_0_0_1 = wrench_link_3_mx_1_0_0_0_1_0
+        + wrench_link_3_mx_1_0_0_0_1_1;
+    let wrench_link_3_my_1_0_1_0_1_0 = poses.minus_rotation_link_3_xy
+        * complements.complement_link_4_yz;
+    let wrench_link_3_my_1_0_1_0_1 = wrench_link_3_my_1_0_1_0_1_0
+        - wrench_link_3_mx_1_0_0_0_1_1;
+    let wrench_link_3_mz_1_1_0_3 = wrench_link_3_my_1_0_1_0_1_0
+        + wrench_link_3_mx_1_0_0_0_1_0;
+    let wrench_link_3_my_1_0_1_0_2_1 = complements.complement_link_4_hx
+        * screws.screw_joint_4_vx;
+    let wrench_link_3_mx_1_0_0_0_2_1 = complements.complement_link_4_hy
+        * screws.minus_screw_joint_4_vy;
+    let wrench_link_3_mx_1_0_0_0_3_1 = complements.complement_link_4_hz
+        * screws.minus_screw_joint_4_vz;
+    let wrench_link_3_mx_1_0_0_0_2 = wrench_link_3_mx_1_0_0_0_2_1
+        + wrench_link_3_mx_1_0_0_0_2_1;
+    let wrench_link_3_mx_1_0_0_0_3 = wrench_link_3_mx_1_0_0_0_3_1
+        + wrench_link_3_mx_1_0_0_0_3_1;
+    let wrench_link_3_my_1_0_1_0_2 = wrench_link_3_my_1_0_1_0_2_1
+        + wrench_link_3_my_1_0_1_0_2_1;
+    let wrench_link_3_mx_1_0_0_0 = wrench_link_3_mx_1_0_0_0_1
+        + wrench_link_3_mx_1_0_0_0_1
+        - (wrench_link_3_mx_1_0_0_0_2 + wrench_link_3_mx_1_0_0_0_3);
+    let wrench_link_3_mx_1_0_1_0 = complements.outside_joint_4_mz_0_0_0
+        + poses.minus_rotation_link_3_zy * complements.complement_link_4_yy
+        + (complements.outside_joint_4_mz_0_0_1
+            - poses.minus_rotation_link_3_zy * complements.complement_link_4_xx)
+        - (screws.outside_joint_4_mz_1_1 - screws.outside_joint_4_mz_1_0);
+    let wrench_link_3_mx_1_1_0 = poses.rotation_link_3_yy
+        * complements.complement_link_4_zz + complements.outside_joint_4_my_0_1
+        - (complements.outside_joint_4_my_0_0_1
+            + poses.rotation_link_3_yy * complements.complement_link_4_xx)
+        - (screws.outside_joint_4_my_1_0 - screws.outside_joint_4_my_1_1);
+    let wrench_link_3_my_1_0_1_0 = wrench_link_3_my_1_0_1_0_1
+        + wrench_link_3_my_1_0_1_0_1
+        + (wrench_link_3_my_1_0_1_0_2 - wrench_link_3_mx_1_0_0_0_3);
+    let wrench_link_3_my_1_1_0 = poses.minus_rotation_link_3_xy
+        * complements.complement_link_4_zz - complements.outside_joint_4_mx_0_1
+        - (poses.minus_rotation_link_3_xy * complements.complement_link_4_yy
+            + complements.outside_joint_4_mx_0_0_0)
+        + (screws.outside_joint_4_mx_1_1 + screws.outside_joint_4_mx_1_0);
+    let wrench_link_3_mz_1_1_0 = wrench_link_3_my_1_0_1_0_2 - wrench_link_3_mx_1_0_0_0_2
+        - (wrench_link_3_mz_1_1_0_3 + wrench_link_3_mz_1_1_0_3);
+    let wrench_link_4_mx_1_0_0_0_3_0 = poses.rotation_link_4_yy
+        * complements.complement_link_5_xz;
+    let wrench_link_4_mx_1_0_0_0_3_1 = poses.rotation_link_5_zz
+        * complements.complement_link_5_xy;
+    let wrench_link_4_mx_1_0_0_0_3 = wrench_link_4_mx_1_0_0_0_3_0
+        + wrench_link_4_mx_1_0_0_0_3_1;
+    let wrench_link_4_my_1_0_1_0_1_1 = poses.rotation_link_4_xy
+        * complements.complement_link_5_yz;
+    let wrench_link_4_my_1_0_1_0_1 = wrench_link_4_mx_1_0_0_0_3_1
+        + wrench_link_4_my_1_0_1_0_1_1;
+    let wrench_link_4_mz_1_1_0_1 = wrench_link_4_mx_1_0_0_0_3_0
+        - wrench_link_4_my_1_0_1_0_1_1;
+    let wrench_link_4_my_1_0_1_0_2_1 = complements.complement_link_5_hx
+        * screws.screw_joint_5_vx;
+    let wrench_link_4_mx_1_0_0_0_0_1 = complements.complement_link_5_hy
+        * screws.screw_joint_5_vy;
+    let wrench_link_4_mx_1_0_0_0_1_1 = complements.complement_link_5_hz
+        * screws.screw_joint_5_vz;
+    let wrench_link_4_mx_1_0_0_0_0 = wrench_link_4_mx_1_0_0_0_0_1
+        + wrench_link_4_mx_1_0_0_0_0_1;
+    let wrench_link_4_mx_1_0_0_0_1 = wrench_link_4_mx_1_0_0_0_1_1
+        + wrench_link_4_mx_1_0_0_0_1_1;
+    let wrench_link_4_my_1_0_1_0_2 = wrench_link_4_my_1_0_1_0_2_1
+        + wrench_link_4_my_1_0_1_0_2_1;
+    let wrench_link_4_mx_1_0_0_0 = wrench_link_4_mx_1_0_0_0_0
+        + wrench_link_4_mx_1_0_0_0_1
+        - (wrench_link_4_mx_1_0_0_0_3 + wrench_link_4_mx_1_0_0_0_3);
+    let wrench_link_4_mx_1_0_1_0 = poses.rotation_link_5_zz
+        * complements.complement_link_5_xx + complements.outside_joint_5_mz_0_1_0
+        - (complements.outside_joint_5_mz_0_1_1
+            + poses.rotation_link_5_zz * complements.complement_link_5_yy)
+        - (screws.outside_joint_5_mz_1_0 + screws.outside_joint_5_mz_1_1);
+    let wrench_link_4_mx_1_1_0 = poses.rotation_link_4_yy
+        * complements.complement_link_5_xx - complements.outside_joint_5_my_0_1_0
+        - (poses.rotation_link_4_yy * complements.complement_link_5_zz
+            + complements.outside_joint_5_my_0_0)
+        - (screws.outside_joint_5_my_1_1 + screws.outside_joint_5_my_1_0);
+    let wrench_link_4_my_1_0_1_0 = wrench_link_4_my_1_0_1_0_1
+        + wrench_link_4_my_1_0_1_0_1
+        + (wrench_link_4_my_1_0_1_0_2 + wrench_link_4_mx_1_0_0_0_1);
+    let wrench_link_4_my_1_1_0 = complements.outside_joint_5_mx_0_0
+        + poses.rotation_link_4_xy * complements.complement_link_5_zz
+        + (complements.outside_joint_5_mx_0_1_1
+            - poses.rotation_link_4_xy * complements.complement_link_5_yy)
+        - (screws.outside_joint_5_mx_1_0 + screws.outside_joint_5_mx_1_1);
+    let wrench_link_4_mz_1_1_0 = wrench_link_4_mz_1_1_0_1 + wrench_link_4_mz_1_1_0_1
+        + (wrench_link_4_my_1_0_1_0_2 + wrench_link_4_mx_1_0_0_0_0);
+    let wrench_link_5_mx_1_0_0_0_3_0 = poses.rotation_link_5_yy
+        * complements.complement_link_6_xz;
+    let wrench_link_5_mx_1_0_0_0_3_1 = poses.rotation_link_6_zz
+        * complements.complement_link_6_xy;
+    let wrench_link_5_mx_1_0_0_0_3 = wrench_link_5_mx_1_0_0_0_3_0
+        + wrench_link_5_mx_1_0_0_0_3_1;
+    let wrench_link_5_my_1_0_1_0_1_1 = poses.rotation_link_6_xz
+        * complements.complement_link_6_yz;
+    let wrench_link_5_my_1_0_1_0_1 = wrench_link_5_mx_1_0_0_0_3_1
+        - wrench_link_5_my_1_0_1_0_1_1;
+    let wrench_link_5_mz_1_1_0_1 = wrench_link_5_my_1_0_1_0_1_1
+        + wrench_link_5_mx_1_0_0_0_3_0;
+    let wrench_link_5_my_1_0_1_0_2_1 = complements.complement_link_6_hx
+        * screws.screw_joint_6_vx;
+    let wrench_link_5_mx_1_0_0_0_0_1 = complements.complement_link_6_hy
+        * screws.screw_joint_6_vy;
+    let wrench_link_5_mx_1_0_0_0_1_1 = complements.complement_link_6_hz
+        * screws.screw_joint_6_vz;
+    let wrench_link_5_mx_1_0_0_0_0 = wrench_link_5_mx_1_0_0_0_0_1
+        + wrench_link_5_mx_1_0_0_0_0_1;
+    let wrench_link_5_mx_1_0_0_0_1 = wrench_link_5_mx_1_0_0_0_1_1
+        + wrench_link_5_mx_1_0_0_0_1_1;
+    let wrench_link_5_my_1_0_1_0_2 = wrench_link_5_my_1_0_1_0_2_1
+        + wrench_link_5_my_1_0_1_0_2_1;
+    let wrench_link_5_mx_1_0_0_0 = wrench_link_5_mx_1_0_0_0_0
+        + wrench_link_5_mx_1_0_0_0_1
+        - (wrench_link_5_mx_1_0_0_0_3 + wrench_link_5_mx_1_0_0_0_3);
+    let wrench_link_5_mx_1_0_1_0 = poses.rotation_link_6_zz
+        * complements.complement_link_6_xx - complements.outside_joint_6_mz_0_0_0
+        - (complements.outside_joint_6_mz_0_0_1
+            + poses.rotation_link_6_zz * complements.complement_link_6_yy)
+        - (screws.outside_joint_6_mz_1_0 + screws.outside_joint_6_mz_1_1);
+    let wrench_link_5_mx_1_1_0 = complements.outside_joint_6_my_0_0_0
+        + poses.rotation_link_5_yy * complements.complement_link_6_xx
+        - (poses.rotation_link_5_yy * complements.complement_link_6_zz
+            + complements.outside_joint_6_my_0_1)
+        - (screws.outside_joint_6_my_1_1 + screws.outside_joint_6_my_1_0);
+    let wrench_link_5_my_1_0_1_0 = wrench_link_5_my_1_0_1_0_1
+        + wrench_link_5_my_1_0_1_0_1
+        + (wrench_link_5_my_1_0_1_0_2 + wrench_link_5_mx_1_0_0_0_1);
+    let wrench_link_5_my_1_1_0 = complements.outside_joint_6_mx_0_1
+        - poses.rotation_link_6_xz * complements.complement_link_6_zz
+        + (poses.rotation_link_6_xz * complements.complement_link_6_yy
+            + complements.outside_joint_6_mx_0_0_1)
+        - (screws.outside_joint_6_mx_1_0 + screws.outside_joint_6_mx_1_1);
+    let wrench_link_5_mz_1_1_0 = wrench_link_5_mz_1_1_0_1 + wrench_link_5_mz_1_1_0_1
+        + (wrench_link_5_my_1_0_1_0_2 + wrench_link_5_mx_1_0_0_0_0);
+    CommonDMuB2Curvature {
+        wrench_base_mx_1_0_0_0,
+        wrench_base_mx_1_0_1_0,
+        wrench_link_1_mx_1_0_0_0,
+        wrench_link_1_mx_1_0_1_0,
+        wrench_link_1_mx_1_1_0,
+        wrench_link_1_my_1_0_1_0,
+        wrench_link_1_my_1_1_0,
+        wrench_link_1_mz_1_1_0,
+        wrench_link_2_mx_1_0_0_0,
+        wrench_link_2_mx_1_0_1_0,
+        wrench_link_2_mx_1_1_0,
+        wrench_link_2_my_1_0_1_0,
+        wrench_link_2_my_1_1_0,
+        wrench_link_2_mz_1_1_0,
+        wrench_link_3_mx_1_0_0_0,
+        wrench_link_3_mx_1_0_1_0,
+        wrench_link_3_mx_1_1_0,
+        wrench_link_3_my_1_0_1_0,
+        wrench_link_3_my_1_1_0,
+        wrench_link_3_mz_1_1_0,
+        wrench_link_4_mx_1_0_0_0,
+        wrench_link_4_mx_1_0_1_0,
+        wrench_link_4_mx_1_1_0,
+        wrench_link_4_my_1_0_1_0,
+        wrench_link_4_my_1_1_0,
+        wrench_link_4_mz_1_1_0,
+        wrench_link_5_mx_1_0_0_0,
+        wrench_link_5_mx_1_0_1_0,
+        wrench_link_5_mx_1_1_0,
+        wrench_link_5_my_1_0_1_0,
+        wrench_link_5_my_1_1_0,
+        wrench_link_5_mz_1_1_0,
     }
 }
 /// What `d_qdot`, `d_qdot_xi`, `kinetic_energy` have in common.
@@ -3563,922 +4036,385 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
 }
 /// What `d_mu`, `b2` have in common.
 struct CommonDMuB2 {
-    b2_0_1: f64,
-    b2_0_2: f64,
-    b2_0_3: f64,
-    b2_0_4: f64,
-    b2_0_5: f64,
-    b2_0_6: f64,
-    b2_1_2: f64,
-    b2_1_3: f64,
-    b2_1_4: f64,
-    b2_1_5: f64,
-    b2_1_6: f64,
-    b2_2_3: f64,
-    b2_2_4: f64,
-    b2_2_5: f64,
-    b2_2_6: f64,
-    b2_3_4: f64,
-    b2_3_5: f64,
-    b2_3_6: f64,
-    b2_4_5: f64,
-    b2_4_6: f64,
-    b2_5_6: f64,
+    d_mu_7_6: f64,
+    d_mu_8_6: f64,
+    d_mu_9_6: f64,
+    d_mu_10_6: f64,
+    d_mu_11_6: f64,
+    d_mu_12_6: f64,
+    d_mu_8_7: f64,
+    d_mu_9_7: f64,
+    d_mu_10_7: f64,
+    d_mu_11_7: f64,
+    d_mu_12_7: f64,
+    d_mu_9_8: f64,
+    d_mu_10_8: f64,
+    d_mu_11_8: f64,
+    d_mu_12_8: f64,
+    d_mu_10_9: f64,
+    d_mu_11_9: f64,
+    d_mu_12_9: f64,
+    d_mu_11_10: f64,
+    d_mu_12_10: f64,
+    d_mu_12_11: f64,
 }
 /// What `d_mu`, `b2` have in common.
 #[inline(never)]
 fn common_d_mu_b2(
     mu: &[f64; 6],
-    poses: &Poses,
     inertias: &Inertias,
-    complements: &Complements,
     screws: &Screws,
+    outside: &Outside,
     reactions: &Reactions,
+    common_d_mu_and_7_more: &CommonDMuAnd7More,
+    common_d_mu_b2_curvature: &CommonDMuB2Curvature,
 ) -> CommonDMuB2 {
-    let wrench_base_my_2_1 = (inertias.composite_link_1_xx + inertias.composite_link_1_yy
-        + inertias.composite_link_1_zz) * 0.5;
-    let wrench_base_my_2 = mu[0] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1]
-            + inertias.composite_link_1_xz * mu[2]);
-    let wrench_base_mx_0 = mu[1] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xy * mu[0] + inertias.composite_link_1_yy * mu[1]
-            + inertias.composite_link_1_yz * mu[2]);
-    let wrench_base_mx_2 = mu[2] * wrench_base_my_2_1
-        - (inertias.composite_link_1_xz * mu[0] + inertias.composite_link_1_yz * mu[1]
-            + inertias.composite_link_1_zz * mu[2]);
-    let wrench_base_fy_7 = inertias.composite_link_1_hy * reactions.reaction_joint_1_wz
-        - inertias.composite_link_1_hz * reactions.reaction_joint_1_wy;
-    let wrench_base_fx_9 = inertias.composite_link_1_hz * reactions.reaction_joint_1_wx
-        - inertias.composite_link_1_hx * reactions.reaction_joint_1_wz;
-    let wrench_base_fx_7 = inertias.composite_link_1_hx * reactions.reaction_joint_1_wy
-        - inertias.composite_link_1_hy * reactions.reaction_joint_1_wx;
-    let wrench_base_my_9 = mu[2] * screws.connection_joint_1_vy;
-    let wrench_base_mx_11 = mu[2] * screws.minus_connection_joint_1_vx;
-    let wrench_base_mx_9 = mu[0] * screws.connection_joint_1_vy
-        + mu[1] * screws.minus_connection_joint_1_vx;
-    let wrench_base_my_6_1 = (inertias.inertia_base_xx + inertias.inertia_base_yy
-        + inertias.inertia_base_zz) * 0.5;
-    let wrench_base_my_6 = mu[0] * wrench_base_my_6_1
-        - (inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_xz * mu[2]);
-    let wrench_base_mx_4 = mu[1] * wrench_base_my_6_1
-        - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-            - inertias.minus_inertia_base_yz * mu[2]);
-    let wrench_base_mx_6 = mu[2] * wrench_base_my_6_1
-        - (inertias.inertia_base_zz * mu[2]
-            - (inertias.minus_inertia_base_xz * mu[0]
-                + inertias.minus_inertia_base_yz * mu[1]));
-    let wrench_base_fy_3 = inertias.minus_inertia_base_hz * screws.connection_joint_1_wy
-        - inertias.minus_inertia_base_hy * screws.connection_joint_1_wz;
-    let wrench_base_fx_5 = inertias.minus_inertia_base_hx * screws.connection_joint_1_wz
-        - inertias.minus_inertia_base_hz * screws.connection_joint_1_wx;
-    let wrench_base_fx_3 = inertias.minus_inertia_base_hy * screws.connection_joint_1_wx
-        - inertias.minus_inertia_base_hx * screws.connection_joint_1_wy;
-    let wrench_base_mx = wrench_base_mx_0 * reactions.reaction_joint_1_wz
-        - wrench_base_mx_2 * reactions.reaction_joint_1_wy
-        - (wrench_base_mx_4 * screws.connection_joint_1_wz
-            - wrench_base_mx_6 * screws.connection_joint_1_wy
-            - (inertias.minus_inertia_base_hy * wrench_base_mx_9
-                + inertias.minus_inertia_base_hz * wrench_base_mx_11));
-    let wrench_base_my = wrench_base_mx_2 * reactions.reaction_joint_1_wx
-        - wrench_base_my_2 * reactions.reaction_joint_1_wz
-        - (wrench_base_mx_6 * screws.connection_joint_1_wx
-            - wrench_base_my_6 * screws.connection_joint_1_wz
-            + (inertias.minus_inertia_base_hz * wrench_base_my_9
-                + inertias.minus_inertia_base_hx * wrench_base_mx_9));
-    let wrench_base_mz = wrench_base_my_2 * reactions.reaction_joint_1_wy
-        - wrench_base_mx_0 * reactions.reaction_joint_1_wx
-        - (wrench_base_my_6 * screws.connection_joint_1_wy
-            - wrench_base_mx_4 * screws.connection_joint_1_wx
-            + (inertias.minus_inertia_base_hx * wrench_base_mx_11
-                - inertias.minus_inertia_base_hy * wrench_base_my_9));
-    let wrench_base_fx = wrench_base_my_9 * 3.5
-        + (mu[1] * wrench_base_fx_3 - mu[2] * wrench_base_fx_5)
-        - (mu[1] * wrench_base_fx_7 - mu[2] * wrench_base_fx_9);
-    let wrench_base_fy = wrench_base_mx_11 * 3.5
-        + (mu[2] * wrench_base_fy_3 - mu[0] * wrench_base_fx_3)
-        - (mu[2] * wrench_base_fy_7 - mu[0] * wrench_base_fx_7);
-    let minus_wrench_base_fz = mu[0] * wrench_base_fx_9 - mu[1] * wrench_base_fy_7
-        + (wrench_base_mx_9 * 3.5
-            - (mu[0] * wrench_base_fx_5 - mu[1] * wrench_base_fy_3));
-    let six_joint_2_my_3 = mu[1] * screws.screw_joint_2_vz
-        - mu[2] * screws.screw_joint_2_vy;
-    let six_joint_2_mx_5 = mu[2] * screws.screw_joint_2_vx
-        - mu[0] * screws.screw_joint_2_vz;
-    let six_joint_2_mx_3 = mu[0] * screws.screw_joint_2_vy
-        - mu[1] * screws.screw_joint_2_vx;
-    let six_joint_2_mz_4_1 = (inertias.composite_link_2_xx + inertias.composite_link_2_yy
-        + inertias.composite_link_2_zz) * 0.5;
-    let six_joint_2_mz_4 = mu[0] * six_joint_2_mz_4_1
-        - (inertias.composite_link_2_xx * mu[0] + inertias.composite_link_2_xy * mu[1]
-            + inertias.composite_link_2_xz * mu[2]);
-    let six_joint_2_mz_6 = mu[1] * six_joint_2_mz_4_1
-        - (inertias.composite_link_2_xy * mu[0] + inertias.composite_link_2_yy * mu[1]
-            + inertias.composite_link_2_yz * mu[2]);
-    let six_joint_2_mx_0 = mu[2] * six_joint_2_mz_4_1
-        - (inertias.composite_link_2_xz * mu[0] + inertias.composite_link_2_yz * mu[1]
-            + inertias.composite_link_2_zz * mu[2]);
-    let six_joint_2_mx = six_joint_2_mx_0 * poses.cos_joint_1
-        + (inertias.composite_link_2_hy * six_joint_2_mx_3
-            - inertias.composite_link_2_hz * six_joint_2_mx_5);
-    let six_joint_2_my = six_joint_2_mx_0 * poses.sin_joint_1
-        + (inertias.composite_link_2_hz * six_joint_2_my_3
-            - inertias.composite_link_2_hx * six_joint_2_mx_3);
-    let six_joint_2_mz = inertias.composite_link_2_hx * six_joint_2_mx_5
-        - inertias.composite_link_2_hy * six_joint_2_my_3
-        - (six_joint_2_mz_4 * poses.cos_joint_1 + six_joint_2_mz_6 * poses.sin_joint_1);
-    let wrench_link_1_my_5 = mu[1] * reactions.reaction_joint_2_vz
-        - mu[2] * reactions.reaction_joint_2_vy;
-    let wrench_link_1_mx_7 = mu[2] * reactions.reaction_joint_2_vx
-        - mu[0] * reactions.reaction_joint_2_vz;
-    let wrench_link_1_mx_5 = mu[0] * reactions.reaction_joint_2_vy
-        - mu[1] * reactions.reaction_joint_2_vx;
-    let wrench_link_1_fy_3 = inertias.composite_link_2_hy * reactions.reaction_joint_2_wz
-        - inertias.composite_link_2_hz * reactions.reaction_joint_2_wy;
-    let wrench_link_1_fx_5 = inertias.composite_link_2_hz * reactions.reaction_joint_2_wx
-        - inertias.composite_link_2_hx * reactions.reaction_joint_2_wz;
-    let wrench_link_1_fx_3 = inertias.composite_link_2_hx * reactions.reaction_joint_2_wy
-        - inertias.composite_link_2_hy * reactions.reaction_joint_2_wx;
-    let wrench_link_1_my_13 = mu[1] * screws.connection_joint_2_vz
-        - mu[2] * screws.connection_joint_2_vy;
-    let wrench_link_1_mx_15 = mu[2] * screws.connection_joint_2_vx
-        - mu[0] * screws.connection_joint_2_vz;
-    let wrench_link_1_mx_13 = mu[0] * screws.connection_joint_2_vy
-        - mu[1] * screws.connection_joint_2_vx;
-    let wrench_link_1_my_10_1 = (complements.complement_link_2_xx
-        + complements.complement_link_2_yy + complements.complement_link_2_zz) * 0.5;
-    let wrench_link_1_my_10 = mu[0] * wrench_link_1_my_10_1
-        - (complements.complement_link_2_xx * mu[0]
-            + complements.complement_link_2_xy * mu[1]
-            + complements.complement_link_2_xz * mu[2]);
-    let wrench_link_1_mx_8 = mu[1] * wrench_link_1_my_10_1
-        - (complements.complement_link_2_xy * mu[0]
-            + complements.complement_link_2_yy * mu[1]
-            - complements.minus_complement_link_2_yz * mu[2]);
-    let wrench_link_1_mx_10 = mu[2] * wrench_link_1_my_10_1
-        - (complements.complement_link_2_xz * mu[0]
-            - complements.minus_complement_link_2_yz * mu[1]
-            + complements.complement_link_2_zz * mu[2]);
-    let wrench_link_1_fy_9 = complements.complement_link_2_hy
-        * screws.connection_joint_2_wz
-        - complements.complement_link_2_hz * screws.connection_joint_2_wy;
-    let wrench_link_1_fx_11 = complements.complement_link_2_hz
-        * screws.connection_joint_2_wx
-        + complements.minus_complement_link_2_hx * screws.connection_joint_2_wz;
-    let wrench_link_1_fx_9 = complements.minus_complement_link_2_hx
-        * screws.connection_joint_2_wy
-        + complements.complement_link_2_hy * screws.connection_joint_2_wx;
-    let wrench_link_1_mx = six_joint_2_mz_6 * reactions.reaction_joint_2_wz
-        - six_joint_2_mx_0 * reactions.reaction_joint_2_wy
-        + (inertias.composite_link_2_hy * wrench_link_1_mx_5
-            - inertias.composite_link_2_hz * wrench_link_1_mx_7)
-        - (wrench_link_1_mx_8 * screws.connection_joint_2_wz
-            - wrench_link_1_mx_10 * screws.connection_joint_2_wy
-            + (complements.complement_link_2_hy * wrench_link_1_mx_13
-                - complements.complement_link_2_hz * wrench_link_1_mx_15));
-    let wrench_link_1_my = six_joint_2_mx_0 * reactions.reaction_joint_2_wx
-        - six_joint_2_mz_4 * reactions.reaction_joint_2_wz
-        + (inertias.composite_link_2_hz * wrench_link_1_my_5
-            - inertias.composite_link_2_hx * wrench_link_1_mx_5)
-        - (wrench_link_1_mx_10 * screws.connection_joint_2_wx
-            - wrench_link_1_my_10 * screws.connection_joint_2_wz
-            + (complements.complement_link_2_hz * wrench_link_1_my_13
-                + complements.minus_complement_link_2_hx * wrench_link_1_mx_13));
-    let wrench_link_1_mz = six_joint_2_mz_4 * reactions.reaction_joint_2_wy
-        - six_joint_2_mz_6 * reactions.reaction_joint_2_wx
-        + (inertias.composite_link_2_hx * wrench_link_1_mx_7
-            - inertias.composite_link_2_hy * wrench_link_1_my_5)
-        - (wrench_link_1_my_10 * screws.connection_joint_2_wy
-            - wrench_link_1_mx_8 * screws.connection_joint_2_wx
-            - (complements.minus_complement_link_2_hx * wrench_link_1_mx_15
-                + complements.complement_link_2_hy * wrench_link_1_my_13));
-    let wrench_link_1_fx = wrench_link_1_my_5 * 12.0
-        - (mu[1] * wrench_link_1_fx_3 - mu[2] * wrench_link_1_fx_5)
-        - (wrench_link_1_my_13 * 5.5
-            + (mu[1] * wrench_link_1_fx_9 + mu[2] * wrench_link_1_fx_11));
-    let wrench_link_1_fy = wrench_link_1_mx_7 * 12.0
-        - (mu[2] * wrench_link_1_fy_3 - mu[0] * wrench_link_1_fx_3)
-        - (wrench_link_1_mx_15 * 5.5
-            - (mu[2] * wrench_link_1_fy_9 + mu[0] * wrench_link_1_fx_9));
-    let wrench_link_1_fz = wrench_link_1_mx_5 * 12.0
-        - (mu[0] * wrench_link_1_fx_5 - mu[1] * wrench_link_1_fy_3)
-        - (wrench_link_1_mx_13 * 5.5
-            - (mu[0] * wrench_link_1_fx_11 - mu[1] * wrench_link_1_fy_9));
-    let six_joint_3_my_1 = mu[1] * screws.screw_joint_3_vz
-        - mu[2] * screws.screw_joint_3_vy;
-    let six_joint_3_mx_7 = mu[2] * screws.screw_joint_3_vx
-        - mu[0] * screws.screw_joint_3_vz;
-    let six_joint_3_mx_5 = mu[0] * screws.screw_joint_3_vy
-        - mu[1] * screws.screw_joint_3_vx;
-    let six_joint_3_my_6_1 = (inertias.composite_link_3_xx + inertias.composite_link_3_yy
-        + inertias.composite_link_3_zz) * 0.5;
-    let six_joint_3_my_6 = mu[0] * six_joint_3_my_6_1
-        - (inertias.composite_link_3_xx * mu[0] + inertias.composite_link_3_xy * mu[1]
-            + inertias.composite_link_3_xz * mu[2]);
-    let six_joint_3_mx_0 = mu[1] * six_joint_3_my_6_1
-        - (inertias.composite_link_3_xy * mu[0] + inertias.composite_link_3_yy * mu[1]
-            + inertias.composite_link_3_yz * mu[2]);
-    let six_joint_3_mx_2 = mu[2] * six_joint_3_my_6_1
-        - (inertias.composite_link_3_xz * mu[0] + inertias.composite_link_3_yz * mu[1]
-            + inertias.composite_link_3_zz * mu[2]);
-    let six_joint_3_mx = six_joint_3_mx_0 * poses.cos_joint_2
-        + six_joint_3_mx_2 * poses.minus_rotation_link_2_yy
-        + (inertias.composite_link_3_hy * six_joint_3_mx_5
-            - inertias.composite_link_3_hz * six_joint_3_mx_7);
-    let six_joint_3_my = inertias.composite_link_3_hz * six_joint_3_my_1
-        - inertias.composite_link_3_hx * six_joint_3_mx_5
-        - (six_joint_3_mx_2 * poses.minus_rotation_link_2_xy
-            + six_joint_3_my_6 * poses.cos_joint_2);
-    let six_joint_3_mz = six_joint_3_mx_0 * poses.minus_rotation_link_2_xy
-        - six_joint_3_my_6 * poses.minus_rotation_link_2_yy
-        + (inertias.composite_link_3_hx * six_joint_3_mx_7
-            - inertias.composite_link_3_hy * six_joint_3_my_1);
-    let six_joint_3_fx = six_joint_3_my_1 * 10.0
-        - (mu[2] * inertias.inside_joint_3_fy_1 - mu[1] * inertias.inside_joint_3_fz_1);
-    let six_joint_3_fy = six_joint_3_mx_7 * 10.0
-        - (mu[2] * inertias.inside_joint_3_fx_1 + mu[0] * inertias.inside_joint_3_fz_1);
-    let six_joint_3_fz = six_joint_3_mx_5 * 10.0
-        + (mu[0] * inertias.inside_joint_3_fy_1 + mu[1] * inertias.inside_joint_3_fx_1);
-    let wrench_link_2_my_5 = mu[1] * reactions.reaction_joint_3_vz
-        - mu[2] * reactions.reaction_joint_3_vy;
-    let wrench_link_2_mx_7 = mu[2] * reactions.reaction_joint_3_vx
-        - mu[0] * reactions.reaction_joint_3_vz;
-    let wrench_link_2_mx_5 = mu[0] * reactions.reaction_joint_3_vy
-        - mu[1] * reactions.reaction_joint_3_vx;
-    let wrench_link_2_fy_3 = inertias.composite_link_3_hy * reactions.reaction_joint_3_wz
-        - inertias.composite_link_3_hz * reactions.reaction_joint_3_wy;
-    let wrench_link_2_fx_5 = inertias.composite_link_3_hz * reactions.reaction_joint_3_wx
-        - inertias.composite_link_3_hx * reactions.reaction_joint_3_wz;
-    let wrench_link_2_fx_3 = inertias.composite_link_3_hx * reactions.reaction_joint_3_wy
-        - inertias.composite_link_3_hy * reactions.reaction_joint_3_wx;
-    let wrench_link_2_my_13 = mu[1] * screws.connection_joint_3_vz
-        - mu[2] * screws.connection_joint_3_vy;
-    let wrench_link_2_mx_15 = mu[2] * screws.connection_joint_3_vx
-        - mu[0] * screws.connection_joint_3_vz;
-    let wrench_link_2_mx_13 = mu[0] * screws.connection_joint_3_vy
-        - mu[1] * screws.connection_joint_3_vx;
-    let wrench_link_2_my_10_1 = (complements.complement_link_3_xx
-        + complements.complement_link_3_yy + complements.complement_link_3_zz) * 0.5;
-    let wrench_link_2_my_10 = mu[0] * wrench_link_2_my_10_1
-        - (complements.complement_link_3_xx * mu[0]
-            + complements.complement_link_3_xy * mu[1]
-            + complements.complement_link_3_xz * mu[2]);
-    let wrench_link_2_mx_8 = mu[1] * wrench_link_2_my_10_1
-        - (complements.complement_link_3_xy * mu[0]
-            + complements.complement_link_3_yy * mu[1]
-            + complements.complement_link_3_yz * mu[2]);
-    let wrench_link_2_mx_10 = mu[2] * wrench_link_2_my_10_1
-        - (complements.complement_link_3_xz * mu[0]
-            + complements.complement_link_3_yz * mu[1]
-            + complements.complement_link_3_zz * mu[2]);
-    let wrench_link_2_fy_9 = complements.complement_link_3_hy
-        * screws.connection_joint_3_wz
-        - complements.complement_link_3_hz * screws.connection_joint_3_wy;
-    let wrench_link_2_fx_11 = complements.complement_link_3_hz
-        * screws.connection_joint_3_wx
-        - complements.complement_link_3_hx * screws.connection_joint_3_wz;
-    let wrench_link_2_fx_9 = complements.complement_link_3_hx
-        * screws.connection_joint_3_wy
-        - complements.complement_link_3_hy * screws.connection_joint_3_wx;
-    let wrench_link_2_mx = six_joint_3_mx_0 * reactions.reaction_joint_3_wz
-        - six_joint_3_mx_2 * reactions.reaction_joint_3_wy
-        + (inertias.composite_link_3_hy * wrench_link_2_mx_5
-            - inertias.composite_link_3_hz * wrench_link_2_mx_7)
-        - (wrench_link_2_mx_8 * screws.connection_joint_3_wz
-            - wrench_link_2_mx_10 * screws.connection_joint_3_wy
-            + (complements.complement_link_3_hy * wrench_link_2_mx_13
-                - complements.complement_link_3_hz * wrench_link_2_mx_15));
-    let wrench_link_2_my = six_joint_3_mx_2 * reactions.reaction_joint_3_wx
-        - six_joint_3_my_6 * reactions.reaction_joint_3_wz
-        + (inertias.composite_link_3_hz * wrench_link_2_my_5
-            - inertias.composite_link_3_hx * wrench_link_2_mx_5)
-        - (wrench_link_2_mx_10 * screws.connection_joint_3_wx
-            - wrench_link_2_my_10 * screws.connection_joint_3_wz
-            + (complements.complement_link_3_hz * wrench_link_2_my_13
-                - complements.complement_link_3_hx * wrench_link_2_mx_13));
-    let wrench_link_2_mz = six_joint_3_my_6 * reactions.reaction_joint_3_wy
-        - six_joint_3_mx_0 * reactions.reaction_joint_3_wx
-        + (inertias.composite_link_3_hx * wrench_link_2_mx_7
-            - inertias.composite_link_3_hy * wrench_link_2_my_5)
-        - (wrench_link_2_my_10 * screws.connection_joint_3_wy
-            - wrench_link_2_mx_8 * screws.connection_joint_3_wx
-            + (complements.complement_link_3_hx * wrench_link_2_mx_15
-                - complements.complement_link_3_hy * wrench_link_2_my_13));
-    let wrench_link_2_fx = wrench_link_2_my_5 * 10.0
-        - (mu[1] * wrench_link_2_fx_3 - mu[2] * wrench_link_2_fx_5)
-        - (wrench_link_2_my_13 * 7.5
-            - (mu[1] * wrench_link_2_fx_9 - mu[2] * wrench_link_2_fx_11));
-    let wrench_link_2_fy = wrench_link_2_mx_7 * 10.0
-        - (mu[2] * wrench_link_2_fy_3 - mu[0] * wrench_link_2_fx_3)
-        - (wrench_link_2_mx_15 * 7.5
-            - (mu[2] * wrench_link_2_fy_9 - mu[0] * wrench_link_2_fx_9));
-    let wrench_link_2_fz = wrench_link_2_mx_5 * 10.0
-        - (mu[0] * wrench_link_2_fx_5 - mu[1] * wrench_link_2_fy_3)
-        - (wrench_link_2_mx_13 * 7.5
-            - (mu[0] * wrench_link_2_fx_11 - mu[1] * wrench_link_2_fy_9));
-    let six_joint_4_my_5 = mu[2] * screws.minus_screw_joint_4_vy
-        - mu[1] * screws.minus_screw_joint_4_vz;
-    let minus_six_joint_4_mx_7 = mu[2] * screws.screw_joint_4_vx
-        + mu[0] * screws.minus_screw_joint_4_vz;
-    let minus_six_joint_4_mx_5 = mu[0] * screws.minus_screw_joint_4_vy
-        + mu[1] * screws.screw_joint_4_vx;
-    let six_joint_4_my_0_1 = (inertias.composite_link_4_xx + inertias.composite_link_4_yy
-        + inertias.composite_link_4_zz) * 0.5;
-    let six_joint_4_my_0 = mu[0] * six_joint_4_my_0_1
-        - (inertias.composite_link_4_xx * mu[0] + inertias.composite_link_4_xy * mu[1]
-            + inertias.composite_link_4_xz * mu[2]);
-    let minus_six_joint_4_mx_0 = mu[1] * six_joint_4_my_0_1
-        - (inertias.composite_link_4_xy * mu[0] + inertias.composite_link_4_yy * mu[1]
-            + inertias.composite_link_4_yz * mu[2]);
-    let minus_six_joint_4_mx_2 = mu[2] * six_joint_4_my_0_1
-        - (inertias.composite_link_4_xz * mu[0] + inertias.composite_link_4_yz * mu[1]
-            + inertias.composite_link_4_zz * mu[2]);
-    let minus_six_joint_4_mx = minus_six_joint_4_mx_0 * poses.minus_rotation_link_3_zy
-        + minus_six_joint_4_mx_2 * poses.rotation_link_3_yy
-        + (inertias.composite_link_4_hy * minus_six_joint_4_mx_5
-            + inertias.composite_link_4_hz * minus_six_joint_4_mx_7);
-    let six_joint_4_my = six_joint_4_my_0 * poses.minus_rotation_link_3_zy
-        - minus_six_joint_4_mx_2 * poses.minus_rotation_link_3_xy
-        + (inertias.composite_link_4_hz * six_joint_4_my_5
-            - inertias.minus_composite_link_4_hx * minus_six_joint_4_mx_5);
-    let six_joint_4_mz = six_joint_4_my_0 * poses.rotation_link_3_yy
-        + minus_six_joint_4_mx_0 * poses.minus_rotation_link_3_xy
-        - (inertias.minus_composite_link_4_hx * minus_six_joint_4_mx_7
-            + inertias.composite_link_4_hy * six_joint_4_my_5);
-    let six_joint_4_fx = six_joint_4_my_5 * 8.0
-        - (mu[2] * inertias.inside_joint_4_fy_0 - mu[1] * inertias.inside_joint_4_fz_0);
-    let six_joint_4_fy = minus_six_joint_4_mx_7 * 8.0
-        - (mu[0] * inertias.inside_joint_4_fz_0 - mu[2] * inertias.inside_joint_4_fx_1);
-    let minus_six_joint_4_fz = minus_six_joint_4_mx_5 * 8.0
-        + (mu[1] * inertias.inside_joint_4_fx_1 - mu[0] * inertias.inside_joint_4_fy_0);
-    let wrench_link_3_my_7 = mu[1] * reactions.minus_reaction_joint_4_vz
-        + mu[2] * reactions.reaction_joint_4_vy;
-    let wrench_link_3_mx_7 = mu[2] * reactions.reaction_joint_4_vx
-        + mu[0] * reactions.minus_reaction_joint_4_vz;
-    let wrench_link_3_mx_5 = mu[0] * reactions.reaction_joint_4_vy
-        - mu[1] * reactions.reaction_joint_4_vx;
-    let wrench_link_3_fy_3 = inertias.composite_link_4_hy * reactions.reaction_joint_4_wz
-        - inertias.composite_link_4_hz * reactions.reaction_joint_4_wy;
-    let wrench_link_3_fx_3 = inertias.composite_link_4_hz * reactions.reaction_joint_4_wx
-        + inertias.minus_composite_link_4_hx * reactions.reaction_joint_4_wz;
-    let wrench_link_3_fx_1 = inertias.minus_composite_link_4_hx
-        * reactions.reaction_joint_4_wy
-        + inertias.composite_link_4_hy * reactions.reaction_joint_4_wx;
-    let wrench_link_3_my_13 = mu[1] * screws.connection_joint_4_vz
-        - mu[2] * screws.connection_joint_4_vy;
-    let wrench_link_3_mx_15 = mu[2] * screws.connection_joint_4_vx
-        - mu[0] * screws.connection_joint_4_vz;
-    let wrench_link_3_mx_13 = mu[0] * screws.connection_joint_4_vy
-        - mu[1] * screws.connection_joint_4_vx;
-    let wrench_link_3_my_10_1 = (complements.complement_link_4_xx
-        + complements.complement_link_4_yy + complements.complement_link_4_zz) * 0.5;
-    let wrench_link_3_my_10 = mu[0] * wrench_link_3_my_10_1
-        - (complements.complement_link_4_xx * mu[0]
-            + complements.complement_link_4_xy * mu[1]
-            + complements.complement_link_4_xz * mu[2]);
-    let wrench_link_3_mx_8 = mu[1] * wrench_link_3_my_10_1
-        - (complements.complement_link_4_xy * mu[0]
-            + complements.complement_link_4_yy * mu[1]
-            + complements.complement_link_4_yz * mu[2]);
-    let wrench_link_3_mx_10 = mu[2] * wrench_link_3_my_10_1
-        - (complements.complement_link_4_xz * mu[0]
-            + complements.complement_link_4_yz * mu[1]
-            + complements.complement_link_4_zz * mu[2]);
-    let wrench_link_3_fy_9 = complements.complement_link_4_hy
-        * screws.connection_joint_4_wz
-        - complements.complement_link_4_hz * screws.connection_joint_4_wy;
-    let wrench_link_3_fx_11 = complements.complement_link_4_hz
-        * screws.connection_joint_4_wx
-        - complements.complement_link_4_hx * screws.connection_joint_4_wz;
-    let wrench_link_3_fx_9 = complements.complement_link_4_hx
-        * screws.connection_joint_4_wy
-        - complements.complement_link_4_hy * screws.connection_joint_4_wx;
-    let wrench_link_3_mx = minus_six_joint_4_mx_0 * reactions.reaction_joint_4_wz
-        - minus_six_joint_4_mx_2 * reactions.reaction_joint_4_wy
-        + (inertias.composite_link_4_hy * wrench_link_3_mx_5
-            - inertias.composite_link_4_hz * wrench_link_3_mx_7)
-        - (wrench_link_3_mx_8 * screws.connection_joint_4_wz
-            - wrench_link_3_mx_10 * screws.connection_joint_4_wy
-            + (complements.complement_link_4_hy * wrench_link_3_mx_13
-                - complements.complement_link_4_hz * wrench_link_3_mx_15));
-    let wrench_link_3_my = minus_six_joint_4_mx_2 * reactions.reaction_joint_4_wx
-        - six_joint_4_my_0 * reactions.reaction_joint_4_wz
-        + (inertias.minus_composite_link_4_hx * wrench_link_3_mx_5
-            - inertias.composite_link_4_hz * wrench_link_3_my_7)
-        - (wrench_link_3_mx_10 * screws.connection_joint_4_wx
-            - wrench_link_3_my_10 * screws.connection_joint_4_wz
-            + (complements.complement_link_4_hz * wrench_link_3_my_13
-                - complements.complement_link_4_hx * wrench_link_3_mx_13));
-    let wrench_link_3_mz = six_joint_4_my_0 * reactions.reaction_joint_4_wy
-        - minus_six_joint_4_mx_0 * reactions.reaction_joint_4_wx
-        + (inertias.composite_link_4_hy * wrench_link_3_my_7
-            - inertias.minus_composite_link_4_hx * wrench_link_3_mx_7)
-        - (wrench_link_3_my_10 * screws.connection_joint_4_wy
-            - wrench_link_3_mx_8 * screws.connection_joint_4_wx
-            + (complements.complement_link_4_hx * wrench_link_3_mx_15
-                - complements.complement_link_4_hy * wrench_link_3_my_13));
-    let wrench_link_3_fx = mu[1] * wrench_link_3_fx_1 + mu[2] * wrench_link_3_fx_3
-        - wrench_link_3_my_7 * 8.0
-        - (wrench_link_3_my_13 * 9.5
-            - (mu[1] * wrench_link_3_fx_9 - mu[2] * wrench_link_3_fx_11));
-    let wrench_link_3_fy = wrench_link_3_mx_7 * 8.0
-        - (mu[2] * wrench_link_3_fy_3 + mu[0] * wrench_link_3_fx_1)
-        - (wrench_link_3_mx_15 * 9.5
-            - (mu[2] * wrench_link_3_fy_9 - mu[0] * wrench_link_3_fx_9));
-    let wrench_link_3_fz = wrench_link_3_mx_5 * 8.0
-        - (mu[0] * wrench_link_3_fx_3 - mu[1] * wrench_link_3_fy_3)
-        - (wrench_link_3_mx_13 * 9.5
-            - (mu[0] * wrench_link_3_fx_11 - mu[1] * wrench_link_3_fy_9));
-    let six_joint_5_my_1 = mu[1] * screws.screw_joint_5_vz
-        - mu[2] * screws.screw_joint_5_vy;
-    let six_joint_5_mx_7 = mu[2] * screws.screw_joint_5_vx
-        - mu[0] * screws.screw_joint_5_vz;
-    let six_joint_5_mx_5 = mu[0] * screws.screw_joint_5_vy
-        - mu[1] * screws.screw_joint_5_vx;
-    let six_joint_5_my_6_1 = (inertias.composite_link_5_xx + inertias.composite_link_5_yy
-        + inertias.composite_link_5_zz) * 0.5;
-    let six_joint_5_my_6 = mu[0] * six_joint_5_my_6_1
-        - (inertias.composite_link_5_xx * mu[0] + inertias.composite_link_5_xy * mu[1]
-            + inertias.composite_link_5_xz * mu[2]);
-    let six_joint_5_mx_0 = mu[1] * six_joint_5_my_6_1
-        - (inertias.composite_link_5_xy * mu[0] + inertias.composite_link_5_yy * mu[1]
-            + inertias.composite_link_5_yz * mu[2]);
-    let six_joint_5_mx_2 = mu[2] * six_joint_5_my_6_1
-        - (inertias.composite_link_5_xz * mu[0] + inertias.composite_link_5_yz * mu[1]
-            + inertias.composite_link_5_zz * mu[2]);
-    let six_joint_5_mx = six_joint_5_mx_0 * poses.rotation_link_5_zz
-        + six_joint_5_mx_2 * poses.rotation_link_4_yy
-        + (inertias.composite_link_5_hy * six_joint_5_mx_5
-            - inertias.composite_link_5_hz * six_joint_5_mx_7);
-    let six_joint_5_my = inertias.composite_link_5_hz * six_joint_5_my_1
-        + inertias.minus_composite_link_5_hx * six_joint_5_mx_5
-        - (six_joint_5_mx_2 * poses.rotation_link_4_xy
-            + six_joint_5_my_6 * poses.rotation_link_5_zz);
-    let six_joint_5_mz = six_joint_5_mx_0 * poses.rotation_link_4_xy
-        - six_joint_5_my_6 * poses.rotation_link_4_yy
-        - (inertias.minus_composite_link_5_hx * six_joint_5_mx_7
-            + inertias.composite_link_5_hy * six_joint_5_my_1);
-    let six_joint_5_fx = six_joint_5_my_1 * 6.0
-        - (mu[1] * inertias.inside_joint_5_fz_1 + mu[2] * inertias.inside_joint_5_fy_1);
-    let six_joint_5_fy = six_joint_5_mx_7 * 6.0
-        - (mu[2] * inertias.inside_joint_5_fx_1 - mu[0] * inertias.inside_joint_5_fz_1);
-    let six_joint_5_fz = six_joint_5_mx_5 * 6.0
-        + (mu[0] * inertias.inside_joint_5_fy_1 + mu[1] * inertias.inside_joint_5_fx_1);
-    let wrench_link_4_my_5 = mu[1] * reactions.reaction_joint_5_vz
-        - mu[2] * reactions.reaction_joint_5_vy;
-    let wrench_link_4_mx_7 = mu[2] * reactions.reaction_joint_5_vx
-        - mu[0] * reactions.reaction_joint_5_vz;
-    let wrench_link_4_mx_5 = mu[0] * reactions.reaction_joint_5_vy
-        - mu[1] * reactions.reaction_joint_5_vx;
-    let wrench_link_4_fy_3 = inertias.composite_link_5_hy * reactions.reaction_joint_5_wz
-        - inertias.composite_link_5_hz * reactions.reaction_joint_5_wy;
-    let wrench_link_4_fx_5 = inertias.composite_link_5_hz * reactions.reaction_joint_5_wx
-        + inertias.minus_composite_link_5_hx * reactions.reaction_joint_5_wz;
-    let wrench_link_4_fx_3 = inertias.minus_composite_link_5_hx
-        * reactions.reaction_joint_5_wy
-        + inertias.composite_link_5_hy * reactions.reaction_joint_5_wx;
-    let wrench_link_4_my_13 = mu[1] * screws.connection_joint_5_vz
-        - mu[2] * screws.connection_joint_5_vy;
-    let wrench_link_4_mx_15 = mu[2] * screws.connection_joint_5_vx
-        - mu[0] * screws.connection_joint_5_vz;
-    let wrench_link_4_mx_13 = mu[0] * screws.connection_joint_5_vy
-        - mu[1] * screws.connection_joint_5_vx;
-    let wrench_link_4_my_10_1 = (complements.complement_link_5_xx
-        + complements.complement_link_5_yy + complements.complement_link_5_zz) * 0.5;
-    let wrench_link_4_my_10 = mu[0] * wrench_link_4_my_10_1
-        - (complements.complement_link_5_xx * mu[0]
-            + complements.complement_link_5_xy * mu[1]
-            + complements.complement_link_5_xz * mu[2]);
-    let wrench_link_4_mx_8 = mu[1] * wrench_link_4_my_10_1
-        - (complements.complement_link_5_xy * mu[0]
-            + complements.complement_link_5_yy * mu[1]
-            + complements.complement_link_5_yz * mu[2]);
-    let wrench_link_4_mx_10 = mu[2] * wrench_link_4_my_10_1
-        - (complements.complement_link_5_xz * mu[0]
-            + complements.complement_link_5_yz * mu[1]
-            + complements.complement_link_5_zz * mu[2]);
-    let wrench_link_4_fy_9 = complements.complement_link_5_hy
-        * screws.connection_joint_5_wz
-        - complements.complement_link_5_hz * screws.connection_joint_5_wy;
-    let wrench_link_4_fx_11 = complements.complement_link_5_hz
-        * screws.connection_joint_5_wx
-        - complements.complement_link_5_hx * screws.connection_joint_5_wz;
-    let wrench_link_4_fx_9 = complements.complement_link_5_hx
-        * screws.connection_joint_5_wy
-        - complements.complement_link_5_hy * screws.connection_joint_5_wx;
-    let wrench_link_4_mx = six_joint_5_mx_0 * reactions.reaction_joint_5_wz
-        - six_joint_5_mx_2 * reactions.reaction_joint_5_wy
-        + (inertias.composite_link_5_hy * wrench_link_4_mx_5
-            - inertias.composite_link_5_hz * wrench_link_4_mx_7)
-        - (wrench_link_4_mx_8 * screws.connection_joint_5_wz
-            - wrench_link_4_mx_10 * screws.connection_joint_5_wy
-            + (complements.complement_link_5_hy * wrench_link_4_mx_13
-                - complements.complement_link_5_hz * wrench_link_4_mx_15));
-    let wrench_link_4_my = six_joint_5_mx_2 * reactions.reaction_joint_5_wx
-        - six_joint_5_my_6 * reactions.reaction_joint_5_wz
-        + (inertias.composite_link_5_hz * wrench_link_4_my_5
-            + inertias.minus_composite_link_5_hx * wrench_link_4_mx_5)
-        - (wrench_link_4_mx_10 * screws.connection_joint_5_wx
-            - wrench_link_4_my_10 * screws.connection_joint_5_wz
-            + (complements.complement_link_5_hz * wrench_link_4_my_13
-                - complements.complement_link_5_hx * wrench_link_4_mx_13));
-    let wrench_link_4_mz = six_joint_5_my_6 * reactions.reaction_joint_5_wy
-        - six_joint_5_mx_0 * reactions.reaction_joint_5_wx
-        - (inertias.minus_composite_link_5_hx * wrench_link_4_mx_7
-            + inertias.composite_link_5_hy * wrench_link_4_my_5)
-        - (wrench_link_4_my_10 * screws.connection_joint_5_wy
-            - wrench_link_4_mx_8 * screws.connection_joint_5_wx
-            + (complements.complement_link_5_hx * wrench_link_4_mx_15
-                - complements.complement_link_5_hy * wrench_link_4_my_13));
-    let wrench_link_4_fx = wrench_link_4_my_5 * 6.0
-        + (mu[1] * wrench_link_4_fx_3 + mu[2] * wrench_link_4_fx_5)
-        - (wrench_link_4_my_13 * 11.5
-            - (mu[1] * wrench_link_4_fx_9 - mu[2] * wrench_link_4_fx_11));
-    let wrench_link_4_fy = wrench_link_4_mx_7 * 6.0
-        - (mu[2] * wrench_link_4_fy_3 + mu[0] * wrench_link_4_fx_3)
-        - (wrench_link_4_mx_15 * 11.5
-            - (mu[2] * wrench_link_4_fy_9 - mu[0] * wrench_link_4_fx_9));
-    let wrench_link_4_fz = wrench_link_4_mx_5 * 6.0
-        - (mu[0] * wrench_link_4_fx_5 - mu[1] * wrench_link_4_fy_3)
-        - (wrench_link_4_mx_13 * 11.5
-            - (mu[0] * wrench_link_4_fx_11 - mu[1] * wrench_link_4_fy_9));
-    let six_joint_6_my_5 = mu[1] * screws.screw_joint_6_vz
-        - mu[2] * screws.screw_joint_6_vy;
-    let six_joint_6_mx_7 = mu[2] * screws.screw_joint_6_vx
-        - mu[0] * screws.screw_joint_6_vz;
-    let six_joint_6_mx_5 = mu[0] * screws.screw_joint_6_vy
-        - mu[1] * screws.screw_joint_6_vx;
-    let six_joint_6_my_2_1 = (inertias.composite_link_6_xx + inertias.composite_link_6_yy
-        + inertias.composite_link_6_zz) * 0.5;
-    let six_joint_6_my_2 = mu[0] * six_joint_6_my_2_1
-        - (inertias.composite_link_6_xx * mu[0] + inertias.composite_link_6_xy * mu[1]
-            + inertias.composite_link_6_xz * mu[2]);
-    let six_joint_6_mx_0 = mu[1] * six_joint_6_my_2_1
-        - (inertias.composite_link_6_xy * mu[0] + inertias.composite_link_6_yy * mu[1]
-            + inertias.composite_link_6_yz * mu[2]);
-    let six_joint_6_mx_2 = mu[2] * six_joint_6_my_2_1
-        - (inertias.composite_link_6_xz * mu[0] + inertias.composite_link_6_yz * mu[1]
-            + inertias.composite_link_6_zz * mu[2]);
-    let six_joint_6_mx = six_joint_6_mx_0 * poses.rotation_link_6_zz
-        + six_joint_6_mx_2 * poses.rotation_link_5_yy
-        - (inertias.minus_composite_link_6_hy * six_joint_6_mx_5
-            + inertias.composite_link_6_hz * six_joint_6_mx_7);
-    let six_joint_6_my = six_joint_6_mx_2 * poses.rotation_link_6_xz
-        - six_joint_6_my_2 * poses.rotation_link_6_zz
-        + (inertias.composite_link_6_hz * six_joint_6_my_5
-            + inertias.minus_composite_link_6_hx * six_joint_6_mx_5);
-    let six_joint_6_mz = inertias.minus_composite_link_6_hy * six_joint_6_my_5
-        - inertias.minus_composite_link_6_hx * six_joint_6_mx_7
-        - (six_joint_6_my_2 * poses.rotation_link_5_yy
-            + six_joint_6_mx_0 * poses.rotation_link_6_xz);
-    let six_joint_6_fx = six_joint_6_my_5 * 4.0
-        - (mu[1] * inertias.inside_joint_6_fz_1 - mu[2] * inertias.inside_joint_6_fy_1);
-    let six_joint_6_fy = six_joint_6_mx_7 * 4.0
-        + (mu[2] * inertias.inside_joint_6_fx_1 + mu[0] * inertias.inside_joint_6_fz_1);
-    let six_joint_6_fz = six_joint_6_mx_5 * 4.0
-        - (mu[0] * inertias.inside_joint_6_fy_1 + mu[1] * inertias.inside_joint_6_fx_1);
-    let wrench_link_5_my_5 = mu[1] * reactions.reaction_joint_6_vz
-        - mu[2] * reactions.reaction_joint_6_vy;
-    let wrench_link_5_mx_7 = mu[2] * reactions.reaction_joint_6_vx
-        - mu[0] * reactions.reaction_joint_6_vz;
-    let wrench_link_5_mx_5 = mu[0] * reactions.reaction_joint_6_vy
-        - mu[1] * reactions.reaction_joint_6_vx;
-    let wrench_link_5_fy_3 = inertias.minus_composite_link_6_hy
-        * reactions.reaction_joint_6_wz
-        + inertias.composite_link_6_hz * reactions.reaction_joint_6_wy;
-    let wrench_link_5_fx_5 = inertias.composite_link_6_hz * reactions.reaction_joint_6_wx
-        + inertias.minus_composite_link_6_hx * reactions.reaction_joint_6_wz;
-    let wrench_link_5_fx_3 = inertias.minus_composite_link_6_hy
-        * reactions.reaction_joint_6_wx
-        - inertias.minus_composite_link_6_hx * reactions.reaction_joint_6_wy;
-    let wrench_link_5_my_13 = mu[1] * screws.connection_joint_6_vz
-        - mu[2] * screws.connection_joint_6_vy;
-    let wrench_link_5_mx_15 = mu[2] * screws.connection_joint_6_vx
-        - mu[0] * screws.connection_joint_6_vz;
-    let wrench_link_5_mx_13 = mu[0] * screws.connection_joint_6_vy
-        - mu[1] * screws.connection_joint_6_vx;
-    let wrench_link_5_my_10_1 = (complements.complement_link_6_xx
-        + complements.complement_link_6_yy + complements.complement_link_6_zz) * 0.5;
-    let wrench_link_5_my_10 = mu[0] * wrench_link_5_my_10_1
-        - (complements.complement_link_6_xx * mu[0]
-            + complements.complement_link_6_xy * mu[1]
-            + complements.complement_link_6_xz * mu[2]);
-    let wrench_link_5_mx_8 = mu[1] * wrench_link_5_my_10_1
-        - (complements.complement_link_6_xy * mu[0]
-            + complements.complement_link_6_yy * mu[1]
-            + complements.complement_link_6_yz * mu[2]);
-    let wrench_link_5_mx_10 = mu[2] * wrench_link_5_my_10_1
-        - (complements.complement_link_6_xz * mu[0]
-            + complements.complement_link_6_yz * mu[1]
-            + complements.complement_link_6_zz * mu[2]);
-    let wrench_link_5_fy_9 = complements.complement_link_6_hy
-        * screws.connection_joint_6_wz
-        - complements.complement_link_6_hz * screws.connection_joint_6_wy;
-    let wrench_link_5_fx_11 = complements.complement_link_6_hz
-        * screws.connection_joint_6_wx
-        - complements.complement_link_6_hx * screws.connection_joint_6_wz;
-    let wrench_link_5_fx_9 = complements.complement_link_6_hx
-        * screws.connection_joint_6_wy
-        - complements.complement_link_6_hy * screws.connection_joint_6_wx;
-    let wrench_link_5_mx = six_joint_6_mx_0 * reactions.reaction_joint_6_wz
-        - six_joint_6_mx_2 * reactions.reaction_joint_6_wy
-        - (inertias.minus_composite_link_6_hy * wrench_link_5_mx_5
-            + inertias.composite_link_6_hz * wrench_link_5_mx_7)
-        - (wrench_link_5_mx_8 * screws.connection_joint_6_wz
-            - wrench_link_5_mx_10 * screws.connection_joint_6_wy
-            + (complements.complement_link_6_hy * wrench_link_5_mx_13
-                - complements.complement_link_6_hz * wrench_link_5_mx_15));
-    let wrench_link_5_my = six_joint_6_mx_2 * reactions.reaction_joint_6_wx
-        - six_joint_6_my_2 * reactions.reaction_joint_6_wz
-        + (inertias.composite_link_6_hz * wrench_link_5_my_5
-            + inertias.minus_composite_link_6_hx * wrench_link_5_mx_5)
-        - (wrench_link_5_mx_10 * screws.connection_joint_6_wx
-            - wrench_link_5_my_10 * screws.connection_joint_6_wz
-            + (complements.complement_link_6_hz * wrench_link_5_my_13
-                - complements.complement_link_6_hx * wrench_link_5_mx_13));
-    let wrench_link_5_mz = six_joint_6_my_2 * reactions.reaction_joint_6_wy
-        - six_joint_6_mx_0 * reactions.reaction_joint_6_wx
-        + (inertias.minus_composite_link_6_hy * wrench_link_5_my_5
-            - inertias.minus_composite_link_6_hx * wrench_link_5_mx_7)
-        - (wrench_link_5_my_10 * screws.connection_joint_6_wy
-            - wrench_link_5_mx_8 * screws.connection_joint_6_wx
-            + (complements.complement_link_6_hx * wrench_link_5_mx_15
-                - complements.complement_link_6_hy * wrench_link_5_my_13));
-    let wrench_link_5_fx = wrench_link_5_my_5 * 4.0
-        - (mu[1] * wrench_link_5_fx_3 - mu[2] * wrench_link_5_fx_5)
-        - (wrench_link_5_my_13 * 13.5
-            - (mu[1] * wrench_link_5_fx_9 - mu[2] * wrench_link_5_fx_11));
-    let wrench_link_5_fy = wrench_link_5_mx_7 * 4.0
-        + (mu[2] * wrench_link_5_fy_3 + mu[0] * wrench_link_5_fx_3)
-        - (wrench_link_5_mx_15 * 13.5
-            - (mu[2] * wrench_link_5_fy_9 - mu[0] * wrench_link_5_fx_9));
-    let wrench_link_5_fz = wrench_link_5_mx_5 * 4.0
-        - (mu[0] * wrench_link_5_fx_5 + mu[1] * wrench_link_5_fy_3)
-        - (wrench_link_5_mx_13 * 13.5
-            - (mu[0] * wrench_link_5_fx_11 - mu[1] * wrench_link_5_fy_9));
-    let six_joint_7_my_1 = mu[1] * screws.screw_joint_7_vz
-        - mu[2] * screws.screw_joint_7_vy;
-    let six_joint_7_mx_7 = mu[2] * screws.screw_joint_7_vx
-        - mu[0] * screws.screw_joint_7_vz;
-    let six_joint_7_mx_5 = mu[0] * screws.screw_joint_7_vy
-        - mu[1] * screws.screw_joint_7_vx;
-    let six_joint_7_my_6_1 = (inertias.inertia_link_7_xx + inertias.inertia_link_7_yy
-        + inertias.inertia_link_7_zz) * 0.5;
-    let six_joint_7_my_6 = mu[0] * six_joint_7_my_6_1
-        - (inertias.inertia_link_7_xx * mu[0] + inertias.inertia_link_7_xy * mu[1]
-            + inertias.inertia_link_7_xz * mu[2]);
-    let six_joint_7_mx_0 = mu[1] * six_joint_7_my_6_1
-        - (inertias.inertia_link_7_xy * mu[0] + inertias.inertia_link_7_yy * mu[1]
-            + inertias.inertia_link_7_yz * mu[2]);
-    let six_joint_7_mx_2 = mu[2] * six_joint_7_my_6_1
-        - (inertias.inertia_link_7_xz * mu[0] + inertias.inertia_link_7_yz * mu[1]
-            + inertias.inertia_link_7_zz * mu[2]);
-    let six_joint_7_mx = six_joint_7_mx_0 * poses.rotation_link_6_zy
-        + six_joint_7_mx_2 * poses.minus_rotation_link_6_yy
-        - (inertias.minus_inertia_link_7_hy * six_joint_7_mx_5
-            + inertias.inertia_link_7_hz * six_joint_7_mx_7);
-    let six_joint_7_my = inertias.inertia_link_7_hz * six_joint_7_my_1
-        + inertias.minus_inertia_link_7_hx * six_joint_7_mx_5
-        - (six_joint_7_mx_2 * poses.minus_rotation_link_6_xy
-            + six_joint_7_my_6 * poses.rotation_link_6_zy);
-    let six_joint_7_mz = six_joint_7_mx_0 * poses.minus_rotation_link_6_xy
-        - six_joint_7_my_6 * poses.minus_rotation_link_6_yy
-        + (inertias.minus_inertia_link_7_hy * six_joint_7_my_1
-            - inertias.minus_inertia_link_7_hx * six_joint_7_mx_7);
-    let six_joint_7_fx = six_joint_7_my_1 * 2.0
-        - (mu[2] * inertias.inside_joint_7_fy_1 - mu[1] * inertias.inside_joint_7_fz_1);
-    let six_joint_7_fy = six_joint_7_mx_7 * 2.0
-        - (mu[0] * inertias.inside_joint_7_fz_1 - mu[2] * inertias.inside_joint_7_fx_1);
-    let six_joint_7_fz = six_joint_7_mx_5 * 2.0
-        - (mu[1] * inertias.inside_joint_7_fx_1 - mu[0] * inertias.inside_joint_7_fy_1);
-    let b2_0_1 = reactions.reaction_joint_1_wx * six_joint_2_mx
-        + reactions.reaction_joint_1_wy * six_joint_2_my
-        + reactions.reaction_joint_1_wz * six_joint_2_mz
+    let wrench_base_my_1 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+    let wrench_base_mx_3 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let wrench_link_1_fy_1 = mu[0] * 35.0;
+    let wrench_link_1_fx_3 = mu[1] * 35.0;
+    let wrench_link_1_fx_1 = mu[2] * 35.0;
+    let wrench_base_mx = reactions.reaction_joint_1_wy * wrench_base_mx_1
+        - reactions.reaction_joint_1_wz * wrench_base_mx_3
+        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * mu[1]
+            - outside.outside_joint_1_my * mu[2]);
+    let wrench_base_my = reactions.reaction_joint_1_wz * wrench_base_my_1
+        - reactions.reaction_joint_1_wx * wrench_base_mx_1
+        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * mu[0]
+            + outside.outside_joint_1_mx * mu[2]);
+    let wrench_base_mz = reactions.reaction_joint_1_wx * wrench_base_mx_3
+        - reactions.reaction_joint_1_wy * wrench_base_my_1
+        - (outside.outside_joint_1_mx * mu[1] - outside.outside_joint_1_my * mu[0]
+            + common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * mu[2]);
+    let wrench_link_1_mx = reactions.reaction_joint_2_wy * wrench_base_mx_1
+        - reactions.reaction_joint_2_wz * wrench_base_mx_3
+        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * mu[2]);
+    let wrench_link_1_my = reactions.reaction_joint_2_wz * wrench_base_my_1
+        - reactions.reaction_joint_2_wx * wrench_base_mx_1
+        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * mu[2]);
+    let wrench_link_1_mz = reactions.reaction_joint_2_wx * wrench_base_mx_3
+        - reactions.reaction_joint_2_wy * wrench_base_my_1
+        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0 * mu[2]);
+    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
+        - reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
+    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
+    let wrench_link_1_fz = reactions.reaction_joint_2_vx * wrench_link_1_fx_3
+        - reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
+    let d_mu_8_6_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * mu[2];
+    let d_mu_8_6_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * mu[2];
+    let d_mu_8_6_5 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * mu[2];
+    let wrench_link_2_mx = reactions.reaction_joint_3_wy * wrench_base_mx_1
+        - reactions.reaction_joint_3_wz * wrench_base_mx_3
+        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * mu[2]);
+    let wrench_link_2_my = reactions.reaction_joint_3_wz * wrench_base_my_1
+        - reactions.reaction_joint_3_wx * wrench_base_mx_1
+        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * mu[2]);
+    let wrench_link_2_mz = reactions.reaction_joint_3_wx * wrench_base_mx_3
+        - reactions.reaction_joint_3_wy * wrench_base_my_1
+        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0 * mu[2]);
+    let wrench_link_2_fx = reactions.reaction_joint_3_vy * wrench_link_1_fx_1
+        - reactions.reaction_joint_3_vz * wrench_link_1_fx_3;
+    let wrench_link_2_fy = reactions.reaction_joint_3_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_3_vx * wrench_link_1_fx_1;
+    let wrench_link_2_fz = reactions.reaction_joint_3_vx * wrench_link_1_fx_3
+        - reactions.reaction_joint_3_vy * wrench_link_1_fy_1;
+    let d_mu_9_6_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * mu[2];
+    let d_mu_9_6_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * mu[2];
+    let d_mu_9_6_5 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * mu[1]
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * mu[2];
+    let wrench_link_3_mx = reactions.reaction_joint_4_wy * wrench_base_mx_1
+        - reactions.reaction_joint_4_wz * wrench_base_mx_3
+        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * mu[2]);
+    let wrench_link_3_my = reactions.reaction_joint_4_wz * wrench_base_my_1
+        - reactions.reaction_joint_4_wx * wrench_base_mx_1
+        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * mu[2]);
+    let wrench_link_3_mz = reactions.reaction_joint_4_wx * wrench_base_mx_3
+        - reactions.reaction_joint_4_wy * wrench_base_my_1
+        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0 * mu[2]);
+    let wrench_link_3_fx = reactions.reaction_joint_4_vy * wrench_link_1_fx_1
+        + reactions.minus_reaction_joint_4_vz * wrench_link_1_fx_3;
+    let minus_wrench_link_3_fy = reactions.minus_reaction_joint_4_vz * wrench_link_1_fy_1
+        + reactions.reaction_joint_4_vx * wrench_link_1_fx_1;
+    let wrench_link_3_fz = reactions.reaction_joint_4_vx * wrench_link_1_fx_3
+        - reactions.reaction_joint_4_vy * wrench_link_1_fy_1;
+    let d_mu_10_6_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * mu[2];
+    let d_mu_10_6_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * mu[2];
+    let d_mu_10_6_5 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * mu[2];
+    let wrench_link_4_mx = reactions.reaction_joint_5_wy * wrench_base_mx_1
+        - reactions.reaction_joint_5_wz * wrench_base_mx_3
+        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * mu[2]);
+    let wrench_link_4_my = reactions.reaction_joint_5_wz * wrench_base_my_1
+        - reactions.reaction_joint_5_wx * wrench_base_mx_1
+        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * mu[2]);
+    let wrench_link_4_mz = reactions.reaction_joint_5_wx * wrench_base_mx_3
+        - reactions.reaction_joint_5_wy * wrench_base_my_1
+        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0 * mu[2]);
+    let wrench_link_4_fx = reactions.reaction_joint_5_vy * wrench_link_1_fx_1
+        - reactions.reaction_joint_5_vz * wrench_link_1_fx_3;
+    let wrench_link_4_fy = reactions.reaction_joint_5_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_5_vx * wrench_link_1_fx_1;
+    let wrench_link_4_fz = reactions.reaction_joint_5_vx * wrench_link_1_fx_3
+        - reactions.reaction_joint_5_vy * wrench_link_1_fy_1;
+    let d_mu_11_6_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * mu[2];
+    let d_mu_11_6_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * mu[2];
+    let d_mu_11_6_5 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * mu[2];
+    let wrench_link_5_mx = reactions.reaction_joint_6_wy * wrench_base_mx_1
+        - reactions.reaction_joint_6_wz * wrench_base_mx_3
+        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * mu[2]);
+    let wrench_link_5_my = reactions.reaction_joint_6_wz * wrench_base_my_1
+        - reactions.reaction_joint_6_wx * wrench_base_mx_1
+        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0 * mu[2]);
+    let wrench_link_5_mz = reactions.reaction_joint_6_wx * wrench_base_mx_3
+        - reactions.reaction_joint_6_wy * wrench_base_my_1
+        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0 * mu[2]);
+    let wrench_link_5_fx = reactions.reaction_joint_6_vy * wrench_link_1_fx_1
+        - reactions.reaction_joint_6_vz * wrench_link_1_fx_3;
+    let wrench_link_5_fy = reactions.reaction_joint_6_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_6_vx * wrench_link_1_fx_1;
+    let wrench_link_5_fz = reactions.reaction_joint_6_vx * wrench_link_1_fx_3
+        - reactions.reaction_joint_6_vy * wrench_link_1_fy_1;
+    let d_mu_12_6_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * mu[2];
+    let d_mu_12_6_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * mu[2];
+    let d_mu_12_6_5 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * mu[0]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * mu[1]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * mu[2];
+    let d_mu_7_6 = reactions.reaction_joint_1_wx
+        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * mu[0]
+            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * mu[1]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * mu[2])
+        + reactions.reaction_joint_1_wy
+            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * mu[1]
+                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * mu[0]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * mu[2])
+        + reactions.reaction_joint_1_wz
+            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * mu[0]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * mu[1]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * mu[2])
         + wrench_base_mx * screws.connection_joint_2_wx
         + wrench_base_my * screws.connection_joint_2_wy
-        + wrench_base_mz * screws.connection_joint_2_wz
-        + wrench_base_fx * screws.connection_joint_2_vx
-        + wrench_base_fy * screws.connection_joint_2_vy
-        - minus_wrench_base_fz * screws.connection_joint_2_vz;
-    let b2_0_2 = reactions.reaction_joint_1_wx * six_joint_3_mx
-        + reactions.reaction_joint_1_wy * six_joint_3_my
-        + reactions.reaction_joint_1_wz * six_joint_3_mz
+        + wrench_base_mz * screws.connection_joint_2_wz;
+    let d_mu_8_6 = reactions.reaction_joint_1_wx * d_mu_8_6_1
+        + reactions.reaction_joint_1_wy * d_mu_8_6_3
+        + reactions.reaction_joint_1_wz * d_mu_8_6_5
         + wrench_base_mx * screws.connection_joint_3_wx
         + wrench_base_my * screws.connection_joint_3_wy
-        + wrench_base_mz * screws.connection_joint_3_wz
-        + wrench_base_fx * screws.connection_joint_3_vx
-        + wrench_base_fy * screws.connection_joint_3_vy
-        - minus_wrench_base_fz * screws.connection_joint_3_vz;
-    let b2_0_3 = reactions.reaction_joint_1_wy * six_joint_4_my
-        - reactions.reaction_joint_1_wx * minus_six_joint_4_mx
-        + reactions.reaction_joint_1_wz * six_joint_4_mz
+        + wrench_base_mz * screws.connection_joint_3_wz;
+    let d_mu_9_6 = reactions.reaction_joint_1_wx * d_mu_9_6_1
+        + reactions.reaction_joint_1_wy * d_mu_9_6_3
+        + reactions.reaction_joint_1_wz * d_mu_9_6_5
         + wrench_base_mx * screws.connection_joint_4_wx
         + wrench_base_my * screws.connection_joint_4_wy
-        + wrench_base_mz * screws.connection_joint_4_wz
-        + wrench_base_fx * screws.connection_joint_4_vx
-        + wrench_base_fy * screws.connection_joint_4_vy
-        - minus_wrench_base_fz * screws.connection_joint_4_vz;
-    let b2_0_4 = reactions.reaction_joint_1_wx * six_joint_5_mx
-        + reactions.reaction_joint_1_wy * six_joint_5_my
-        + reactions.reaction_joint_1_wz * six_joint_5_mz
+        + wrench_base_mz * screws.connection_joint_4_wz;
+    let d_mu_10_6 = reactions.reaction_joint_1_wx * d_mu_10_6_1
+        + reactions.reaction_joint_1_wy * d_mu_10_6_3
+        + reactions.reaction_joint_1_wz * d_mu_10_6_5
         + wrench_base_mx * screws.connection_joint_5_wx
         + wrench_base_my * screws.connection_joint_5_wy
-        + wrench_base_mz * screws.connection_joint_5_wz
-        + wrench_base_fx * screws.connection_joint_5_vx
-        + wrench_base_fy * screws.connection_joint_5_vy
-        - minus_wrench_base_fz * screws.connection_joint_5_vz;
-    let b2_0_5 = reactions.reaction_joint_1_wx * six_joint_6_mx
-        + reactions.reaction_joint_1_wy * six_joint_6_my
-        + reactions.reaction_joint_1_wz * six_joint_6_mz
+        + wrench_base_mz * screws.connection_joint_5_wz;
+    let d_mu_11_6 = reactions.reaction_joint_1_wx * d_mu_11_6_1
+        + reactions.reaction_joint_1_wy * d_mu_11_6_3
+        + reactions.reaction_joint_1_wz * d_mu_11_6_5
         + wrench_base_mx * screws.connection_joint_6_wx
         + wrench_base_my * screws.connection_joint_6_wy
-        + wrench_base_mz * screws.connection_joint_6_wz
-        + wrench_base_fx * screws.connection_joint_6_vx
-        + wrench_base_fy * screws.connection_joint_6_vy
-        - minus_wrench_base_fz * screws.connection_joint_6_vz;
-    let b2_0_6 = reactions.reaction_joint_1_wx * six_joint_7_mx
-        + reactions.reaction_joint_1_wy * six_joint_7_my
-        + reactions.reaction_joint_1_wz * six_joint_7_mz
+        + wrench_base_mz * screws.connection_joint_6_wz;
+    let d_mu_12_6 = reactions.reaction_joint_1_wx * d_mu_12_6_1
+        + reactions.reaction_joint_1_wy * d_mu_12_6_3
+        + reactions.reaction_joint_1_wz * d_mu_12_6_5
         + wrench_base_mx * screws.connection_joint_7_wx
         + wrench_base_my * screws.connection_joint_7_wy
-        + wrench_base_mz * screws.connection_joint_7_wz
-        + wrench_base_fx * screws.connection_joint_7_vx
-        + wrench_base_fy * screws.connection_joint_7_vy
-        - minus_wrench_base_fz * screws.connection_joint_7_vz;
-    let b2_1_2 = reactions.reaction_joint_2_wx * six_joint_3_mx
-        + reactions.reaction_joint_2_wy * six_joint_3_my
-        + reactions.reaction_joint_2_wz * six_joint_3_mz
-        + reactions.reaction_joint_2_vx * six_joint_3_fx
-        + reactions.reaction_joint_2_vy * six_joint_3_fy
-        + reactions.reaction_joint_2_vz * six_joint_3_fz
+        + wrench_base_mz * screws.connection_joint_7_wz;
+    let d_mu_8_7 = reactions.reaction_joint_2_wx * d_mu_8_6_1
+        + reactions.reaction_joint_2_wy * d_mu_8_6_3
+        + reactions.reaction_joint_2_wz * d_mu_8_6_5
         + wrench_link_1_mx * screws.connection_joint_3_wx
         + wrench_link_1_my * screws.connection_joint_3_wy
         + wrench_link_1_mz * screws.connection_joint_3_wz
         + wrench_link_1_fx * screws.connection_joint_3_vx
         + wrench_link_1_fy * screws.connection_joint_3_vy
         + wrench_link_1_fz * screws.connection_joint_3_vz;
-    let b2_1_3 = reactions.reaction_joint_2_wy * six_joint_4_my
-        - reactions.reaction_joint_2_wx * minus_six_joint_4_mx
-        + reactions.reaction_joint_2_wz * six_joint_4_mz
-        + reactions.reaction_joint_2_vx * six_joint_4_fx
-        + reactions.reaction_joint_2_vy * six_joint_4_fy
-        - reactions.reaction_joint_2_vz * minus_six_joint_4_fz
+    let d_mu_9_7 = reactions.reaction_joint_2_wx * d_mu_9_6_1
+        + reactions.reaction_joint_2_wy * d_mu_9_6_3
+        + reactions.reaction_joint_2_wz * d_mu_9_6_5
         + wrench_link_1_mx * screws.connection_joint_4_wx
         + wrench_link_1_my * screws.connection_joint_4_wy
         + wrench_link_1_mz * screws.connection_joint_4_wz
         + wrench_link_1_fx * screws.connection_joint_4_vx
         + wrench_link_1_fy * screws.connection_joint_4_vy
         + wrench_link_1_fz * screws.connection_joint_4_vz;
-    let b2_1_4 = reactions.reaction_joint_2_wx * six_joint_5_mx
-        + reactions.reaction_joint_2_wy * six_joint_5_my
-        + reactions.reaction_joint_2_wz * six_joint_5_mz
-        + reactions.reaction_joint_2_vx * six_joint_5_fx
-        + reactions.reaction_joint_2_vy * six_joint_5_fy
-        + reactions.reaction_joint_2_vz * six_joint_5_fz
+    let d_mu_10_7 = reactions.reaction_joint_2_wx * d_mu_10_6_1
+        + reactions.reaction_joint_2_wy * d_mu_10_6_3
+        + reactions.reaction_joint_2_wz * d_mu_10_6_5
         + wrench_link_1_mx * screws.connection_joint_5_wx
         + wrench_link_1_my * screws.connection_joint_5_wy
         + wrench_link_1_mz * screws.connection_joint_5_wz
         + wrench_link_1_fx * screws.connection_joint_5_vx
         + wrench_link_1_fy * screws.connection_joint_5_vy
         + wrench_link_1_fz * screws.connection_joint_5_vz;
-    let b2_1_5 = reactions.reaction_joint_2_wx * six_joint_6_mx
-        + reactions.reaction_joint_2_wy * six_joint_6_my
-        + reactions.reaction_joint_2_wz * six_joint_6_mz
-        + reactions.reaction_joint_2_vx * six_joint_6_fx
-        + reactions.reaction_joint_2_vy * six_joint_6_fy
-        + reactions.reaction_joint_2_vz * six_joint_6_fz
+    let d_mu_11_7 = reactions.reaction_joint_2_wx * d_mu_11_6_1
+        + reactions.reaction_joint_2_wy * d_mu_11_6_3
+        + reactions.reaction_joint_2_wz * d_mu_11_6_5
         + wrench_link_1_mx * screws.connection_joint_6_wx
         + wrench_link_1_my * screws.connection_joint_6_wy
         + wrench_link_1_mz * screws.connection_joint_6_wz
         + wrench_link_1_fx * screws.connection_joint_6_vx
         + wrench_link_1_fy * screws.connection_joint_6_vy
         + wrench_link_1_fz * screws.connection_joint_6_vz;
-    let b2_1_6 = reactions.reaction_joint_2_wx * six_joint_7_mx
-        + reactions.reaction_joint_2_wy * six_joint_7_my
-        + reactions.reaction_joint_2_wz * six_joint_7_mz
-        + reactions.reaction_joint_2_vx * six_joint_7_fx
-        + reactions.reaction_joint_2_vy * six_joint_7_fy
-        + reactions.reaction_joint_2_vz * six_joint_7_fz
+    let d_mu_12_7 = reactions.reaction_joint_2_wx * d_mu_12_6_1
+        + reactions.reaction_joint_2_wy * d_mu_12_6_3
+        + reactions.reaction_joint_2_wz * d_mu_12_6_5
         + wrench_link_1_mx * screws.connection_joint_7_wx
         + wrench_link_1_my * screws.connection_joint_7_wy
         + wrench_link_1_mz * screws.connection_joint_7_wz
         + wrench_link_1_fx * screws.connection_joint_7_vx
         + wrench_link_1_fy * screws.connection_joint_7_vy
         + wrench_link_1_fz * screws.connection_joint_7_vz;
-    let b2_2_3 = reactions.reaction_joint_3_wy * six_joint_4_my
-        - reactions.reaction_joint_3_wx * minus_six_joint_4_mx
-        + reactions.reaction_joint_3_wz * six_joint_4_mz
-        + reactions.reaction_joint_3_vx * six_joint_4_fx
-        + reactions.reaction_joint_3_vy * six_joint_4_fy
-        - reactions.reaction_joint_3_vz * minus_six_joint_4_fz
+    let d_mu_9_8 = reactions.reaction_joint_3_wx * d_mu_9_6_1
+        + reactions.reaction_joint_3_wy * d_mu_9_6_3
+        + reactions.reaction_joint_3_wz * d_mu_9_6_5
         + wrench_link_2_mx * screws.connection_joint_4_wx
         + wrench_link_2_my * screws.connection_joint_4_wy
         + wrench_link_2_mz * screws.connection_joint_4_wz
         + wrench_link_2_fx * screws.connection_joint_4_vx
         + wrench_link_2_fy * screws.connection_joint_4_vy
         + wrench_link_2_fz * screws.connection_joint_4_vz;
-    let b2_2_4 = reactions.reaction_joint_3_wx * six_joint_5_mx
-        + reactions.reaction_joint_3_wy * six_joint_5_my
-        + reactions.reaction_joint_3_wz * six_joint_5_mz
-        + reactions.reaction_joint_3_vx * six_joint_5_fx
-        + reactions.reaction_joint_3_vy * six_joint_5_fy
-        + reactions.reaction_joint_3_vz * six_joint_5_fz
+    let d_mu_10_8 = reactions.reaction_joint_3_wx * d_mu_10_6_1
+        + reactions.reaction_joint_3_wy * d_mu_10_6_3
+        + reactions.reaction_joint_3_wz * d_mu_10_6_5
         + wrench_link_2_mx * screws.connection_joint_5_wx
         + wrench_link_2_my * screws.connection_joint_5_wy
         + wrench_link_2_mz * screws.connection_joint_5_wz
         + wrench_link_2_fx * screws.connection_joint_5_vx
         + wrench_link_2_fy * screws.connection_joint_5_vy
         + wrench_link_2_fz * screws.connection_joint_5_vz;
-    let b2_2_5 = reactions.reaction_joint_3_wx * six_joint_6_mx
-        + reactions.reaction_joint_3_wy * six_joint_6_my
-        + reactions.reaction_joint_3_wz * six_joint_6_mz
-        + reactions.reaction_joint_3_vx * six_joint_6_fx
-        + reactions.reaction_joint_3_vy * six_joint_6_fy
-        + reactions.reaction_joint_3_vz * six_joint_6_fz
+    let d_mu_11_8 = reactions.reaction_joint_3_wx * d_mu_11_6_1
+        + reactions.reaction_joint_3_wy * d_mu_11_6_3
+        + reactions.reaction_joint_3_wz * d_mu_11_6_5
         + wrench_link_2_mx * screws.connection_joint_6_wx
         + wrench_link_2_my * screws.connection_joint_6_wy
         + wrench_link_2_mz * screws.connection_joint_6_wz
         + wrench_link_2_fx * screws.connection_joint_6_vx
         + wrench_link_2_fy * screws.connection_joint_6_vy
         + wrench_link_2_fz * screws.connection_joint_6_vz;
-    let b2_2_6 = reactions.reaction_joint_3_wx * six_joint_7_mx
-        + reactions.reaction_joint_3_wy * six_joint_7_my
-        + reactions.reaction_joint_3_wz * six_joint_7_mz
-        + reactions.reaction_joint_3_vx * six_joint_7_fx
-        + reactions.reaction_joint_3_vy * six_joint_7_fy
-        + reactions.reaction_joint_3_vz * six_joint_7_fz
+    let d_mu_12_8 = reactions.reaction_joint_3_wx * d_mu_12_6_1
+        + reactions.reaction_joint_3_wy * d_mu_12_6_3
+        + reactions.reaction_joint_3_wz * d_mu_12_6_5
         + wrench_link_2_mx * screws.connection_joint_7_wx
         + wrench_link_2_my * screws.connection_joint_7_wy
         + wrench_link_2_mz * screws.connection_joint_7_wz
         + wrench_link_2_fx * screws.connection_joint_7_vx
         + wrench_link_2_fy * screws.connection_joint_7_vy
         + wrench_link_2_fz * screws.connection_joint_7_vz;
-    let b2_3_4 = reactions.reaction_joint_4_wx * six_joint_5_mx
-        + reactions.reaction_joint_4_wy * six_joint_5_my
-        + reactions.reaction_joint_4_wz * six_joint_5_mz
-        + reactions.reaction_joint_4_vx * six_joint_5_fx
-        + reactions.reaction_joint_4_vy * six_joint_5_fy
-        - reactions.minus_reaction_joint_4_vz * six_joint_5_fz
+    let d_mu_10_9 = reactions.reaction_joint_4_wx * d_mu_10_6_1
+        + reactions.reaction_joint_4_wy * d_mu_10_6_3
+        + reactions.reaction_joint_4_wz * d_mu_10_6_5
         + wrench_link_3_mx * screws.connection_joint_5_wx
         + wrench_link_3_my * screws.connection_joint_5_wy
         + wrench_link_3_mz * screws.connection_joint_5_wz
         + wrench_link_3_fx * screws.connection_joint_5_vx
-        + wrench_link_3_fy * screws.connection_joint_5_vy
+        - minus_wrench_link_3_fy * screws.connection_joint_5_vy
         + wrench_link_3_fz * screws.connection_joint_5_vz;
-    let b2_3_5 = reactions.reaction_joint_4_wx * six_joint_6_mx
-        + reactions.reaction_joint_4_wy * six_joint_6_my
-        + reactions.reaction_joint_4_wz * six_joint_6_mz
-        + reactions.reaction_joint_4_vx * six_joint_6_fx
-        + reactions.reaction_joint_4_vy * six_joint_6_fy
-        - reactions.minus_reaction_joint_4_vz * six_joint_6_fz
+    let d_mu_11_9 = reactions.reaction_joint_4_wx * d_mu_11_6_1
+        + reactions.reaction_joint_4_wy * d_mu_11_6_3
+        + reactions.reaction_joint_4_wz * d_mu_11_6_5
         + wrench_link_3_mx * screws.connection_joint_6_wx
         + wrench_link_3_my * screws.connection_joint_6_wy
         + wrench_link_3_mz * screws.connection_joint_6_wz
         + wrench_link_3_fx * screws.connection_joint_6_vx
-        + wrench_link_3_fy * screws.connection_joint_6_vy
+        - minus_wrench_link_3_fy * screws.connection_joint_6_vy
         + wrench_link_3_fz * screws.connection_joint_6_vz;
-    let b2_3_6 = reactions.reaction_joint_4_wx * six_joint_7_mx
-        + reactions.reaction_joint_4_wy * six_joint_7_my
-        + reactions.reaction_joint_4_wz * six_joint_7_mz
-        + reactions.reaction_joint_4_vx * six_joint_7_fx
-        + reactions.reaction_joint_4_vy * six_joint_7_fy
-        - reactions.minus_reaction_joint_4_vz * six_joint_7_fz
+    let d_mu_12_9 = reactions.reaction_joint_4_wx * d_mu_12_6_1
+        + reactions.reaction_joint_4_wy * d_mu_12_6_3
+        + reactions.reaction_joint_4_wz * d_mu_12_6_5
         + wrench_link_3_mx * screws.connection_joint_7_wx
         + wrench_link_3_my * screws.connection_joint_7_wy
         + wrench_link_3_mz * screws.connection_joint_7_wz
         + wrench_link_3_fx * screws.connection_joint_7_vx
-        + wrench_link_3_fy * screws.connection_joint_7_vy
+        - minus_wrench_link_3_fy * screws.connection_joint_7_vy
         + wrench_link_3_fz * screws.connection_joint_7_vz;
-    let b2_4_5 = reactions.reaction_joint_5_wx * six_joint_6_mx
-        + reactions.reaction_joint_5_wy * six_joint_6_my
-        + reactions.reaction_joint_5_wz * six_joint_6_mz
-        + reactions.reaction_joint_5_vx * six_joint_6_fx
-        + reactions.reaction_joint_5_vy * six_joint_6_fy
-        + reactions.reaction_joint_5_vz * six_joint_6_fz
+    let d_mu_11_10 = reactions.reaction_joint_5_wx * d_mu_11_6_1
+        + reactions.reaction_joint_5_wy * d_mu_11_6_3
+        + reactions.reaction_joint_5_wz * d_mu_11_6_5
         + wrench_link_4_mx * screws.connection_joint_6_wx
         + wrench_link_4_my * screws.connection_joint_6_wy
         + wrench_link_4_mz * screws.connection_joint_6_wz
         + wrench_link_4_fx * screws.connection_joint_6_vx
         + wrench_link_4_fy * screws.connection_joint_6_vy
         + wrench_link_4_fz * screws.connection_joint_6_vz;
-    let b2_4_6 = reactions.reaction_joint_5_wx * six_joint_7_mx
-        + reactions.reaction_joint_5_wy * six_joint_7_my
-        + reactions.reaction_joint_5_wz * six_joint_7_mz
-        + reactions.reaction_joint_5_vx * six_joint_7_fx
-        + reactions.reaction_joint_5_vy * six_joint_7_fy
-        + reactions.reaction_joint_5_vz * six_joint_7_fz
+    let d_mu_12_10 = reactions.reaction_joint_5_wx * d_mu_12_6_1
+        + reactions.reaction_joint_5_wy * d_mu_12_6_3
+        + reactions.reaction_joint_5_wz * d_mu_12_6_5
         + wrench_link_4_mx * screws.connection_joint_7_wx
         + wrench_link_4_my * screws.connection_joint_7_wy
         + wrench_link_4_mz * screws.connection_joint_7_wz
         + wrench_link_4_fx * screws.connection_joint_7_vx
         + wrench_link_4_fy * screws.connection_joint_7_vy
         + wrench_link_4_fz * screws.connection_joint_7_vz;
-    let b2_5_6 = reactions.reaction_joint_6_wx * six_joint_7_mx
-        + reactions.reaction_joint_6_wy * six_joint_7_my
-        + reactions.reaction_joint_6_wz * six_joint_7_mz
-        + reactions.reaction_joint_6_vx * six_joint_7_fx
-        + reactions.reaction_joint_6_vy * six_joint_7_fy
-        + reactions.reaction_joint_6_vz * six_joint_7_fz
+    let d_mu_12_11 = reactions.reaction_joint_6_wx * d_mu_12_6_1
+        + reactions.reaction_joint_6_wy * d_mu_12_6_3
+        + reactions.reaction_joint_6_wz * d_mu_12_6_5
         + wrench_link_5_mx * screws.connection_joint_7_wx
         + wrench_link_5_my * screws.connection_joint_7_wy
         + wrench_link_5_mz * screws.connection_joint_7_wz
@@ -4486,37 +4422,43 @@ fn common_d_mu_b2(
         + wrench_link_5_fy * screws.connection_joint_7_vy
         + wrench_link_5_fz * screws.connection_joint_7_vz;
     CommonDMuB2 {
-        b2_0_1,
-        b2_0_2,
-        b2_0_3,
-        b2_0_4,
-        b2_0_5,
-        b2_0_6,
-        b2_1_2,
-        b2_1_3,
-        b2_1_4,
-        b2_1_5,
-        b2_1_6,
-        b2_2_3,
-        b2_2_4,
-        b2_2_5,
-        b2_2_6,
-        b2_3_4,
-        b2_3_5,
-        b2_3_6,
-        b2_4_5,
-        b2_4_6,
-        b2_5_6,
+        d_mu_7_6,
+        d_mu_8_6,
+        d_mu_9_6,
+        d_mu_10_6,
+        d_mu_11_6,
+        d_mu_12_6,
+        d_mu_8_7,
+        d_mu_9_7,
+        d_mu_10_7,
+        d_mu_11_7,
+        d_mu_12_7,
+        d_mu_9_8,
+        d_mu_10_8,
+        d_mu_11_8,
+        d_mu_12_8,
+        d_mu_10_9,
+        d_mu_11_9,
+        d_mu_12_9,
+        d_mu_11_10,
+        d_mu_12_10,
+        d_mu_12_11,
     }
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
 struct CommonCouplingTorqueDMuXi {
+    coupling_torque_0_46_0: f64,
+    coupling_torque_0_48_0: f64,
+    coupling_torque_0_37_0: f64,
     coupling_torque_0: f64,
     coupling_torque_1: f64,
     coupling_torque_2: f64,
     coupling_torque_3: f64,
     coupling_torque_4: f64,
     coupling_torque_5: f64,
+    coupling_torque_6_19_0: f64,
+    coupling_torque_6_21_0: f64,
+    coupling_torque_6_10_0: f64,
     coupling_torque_6: f64,
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
@@ -4550,17 +4492,22 @@ fn common_coupling_torque_d_mu_xi(
         + (mu[2] * inertias.composite_link_1_hx - mu[0] * inertias.composite_link_1_hz);
     let coupling_torque_0_14 = coupling_torque_0_19_7 * 14.0
         + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx);
-    let coupling_torque_0_46 = inertias.inertia_base_xx * mu[0]
-        - inertias.minus_inertia_base_xy * mu[1] - inertias.minus_inertia_base_xz * mu[2]
+    let coupling_torque_0_46_0 = inertias.inertia_base_xx * mu[0]
+        - inertias.minus_inertia_base_xy * mu[1]
+        - inertias.minus_inertia_base_xz * mu[2];
+    let coupling_torque_0_48_0 = inertias.inertia_base_yy * mu[1]
+        - inertias.minus_inertia_base_xy * mu[0]
+        - inertias.minus_inertia_base_yz * mu[2];
+    let coupling_torque_0_37_0 = inertias.inertia_base_zz * mu[2]
+        - (inertias.minus_inertia_base_xz * mu[0]
+            + inertias.minus_inertia_base_yz * mu[1]);
+    let coupling_torque_0_46 = coupling_torque_0_46_0
         + (inertias.minus_inertia_base_hz * coupling_torque_0_19_9
             - inertias.minus_inertia_base_hy * coupling_torque_0_19_7);
-    let coupling_torque_0_48 = inertias.inertia_base_yy * mu[1]
-        - inertias.minus_inertia_base_xy * mu[0] - inertias.minus_inertia_base_yz * mu[2]
+    let coupling_torque_0_48 = coupling_torque_0_48_0
         + (inertias.minus_inertia_base_hx * coupling_torque_0_19_7
             - inertias.minus_inertia_base_hz * coupling_torque_0_21_7);
-    let coupling_torque_0_37 = inertias.inertia_base_zz * mu[2]
-        - (inertias.minus_inertia_base_xz * mu[0]
-            + inertias.minus_inertia_base_yz * mu[1])
+    let coupling_torque_0_37 = coupling_torque_0_37_0
         + (inertias.minus_inertia_base_hy * coupling_torque_0_21_7
             - inertias.minus_inertia_base_hx * coupling_torque_0_19_9);
     let coupling_torque_0_62 = coupling_torque_0_21_7 * 3.5
@@ -4997,16 +4944,19 @@ fn common_coupling_torque_d_mu_xi(
                 * (coupling_torque_5_75 * mu[0] - coupling_torque_5_80 * mu[2])
             + screws.connection_joint_6_vz
                 * (coupling_torque_5_80 * mu[1] - coupling_torque_5_82 * mu[0]));
-    let coupling_torque_6_19 = inertias.inertia_link_7_xx * mu[0]
-        + inertias.inertia_link_7_xy * mu[1] + inertias.inertia_link_7_xz * mu[2]
+    let coupling_torque_6_19_0 = inertias.inertia_link_7_xx * mu[0]
+        + inertias.inertia_link_7_xy * mu[1] + inertias.inertia_link_7_xz * mu[2];
+    let coupling_torque_6_21_0 = inertias.inertia_link_7_xy * mu[0]
+        + inertias.inertia_link_7_yy * mu[1] + inertias.inertia_link_7_yz * mu[2];
+    let coupling_torque_6_10_0 = inertias.inertia_link_7_xz * mu[0]
+        + inertias.inertia_link_7_yz * mu[1] + inertias.inertia_link_7_zz * mu[2];
+    let coupling_torque_6_19 = coupling_torque_6_19_0
         - (inertias.minus_inertia_link_7_hy * coupling_torque_0_19_7
             + inertias.inertia_link_7_hz * coupling_torque_0_19_9);
-    let coupling_torque_6_21 = inertias.inertia_link_7_xy * mu[0]
-        + inertias.inertia_link_7_yy * mu[1] + inertias.inertia_link_7_yz * mu[2]
+    let coupling_torque_6_21 = coupling_torque_6_21_0
         + (inertias.inertia_link_7_hz * coupling_torque_0_21_7
             + inertias.minus_inertia_link_7_hx * coupling_torque_0_19_7);
-    let coupling_torque_6_10 = inertias.inertia_link_7_xz * mu[0]
-        + inertias.inertia_link_7_yz * mu[1] + inertias.inertia_link_7_zz * mu[2]
+    let coupling_torque_6_10 = coupling_torque_6_10_0
         + (inertias.minus_inertia_link_7_hy * coupling_torque_0_21_7
             - inertias.minus_inertia_link_7_hx * coupling_torque_0_19_9);
     let coupling_torque_6_38 = coupling_torque_0_21_7 * 2.0
@@ -5079,12 +5029,18 @@ fn common_coupling_torque_d_mu_xi(
             + screws.connection_joint_7_vz
                 * (coupling_torque_6_80 * mu[1] - coupling_torque_6_82 * mu[0]));
     CommonCouplingTorqueDMuXi {
+        coupling_torque_0_46_0,
+        coupling_torque_0_48_0,
+        coupling_torque_0_37_0,
         coupling_torque_0,
         coupling_torque_1,
         coupling_torque_2,
         coupling_torque_3,
         coupling_torque_4,
         coupling_torque_5,
+        coupling_torque_6_19_0,
+        coupling_torque_6_21_0,
+        coupling_torque_6_10_0,
         coupling_torque_6,
     }
 }
@@ -6176,7 +6132,7 @@ fn d_mu_itself(
     poses: &Poses,
     inertias: &Inertias,
     screws: &Screws,
-    common_d_mu_and_6_more: &CommonDMuAnd6More,
+    common_d_mu_and_7_more: &CommonDMuAnd7More,
     common_d_mu_b2: &CommonDMuB2,
     d_mu: &mut [[f64; 13]; 13],
 ) {
@@ -6185,10 +6141,10 @@ fn d_mu_itself(
     let d_mu_0_0_1 = d_mu_0_0_3_0 * poses.com_y;
     // D_μ column 0
     d_mu[0][0] = 0.0 - (poses.com_z * d_mu_0_0_1 - poses.com_y * d_mu_0_0_3);
-    let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
-        + inertias.composite_base_zz) * 0.5;
     let d_mu_1_0_0_2 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
+        + inertias.composite_base_zz) * 0.5;
     let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - d_mu_1_0_0_2;
     let d_mu_1_0_4_1_0 = mu[2] * 17.5;
     let d_mu_1_0_4_0_0 = mu[1] * 17.5;
@@ -6205,139 +6161,143 @@ fn d_mu_itself(
     d_mu[0][3] = 0.0 - d_mu_1_0_4;
     d_mu[0][4] = d_mu_0_0_1 + 0.0;
     d_mu[0][5] = d_mu_0_0_3 + 0.0;
-    let d_mu_6_0_16_2_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let d_mu_6_0_14_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let d_mu_6_0_16_0_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let d_mu_6_0_16_2 = d_mu_6_0_16_2_0 * 17.5;
-    let d_mu_6_0_14_6 = d_mu_6_0_14_6_0 * 17.5;
-    let d_mu_6_0_16_0 = d_mu_6_0_16_0_0 * 17.5;
-    let d_mu_6_0_14_0 = mu[0] * 0.5;
-    let d_mu_6_0_14_2 = mu[1] * 0.5;
-    let d_mu_6_0_16_4 = mu[2] * 0.5;
-    let d_mu_6_0_7 = d_mu_6_0_16_0_0 * 0.5;
-    let d_mu_6_0_16 = d_mu_6_0_16_0 * screws.connection_joint_1_wx
-        - d_mu_6_0_16_2 * screws.connection_joint_1_wz
-        - d_mu_6_0_16_4 * screws.minus_inside_joint_1_fx;
-    let d_mu_6_0_14 = d_mu_6_0_14_0 * screws.inside_joint_1_fy
-        + d_mu_6_0_14_2 * screws.minus_inside_joint_1_fx
-        + (d_mu_6_0_16_2 * screws.connection_joint_1_wy
-            - d_mu_6_0_14_6 * screws.connection_joint_1_wx);
-    let d_mu_6_0 = common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * d_mu_6_0_14_2
-        - screws.inside_joint_1_my * d_mu_6_0_16_4
-        + screws.inside_joint_1_fy * d_mu_6_0_7
+    let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
+    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
+    let d_mu_6_0_17_2_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
+    let d_mu_6_0_15_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let d_mu_6_0_17_0_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let d_mu_6_0_17_2 = d_mu_6_0_17_2_0 * 17.5;
+    let d_mu_6_0_15_6 = d_mu_6_0_15_6_0 * 17.5;
+    let d_mu_6_0_17_0 = d_mu_6_0_17_0_0 * 17.5;
+    let d_mu_6_0_15_0 = mu[0] * 0.5;
+    let d_mu_6_0_15_2 = mu[1] * 0.5;
+    let d_mu_6_0_17_4 = mu[2] * 0.5;
+    let d_mu_6_0_8 = d_mu_6_0_17_0_0 * 0.5;
+    let d_mu_6_0_17 = d_mu_6_0_17_0 * screws.connection_joint_1_wx
+        - d_mu_6_0_17_2 * screws.connection_joint_1_wz
+        - d_mu_6_0_17_4 * screws.minus_inside_joint_1_fx;
+    let d_mu_6_0_15 = d_mu_6_0_15_0 * screws.inside_joint_1_fy
+        + d_mu_6_0_15_2 * screws.minus_inside_joint_1_fx
+        + (d_mu_6_0_17_2 * screws.connection_joint_1_wy
+            - d_mu_6_0_15_6 * screws.connection_joint_1_wx);
+    let d_mu_6_0 = (d_mu_6_0_0 - d_mu_6_0_1) * d_mu_6_0_15_0 + d_mu_6_0_3 * d_mu_6_0_15_2
+        - screws.inside_joint_1_my * d_mu_6_0_17_4
+        + screws.inside_joint_1_fy * d_mu_6_0_8
         + (d_mu_2_0_0_2 * screws.connection_joint_1_wz
             - d_mu_1_0_0_2 * screws.connection_joint_1_wy
-            - d_mu_6_0_16_0 * screws.connection_joint_1_vy)
-        + (d_mu_6_0_14 * poses.com_y - d_mu_6_0_16 * poses.com_z);
+            - d_mu_6_0_17_0 * screws.connection_joint_1_vy)
+        + (d_mu_6_0_15 * poses.com_y - d_mu_6_0_17 * poses.com_z);
     d_mu[0][6] = d_mu_6_0 + 0.0;
-    let d_mu_7_0_9 = d_mu_6_0_14_6_0 * 0.5;
-    let d_mu_7_0_20 = d_mu_6_0_16_4 * screws.inside_joint_2_fx
-        - d_mu_6_0_14_0 * screws.inside_joint_2_fz
-        + (d_mu_6_0_16_0 * screws.connection_joint_2_wx
-            - d_mu_6_0_16_2 * screws.connection_joint_2_wz);
-    let d_mu_7_0_18 = d_mu_6_0_14_0 * screws.inside_joint_2_fy
-        - d_mu_6_0_14_2 * screws.inside_joint_2_fx
-        + (d_mu_6_0_16_2 * screws.connection_joint_2_wy
-            - d_mu_6_0_14_6 * screws.connection_joint_2_wx);
-    let d_mu_7_0 = common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * d_mu_6_0_14_0
-        - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_2_fy * d_mu_6_0_7 - screws.inside_joint_2_fz * d_mu_7_0_9)
+    let d_mu_7_0_9 = d_mu_6_0_15_6_0 * 0.5;
+    let d_mu_7_0_20 = d_mu_6_0_17_4 * screws.inside_joint_2_fx
+        - d_mu_6_0_15_0 * screws.inside_joint_2_fz
+        + (d_mu_6_0_17_0 * screws.connection_joint_2_wx
+            - d_mu_6_0_17_2 * screws.connection_joint_2_wz);
+    let d_mu_7_0_18 = d_mu_6_0_15_0 * screws.inside_joint_2_fy
+        - d_mu_6_0_15_2 * screws.inside_joint_2_fx
+        + (d_mu_6_0_17_2 * screws.connection_joint_2_wy
+            - d_mu_6_0_15_6 * screws.connection_joint_2_wx);
+    let d_mu_7_0 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
+        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_2_fy * d_mu_6_0_8 - screws.inside_joint_2_fz * d_mu_7_0_9)
         + (d_mu_2_0_0_2 * screws.connection_joint_2_wz
             - d_mu_1_0_0_2 * screws.connection_joint_2_wy
-            + (d_mu_6_0_14_6 * screws.connection_joint_2_vz
-                - d_mu_6_0_16_0 * screws.connection_joint_2_vy))
+            + (d_mu_6_0_15_6 * screws.connection_joint_2_vz
+                - d_mu_6_0_17_0 * screws.connection_joint_2_vy))
         + (d_mu_7_0_18 * poses.com_y - d_mu_7_0_20 * poses.com_z);
     d_mu[0][7] = d_mu_7_0 + 0.0;
-    let d_mu_8_0_20 = d_mu_6_0_16_4 * screws.inside_joint_3_fx
-        - d_mu_6_0_14_0 * screws.inside_joint_3_fz
-        + (d_mu_6_0_16_0 * screws.connection_joint_3_wx
-            - d_mu_6_0_16_2 * screws.connection_joint_3_wz);
-    let d_mu_8_0_18 = d_mu_6_0_14_0 * screws.inside_joint_3_fy
-        - d_mu_6_0_14_2 * screws.inside_joint_3_fx
-        + (d_mu_6_0_16_2 * screws.connection_joint_3_wy
-            - d_mu_6_0_14_6 * screws.connection_joint_3_wx);
-    let d_mu_8_0 = common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_3_fy * d_mu_6_0_7 - screws.inside_joint_3_fz * d_mu_7_0_9)
+    let d_mu_8_0_20 = d_mu_6_0_17_4 * screws.inside_joint_3_fx
+        - d_mu_6_0_15_0 * screws.inside_joint_3_fz
+        + (d_mu_6_0_17_0 * screws.connection_joint_3_wx
+            - d_mu_6_0_17_2 * screws.connection_joint_3_wz);
+    let d_mu_8_0_18 = d_mu_6_0_15_0 * screws.inside_joint_3_fy
+        - d_mu_6_0_15_2 * screws.inside_joint_3_fx
+        + (d_mu_6_0_17_2 * screws.connection_joint_3_wy
+            - d_mu_6_0_15_6 * screws.connection_joint_3_wx);
+    let d_mu_8_0 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_3_fy * d_mu_6_0_8 - screws.inside_joint_3_fz * d_mu_7_0_9)
         + (d_mu_2_0_0_2 * screws.connection_joint_3_wz
             - d_mu_1_0_0_2 * screws.connection_joint_3_wy
-            + (d_mu_6_0_14_6 * screws.connection_joint_3_vz
-                - d_mu_6_0_16_0 * screws.connection_joint_3_vy))
+            + (d_mu_6_0_15_6 * screws.connection_joint_3_vz
+                - d_mu_6_0_17_0 * screws.connection_joint_3_vy))
         + (d_mu_8_0_18 * poses.com_y - d_mu_8_0_20 * poses.com_z);
     d_mu[0][8] = d_mu_8_0 + 0.0;
-    let d_mu_9_0_20 = d_mu_6_0_16_4 * screws.inside_joint_4_fx
-        - d_mu_6_0_14_0 * screws.inside_joint_4_fz
-        + (d_mu_6_0_16_0 * screws.connection_joint_4_wx
-            - d_mu_6_0_16_2 * screws.connection_joint_4_wz);
-    let d_mu_9_0_18 = d_mu_6_0_14_0 * screws.inside_joint_4_fy
-        - d_mu_6_0_14_2 * screws.inside_joint_4_fx
-        + (d_mu_6_0_16_2 * screws.connection_joint_4_wy
-            - d_mu_6_0_14_6 * screws.connection_joint_4_wx);
-    let d_mu_9_0 = common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_4_fy * d_mu_6_0_7 - screws.inside_joint_4_fz * d_mu_7_0_9)
+    let d_mu_9_0_20 = d_mu_6_0_17_4 * screws.inside_joint_4_fx
+        - d_mu_6_0_15_0 * screws.inside_joint_4_fz
+        + (d_mu_6_0_17_0 * screws.connection_joint_4_wx
+            - d_mu_6_0_17_2 * screws.connection_joint_4_wz);
+    let d_mu_9_0_18 = d_mu_6_0_15_0 * screws.inside_joint_4_fy
+        - d_mu_6_0_15_2 * screws.inside_joint_4_fx
+        + (d_mu_6_0_17_2 * screws.connection_joint_4_wy
+            - d_mu_6_0_15_6 * screws.connection_joint_4_wx);
+    let d_mu_9_0 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_4_fy * d_mu_6_0_8 - screws.inside_joint_4_fz * d_mu_7_0_9)
         + (d_mu_2_0_0_2 * screws.connection_joint_4_wz
             - d_mu_1_0_0_2 * screws.connection_joint_4_wy
-            + (d_mu_6_0_14_6 * screws.connection_joint_4_vz
-                - d_mu_6_0_16_0 * screws.connection_joint_4_vy))
+            + (d_mu_6_0_15_6 * screws.connection_joint_4_vz
+                - d_mu_6_0_17_0 * screws.connection_joint_4_vy))
         + (d_mu_9_0_18 * poses.com_y - d_mu_9_0_20 * poses.com_z);
     d_mu[0][9] = d_mu_9_0 + 0.0;
-    let d_mu_10_0_20 = d_mu_6_0_16_4 * screws.inside_joint_5_fx
-        - d_mu_6_0_14_0 * screws.inside_joint_5_fz
-        + (d_mu_6_0_16_0 * screws.connection_joint_5_wx
-            - d_mu_6_0_16_2 * screws.connection_joint_5_wz);
-    let d_mu_10_0_18 = d_mu_6_0_14_0 * screws.inside_joint_5_fy
-        - d_mu_6_0_14_2 * screws.inside_joint_5_fx
-        + (d_mu_6_0_16_2 * screws.connection_joint_5_wy
-            - d_mu_6_0_14_6 * screws.connection_joint_5_wx);
-    let d_mu_10_0 = common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_5_fy * d_mu_6_0_7 - screws.inside_joint_5_fz * d_mu_7_0_9)
+    let d_mu_10_0_20 = d_mu_6_0_17_4 * screws.inside_joint_5_fx
+        - d_mu_6_0_15_0 * screws.inside_joint_5_fz
+        + (d_mu_6_0_17_0 * screws.connection_joint_5_wx
+            - d_mu_6_0_17_2 * screws.connection_joint_5_wz);
+    let d_mu_10_0_18 = d_mu_6_0_15_0 * screws.inside_joint_5_fy
+        - d_mu_6_0_15_2 * screws.inside_joint_5_fx
+        + (d_mu_6_0_17_2 * screws.connection_joint_5_wy
+            - d_mu_6_0_15_6 * screws.connection_joint_5_wx);
+    let d_mu_10_0 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_5_fy * d_mu_6_0_8 - screws.inside_joint_5_fz * d_mu_7_0_9)
         + (d_mu_2_0_0_2 * screws.connection_joint_5_wz
             - d_mu_1_0_0_2 * screws.connection_joint_5_wy
-            + (d_mu_6_0_14_6 * screws.connection_joint_5_vz
-                - d_mu_6_0_16_0 * screws.connection_joint_5_vy))
+            + (d_mu_6_0_15_6 * screws.connection_joint_5_vz
+                - d_mu_6_0_17_0 * screws.connection_joint_5_vy))
         + (d_mu_10_0_18 * poses.com_y - d_mu_10_0_20 * poses.com_z);
     d_mu[0][10] = d_mu_10_0 + 0.0;
-    let d_mu_11_0_20 = d_mu_6_0_16_4 * screws.inside_joint_6_fx
-        - d_mu_6_0_14_0 * screws.inside_joint_6_fz
-        + (d_mu_6_0_16_0 * screws.connection_joint_6_wx
-            - d_mu_6_0_16_2 * screws.connection_joint_6_wz);
-    let d_mu_11_0_18 = d_mu_6_0_14_0 * screws.inside_joint_6_fy
-        - d_mu_6_0_14_2 * screws.inside_joint_6_fx
-        + (d_mu_6_0_16_2 * screws.connection_joint_6_wy
-            - d_mu_6_0_14_6 * screws.connection_joint_6_wx);
-    let d_mu_11_0 = common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_6_fy * d_mu_6_0_7 - screws.inside_joint_6_fz * d_mu_7_0_9)
+    let d_mu_11_0_20 = d_mu_6_0_17_4 * screws.inside_joint_6_fx
+        - d_mu_6_0_15_0 * screws.inside_joint_6_fz
+        + (d_mu_6_0_17_0 * screws.connection_joint_6_wx
+            - d_mu_6_0_17_2 * screws.connection_joint_6_wz);
+    let d_mu_11_0_18 = d_mu_6_0_15_0 * screws.inside_joint_6_fy
+        - d_mu_6_0_15_2 * screws.inside_joint_6_fx
+        + (d_mu_6_0_17_2 * screws.connection_joint_6_wy
+            - d_mu_6_0_15_6 * screws.connection_joint_6_wx);
+    let d_mu_11_0 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_6_fy * d_mu_6_0_8 - screws.inside_joint_6_fz * d_mu_7_0_9)
         + (d_mu_2_0_0_2 * screws.connection_joint_6_wz
             - d_mu_1_0_0_2 * screws.connection_joint_6_wy
-            + (d_mu_6_0_14_6 * screws.connection_joint_6_vz
-                - d_mu_6_0_16_0 * screws.connection_joint_6_vy))
+            + (d_mu_6_0_15_6 * screws.connection_joint_6_vz
+                - d_mu_6_0_17_0 * screws.connection_joint_6_vy))
         + (d_mu_11_0_18 * poses.com_y - d_mu_11_0_20 * poses.com_z);
     d_mu[0][11] = d_mu_11_0 + 0.0;
-    let d_mu_12_0_20 = d_mu_6_0_16_4 * screws.inside_joint_7_fx
-        - d_mu_6_0_14_0 * screws.inside_joint_7_fz
-        + (d_mu_6_0_16_0 * screws.connection_joint_7_wx
-            - d_mu_6_0_16_2 * screws.connection_joint_7_wz);
-    let d_mu_12_0_18 = d_mu_6_0_14_0 * screws.inside_joint_7_fy
-        - d_mu_6_0_14_2 * screws.inside_joint_7_fx
-        + (d_mu_6_0_16_2 * screws.connection_joint_7_wy
-            - d_mu_6_0_14_6 * screws.connection_joint_7_wx);
-    let d_mu_12_0 = common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_7_fy * d_mu_6_0_7 - screws.inside_joint_7_fz * d_mu_7_0_9)
+    let d_mu_12_0_20 = d_mu_6_0_17_4 * screws.inside_joint_7_fx
+        - d_mu_6_0_15_0 * screws.inside_joint_7_fz
+        + (d_mu_6_0_17_0 * screws.connection_joint_7_wx
+            - d_mu_6_0_17_2 * screws.connection_joint_7_wz);
+    let d_mu_12_0_18 = d_mu_6_0_15_0 * screws.inside_joint_7_fy
+        - d_mu_6_0_15_2 * screws.inside_joint_7_fx
+        + (d_mu_6_0_17_2 * screws.connection_joint_7_wy
+            - d_mu_6_0_15_6 * screws.connection_joint_7_wx);
+    let d_mu_12_0 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_7_fy * d_mu_6_0_8 - screws.inside_joint_7_fz * d_mu_7_0_9)
         + (d_mu_2_0_0_2 * screws.connection_joint_7_wz
             - d_mu_1_0_0_2 * screws.connection_joint_7_wy
-            + (d_mu_6_0_14_6 * screws.connection_joint_7_vz
-                - d_mu_6_0_16_0 * screws.connection_joint_7_vy))
+            + (d_mu_6_0_15_6 * screws.connection_joint_7_vz
+                - d_mu_6_0_17_0 * screws.connection_joint_7_vy))
         + (d_mu_12_0_18 * poses.com_y - d_mu_12_0_20 * poses.com_z);
     d_mu[0][12] = d_mu_12_0 + 0.0;
     let d_mu_0_1_2 = d_mu_1_0_4_0_0 * poses.com_z;
@@ -6356,101 +6316,102 @@ fn d_mu_itself(
     d_mu[1][3] = d_mu_1_1_3 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_0_1_4;
     d_mu[1][5] = d_mu_0_1_2 + 0.0;
-    let d_mu_6_1_14 = d_mu_6_0_14_6 * screws.connection_joint_1_wz
-        - d_mu_6_0_16_0 * screws.connection_joint_1_wy
-        - d_mu_6_0_16_4 * screws.inside_joint_1_fy;
-    let d_mu_6_1 = common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + screws.inside_joint_1_mx * d_mu_6_0_16_4
-        + screws.minus_inside_joint_1_fx * d_mu_6_0_7
+    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
+    let d_mu_6_1_15 = d_mu_6_0_15_6 * screws.connection_joint_1_wz
+        - d_mu_6_0_17_0 * screws.connection_joint_1_wy
+        - d_mu_6_0_17_4 * screws.inside_joint_1_fy;
+    let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_15_0 + (d_mu_6_0_1 - d_mu_6_1_3) * d_mu_6_0_15_2
+        + screws.inside_joint_1_mx * d_mu_6_0_17_4
+        + screws.minus_inside_joint_1_fx * d_mu_6_0_8
         + (d_mu_1_0_0_2 * screws.connection_joint_1_wx
             - d_mu_2_1_0_2 * screws.connection_joint_1_wz
-            - d_mu_6_0_16_0 * screws.minus_connection_joint_1_vx)
-        + (d_mu_6_1_14 * poses.com_z - d_mu_6_0_14 * poses.com_x);
+            - d_mu_6_0_17_0 * screws.minus_connection_joint_1_vx)
+        + (d_mu_6_1_15 * poses.com_z - d_mu_6_0_15 * poses.com_x);
     d_mu[1][6] = d_mu_6_1 + 0.0;
-    let d_mu_7_1_7 = d_mu_6_0_16_2_0 * 0.5;
-    let d_mu_7_1_18 = d_mu_6_0_14_2 * screws.inside_joint_2_fz
-        - d_mu_6_0_16_4 * screws.inside_joint_2_fy
-        + (d_mu_6_0_14_6 * screws.connection_joint_2_wz
-            - d_mu_6_0_16_0 * screws.connection_joint_2_wy);
-    let d_mu_7_1 = common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * d_mu_6_0_14_2
-        - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_2_fz * d_mu_7_1_7 - screws.inside_joint_2_fx * d_mu_6_0_7)
+    let d_mu_7_1_7 = d_mu_6_0_17_2_0 * 0.5;
+    let d_mu_7_1_18 = d_mu_6_0_15_2 * screws.inside_joint_2_fz
+        - d_mu_6_0_17_4 * screws.inside_joint_2_fy
+        + (d_mu_6_0_15_6 * screws.connection_joint_2_wz
+            - d_mu_6_0_17_0 * screws.connection_joint_2_wy);
+    let d_mu_7_1 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * d_mu_6_0_15_2
+        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_2_fz * d_mu_7_1_7 - screws.inside_joint_2_fx * d_mu_6_0_8)
         + (d_mu_1_0_0_2 * screws.connection_joint_2_wx
             - d_mu_2_1_0_2 * screws.connection_joint_2_wz
-            + (d_mu_6_0_16_0 * screws.connection_joint_2_vx
-                - d_mu_6_0_16_2 * screws.connection_joint_2_vz))
+            + (d_mu_6_0_17_0 * screws.connection_joint_2_vx
+                - d_mu_6_0_17_2 * screws.connection_joint_2_vz))
         + (d_mu_7_1_18 * poses.com_z - d_mu_7_0_18 * poses.com_x);
     d_mu[1][7] = d_mu_7_1 + 0.0;
-    let d_mu_8_1_18 = d_mu_6_0_14_2 * screws.inside_joint_3_fz
-        - d_mu_6_0_16_4 * screws.inside_joint_3_fy
-        + (d_mu_6_0_14_6 * screws.connection_joint_3_wz
-            - d_mu_6_0_16_0 * screws.connection_joint_3_wy);
-    let d_mu_8_1 = common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_3_fz * d_mu_7_1_7 - screws.inside_joint_3_fx * d_mu_6_0_7)
+    let d_mu_8_1_18 = d_mu_6_0_15_2 * screws.inside_joint_3_fz
+        - d_mu_6_0_17_4 * screws.inside_joint_3_fy
+        + (d_mu_6_0_15_6 * screws.connection_joint_3_wz
+            - d_mu_6_0_17_0 * screws.connection_joint_3_wy);
+    let d_mu_8_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_3_fz * d_mu_7_1_7 - screws.inside_joint_3_fx * d_mu_6_0_8)
         + (d_mu_1_0_0_2 * screws.connection_joint_3_wx
             - d_mu_2_1_0_2 * screws.connection_joint_3_wz
-            + (d_mu_6_0_16_0 * screws.connection_joint_3_vx
-                - d_mu_6_0_16_2 * screws.connection_joint_3_vz))
+            + (d_mu_6_0_17_0 * screws.connection_joint_3_vx
+                - d_mu_6_0_17_2 * screws.connection_joint_3_vz))
         + (d_mu_8_1_18 * poses.com_z - d_mu_8_0_18 * poses.com_x);
     d_mu[1][8] = d_mu_8_1 + 0.0;
-    let d_mu_9_1_18 = d_mu_6_0_14_2 * screws.inside_joint_4_fz
-        - d_mu_6_0_16_4 * screws.inside_joint_4_fy
-        + (d_mu_6_0_14_6 * screws.connection_joint_4_wz
-            - d_mu_6_0_16_0 * screws.connection_joint_4_wy);
-    let d_mu_9_1 = common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_4_fz * d_mu_7_1_7 - screws.inside_joint_4_fx * d_mu_6_0_7)
+    let d_mu_9_1_18 = d_mu_6_0_15_2 * screws.inside_joint_4_fz
+        - d_mu_6_0_17_4 * screws.inside_joint_4_fy
+        + (d_mu_6_0_15_6 * screws.connection_joint_4_wz
+            - d_mu_6_0_17_0 * screws.connection_joint_4_wy);
+    let d_mu_9_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_4_fz * d_mu_7_1_7 - screws.inside_joint_4_fx * d_mu_6_0_8)
         + (d_mu_1_0_0_2 * screws.connection_joint_4_wx
             - d_mu_2_1_0_2 * screws.connection_joint_4_wz
-            + (d_mu_6_0_16_0 * screws.connection_joint_4_vx
-                - d_mu_6_0_16_2 * screws.connection_joint_4_vz))
+            + (d_mu_6_0_17_0 * screws.connection_joint_4_vx
+                - d_mu_6_0_17_2 * screws.connection_joint_4_vz))
         + (d_mu_9_1_18 * poses.com_z - d_mu_9_0_18 * poses.com_x);
     d_mu[1][9] = d_mu_9_1 + 0.0;
-    let d_mu_10_1_18 = d_mu_6_0_14_2 * screws.inside_joint_5_fz
-        - d_mu_6_0_16_4 * screws.inside_joint_5_fy
-        + (d_mu_6_0_14_6 * screws.connection_joint_5_wz
-            - d_mu_6_0_16_0 * screws.connection_joint_5_wy);
-    let d_mu_10_1 = common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_5_fz * d_mu_7_1_7 - screws.inside_joint_5_fx * d_mu_6_0_7)
+    let d_mu_10_1_18 = d_mu_6_0_15_2 * screws.inside_joint_5_fz
+        - d_mu_6_0_17_4 * screws.inside_joint_5_fy
+        + (d_mu_6_0_15_6 * screws.connection_joint_5_wz
+            - d_mu_6_0_17_0 * screws.connection_joint_5_wy);
+    let d_mu_10_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_5_fz * d_mu_7_1_7 - screws.inside_joint_5_fx * d_mu_6_0_8)
         + (d_mu_1_0_0_2 * screws.connection_joint_5_wx
             - d_mu_2_1_0_2 * screws.connection_joint_5_wz
-            + (d_mu_6_0_16_0 * screws.connection_joint_5_vx
-                - d_mu_6_0_16_2 * screws.connection_joint_5_vz))
+            + (d_mu_6_0_17_0 * screws.connection_joint_5_vx
+                - d_mu_6_0_17_2 * screws.connection_joint_5_vz))
         + (d_mu_10_1_18 * poses.com_z - d_mu_10_0_18 * poses.com_x);
     d_mu[1][10] = d_mu_10_1 + 0.0;
-    let d_mu_11_1_18 = d_mu_6_0_14_2 * screws.inside_joint_6_fz
-        - d_mu_6_0_16_4 * screws.inside_joint_6_fy
-        + (d_mu_6_0_14_6 * screws.connection_joint_6_wz
-            - d_mu_6_0_16_0 * screws.connection_joint_6_wy);
-    let d_mu_11_1 = common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_6_fz * d_mu_7_1_7 - screws.inside_joint_6_fx * d_mu_6_0_7)
+    let d_mu_11_1_18 = d_mu_6_0_15_2 * screws.inside_joint_6_fz
+        - d_mu_6_0_17_4 * screws.inside_joint_6_fy
+        + (d_mu_6_0_15_6 * screws.connection_joint_6_wz
+            - d_mu_6_0_17_0 * screws.connection_joint_6_wy);
+    let d_mu_11_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_6_fz * d_mu_7_1_7 - screws.inside_joint_6_fx * d_mu_6_0_8)
         + (d_mu_1_0_0_2 * screws.connection_joint_6_wx
             - d_mu_2_1_0_2 * screws.connection_joint_6_wz
-            + (d_mu_6_0_16_0 * screws.connection_joint_6_vx
-                - d_mu_6_0_16_2 * screws.connection_joint_6_vz))
+            + (d_mu_6_0_17_0 * screws.connection_joint_6_vx
+                - d_mu_6_0_17_2 * screws.connection_joint_6_vz))
         + (d_mu_11_1_18 * poses.com_z - d_mu_11_0_18 * poses.com_x);
     d_mu[1][11] = d_mu_11_1 + 0.0;
-    let d_mu_12_1_18 = d_mu_6_0_14_2 * screws.inside_joint_7_fz
-        - d_mu_6_0_16_4 * screws.inside_joint_7_fy
-        + (d_mu_6_0_14_6 * screws.connection_joint_7_wz
-            - d_mu_6_0_16_0 * screws.connection_joint_7_wy);
-    let d_mu_12_1 = common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * d_mu_6_0_16_4
-        + (screws.inside_joint_7_fz * d_mu_7_1_7 - screws.inside_joint_7_fx * d_mu_6_0_7)
+    let d_mu_12_1_18 = d_mu_6_0_15_2 * screws.inside_joint_7_fz
+        - d_mu_6_0_17_4 * screws.inside_joint_7_fy
+        + (d_mu_6_0_15_6 * screws.connection_joint_7_wz
+            - d_mu_6_0_17_0 * screws.connection_joint_7_wy);
+    let d_mu_12_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
+        + (screws.inside_joint_7_fz * d_mu_7_1_7 - screws.inside_joint_7_fx * d_mu_6_0_8)
         + (d_mu_1_0_0_2 * screws.connection_joint_7_wx
             - d_mu_2_1_0_2 * screws.connection_joint_7_wz
-            + (d_mu_6_0_16_0 * screws.connection_joint_7_vx
-                - d_mu_6_0_16_2 * screws.connection_joint_7_vz))
+            + (d_mu_6_0_17_0 * screws.connection_joint_7_vx
+                - d_mu_6_0_17_2 * screws.connection_joint_7_vz))
         + (d_mu_12_1_18 * poses.com_z - d_mu_12_0_18 * poses.com_x);
     d_mu[1][12] = d_mu_12_1 + 0.0;
     let d_mu_0_2_4 = d_mu_1_0_4_1_0 * poses.com_y;
@@ -6465,75 +6426,75 @@ fn d_mu_itself(
     d_mu[2][3] = d_mu_1_2_4 + 0.0;
     d_mu[2][4] = d_mu_0_2_4 + 0.0;
     d_mu[2][5] = 0.0 - d_mu_0_2_2;
-    let d_mu_6_2 = screws.inside_joint_1_mx * d_mu_6_0_14_2
-        - screws.inside_joint_1_my * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0 * d_mu_6_0_16_4
+    let d_mu_6_2 = screws.inside_joint_1_mx * d_mu_6_0_15_2
+        - screws.inside_joint_1_my * d_mu_6_0_15_0
+        + (d_mu_6_0_0 - d_mu_6_1_3) * d_mu_6_0_17_4
         - (screws.minus_inside_joint_1_fx * d_mu_7_0_9
             + screws.inside_joint_1_fy * d_mu_7_1_7)
         + (d_mu_2_1_0_2 * screws.connection_joint_1_wy
             - d_mu_2_0_0_2 * screws.connection_joint_1_wx
-            + (d_mu_6_0_16_2 * screws.connection_joint_1_vy
-                + d_mu_6_0_14_6 * screws.minus_connection_joint_1_vx))
-        + (d_mu_6_0_16 * poses.com_x - d_mu_6_1_14 * poses.com_y);
+            + (d_mu_6_0_17_2 * screws.connection_joint_1_vy
+                + d_mu_6_0_15_6 * screws.minus_connection_joint_1_vx))
+        + (d_mu_6_0_17 * poses.com_x - d_mu_6_1_15 * poses.com_y);
     d_mu[2][6] = d_mu_6_2 + 0.0;
-    let d_mu_7_2 = common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0 * d_mu_6_0_16_4
+    let d_mu_7_2 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
         + (screws.inside_joint_2_fx * d_mu_7_0_9 - screws.inside_joint_2_fy * d_mu_7_1_7)
         + (d_mu_2_1_0_2 * screws.connection_joint_2_wy
             - d_mu_2_0_0_2 * screws.connection_joint_2_wx
-            + (d_mu_6_0_16_2 * screws.connection_joint_2_vy
-                - d_mu_6_0_14_6 * screws.connection_joint_2_vx))
+            + (d_mu_6_0_17_2 * screws.connection_joint_2_vy
+                - d_mu_6_0_15_6 * screws.connection_joint_2_vx))
         + (d_mu_7_0_20 * poses.com_x - d_mu_7_1_18 * poses.com_y);
     d_mu[2][7] = d_mu_7_2 + 0.0;
-    let d_mu_8_2 = common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0 * d_mu_6_0_16_4
+    let d_mu_8_2 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
         + (screws.inside_joint_3_fx * d_mu_7_0_9 - screws.inside_joint_3_fy * d_mu_7_1_7)
         + (d_mu_2_1_0_2 * screws.connection_joint_3_wy
             - d_mu_2_0_0_2 * screws.connection_joint_3_wx
-            + (d_mu_6_0_16_2 * screws.connection_joint_3_vy
-                - d_mu_6_0_14_6 * screws.connection_joint_3_vx))
+            + (d_mu_6_0_17_2 * screws.connection_joint_3_vy
+                - d_mu_6_0_15_6 * screws.connection_joint_3_vx))
         + (d_mu_8_0_20 * poses.com_x - d_mu_8_1_18 * poses.com_y);
     d_mu[2][8] = d_mu_8_2 + 0.0;
-    let d_mu_9_2 = common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * d_mu_6_0_14_2
-        - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0 * d_mu_6_0_16_4
+    let d_mu_9_2 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
         + (screws.inside_joint_4_fx * d_mu_7_0_9 - screws.inside_joint_4_fy * d_mu_7_1_7)
         + (d_mu_2_1_0_2 * screws.connection_joint_4_wy
             - d_mu_2_0_0_2 * screws.connection_joint_4_wx
-            + (d_mu_6_0_16_2 * screws.connection_joint_4_vy
-                - d_mu_6_0_14_6 * screws.connection_joint_4_vx))
+            + (d_mu_6_0_17_2 * screws.connection_joint_4_vy
+                - d_mu_6_0_15_6 * screws.connection_joint_4_vx))
         + (d_mu_9_0_20 * poses.com_x - d_mu_9_1_18 * poses.com_y);
     d_mu[2][9] = d_mu_9_2 + 0.0;
-    let d_mu_10_2 = common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0 * d_mu_6_0_16_4
+    let d_mu_10_2 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
         + (screws.inside_joint_5_fx * d_mu_7_0_9 - screws.inside_joint_5_fy * d_mu_7_1_7)
         + (d_mu_2_1_0_2 * screws.connection_joint_5_wy
             - d_mu_2_0_0_2 * screws.connection_joint_5_wx
-            + (d_mu_6_0_16_2 * screws.connection_joint_5_vy
-                - d_mu_6_0_14_6 * screws.connection_joint_5_vx))
+            + (d_mu_6_0_17_2 * screws.connection_joint_5_vy
+                - d_mu_6_0_15_6 * screws.connection_joint_5_vx))
         + (d_mu_10_0_20 * poses.com_x - d_mu_10_1_18 * poses.com_y);
     d_mu[2][10] = d_mu_10_2 + 0.0;
-    let d_mu_11_2 = common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0 * d_mu_6_0_16_4
+    let d_mu_11_2 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
         + (screws.inside_joint_6_fx * d_mu_7_0_9 - screws.inside_joint_6_fy * d_mu_7_1_7)
         + (d_mu_2_1_0_2 * screws.connection_joint_6_wy
             - d_mu_2_0_0_2 * screws.connection_joint_6_wx
-            + (d_mu_6_0_16_2 * screws.connection_joint_6_vy
-                - d_mu_6_0_14_6 * screws.connection_joint_6_vx))
+            + (d_mu_6_0_17_2 * screws.connection_joint_6_vy
+                - d_mu_6_0_15_6 * screws.connection_joint_6_vx))
         + (d_mu_11_0_20 * poses.com_x - d_mu_11_1_18 * poses.com_y);
     d_mu[2][11] = d_mu_11_2 + 0.0;
-    let d_mu_12_2 = common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * d_mu_6_0_14_0
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * d_mu_6_0_14_2
-        + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0 * d_mu_6_0_16_4
+    let d_mu_12_2 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
         + (screws.inside_joint_7_fx * d_mu_7_0_9 - screws.inside_joint_7_fy * d_mu_7_1_7)
         + (d_mu_2_1_0_2 * screws.connection_joint_7_wy
             - d_mu_2_0_0_2 * screws.connection_joint_7_wx
-            + (d_mu_6_0_16_2 * screws.connection_joint_7_vy
-                - d_mu_6_0_14_6 * screws.connection_joint_7_vx))
+            + (d_mu_6_0_17_2 * screws.connection_joint_7_vy
+                - d_mu_6_0_15_6 * screws.connection_joint_7_vx))
         + (d_mu_12_0_20 * poses.com_x - d_mu_12_1_18 * poses.com_y);
     d_mu[2][12] = d_mu_12_2 + 0.0;
     // D_μ column 3
@@ -6543,7 +6504,7 @@ fn d_mu_itself(
     d_mu[3][3] = 0.0;
     d_mu[3][4] = 0.0 - d_mu_1_0_4_1_0;
     d_mu[3][5] = d_mu_1_0_4_0_0 + 0.0;
-    d_mu[3][6] = d_mu_6_1_14 + 0.0;
+    d_mu[3][6] = d_mu_6_1_15 + 0.0;
     d_mu[3][7] = d_mu_7_1_18 + 0.0;
     d_mu[3][8] = d_mu_8_1_18 + 0.0;
     d_mu[3][9] = d_mu_9_1_18 + 0.0;
@@ -6557,7 +6518,7 @@ fn d_mu_itself(
     d_mu[4][3] = d_mu_1_0_4_1_0 + 0.0;
     d_mu[4][4] = 0.0;
     d_mu[4][5] = 0.0 - d_mu_0_0_3_0;
-    d_mu[4][6] = d_mu_6_0_16 + 0.0;
+    d_mu[4][6] = d_mu_6_0_17 + 0.0;
     d_mu[4][7] = d_mu_7_0_20 + 0.0;
     d_mu[4][8] = d_mu_8_0_20 + 0.0;
     d_mu[4][9] = d_mu_9_0_20 + 0.0;
@@ -6571,7 +6532,7 @@ fn d_mu_itself(
     d_mu[5][3] = 0.0 - d_mu_1_0_4_0_0;
     d_mu[5][4] = d_mu_0_0_3_0 + 0.0;
     d_mu[5][5] = 0.0;
-    d_mu[5][6] = d_mu_6_0_14 + 0.0;
+    d_mu[5][6] = d_mu_6_0_15 + 0.0;
     d_mu[5][7] = d_mu_7_0_18 + 0.0;
     d_mu[5][8] = d_mu_8_0_18 + 0.0;
     d_mu[5][9] = d_mu_9_0_18 + 0.0;
@@ -6582,22 +6543,16 @@ fn d_mu_itself(
     d_mu[6][0] = 0.0 - d_mu_6_0;
     d_mu[6][1] = 0.0 - d_mu_6_1;
     d_mu[6][2] = 0.0 - d_mu_6_2;
-    d_mu[6][3] = 0.0 - d_mu_6_1_14;
-    d_mu[6][4] = 0.0 - d_mu_6_0_16;
-    d_mu[6][5] = 0.0 - d_mu_6_0_14;
+    d_mu[6][3] = 0.0 - d_mu_6_1_15;
+    d_mu[6][4] = 0.0 - d_mu_6_0_17;
+    d_mu[6][5] = 0.0 - d_mu_6_0_15;
     d_mu[6][6] = 0.0;
-    let d_mu_7_6 = common_d_mu_b2.b2_0_1 * 2.0;
-    d_mu[6][7] = d_mu_7_6 + 0.0;
-    let d_mu_8_6 = common_d_mu_b2.b2_0_2 * 2.0;
-    d_mu[6][8] = d_mu_8_6 + 0.0;
-    let d_mu_9_6 = common_d_mu_b2.b2_0_3 * 2.0;
-    d_mu[6][9] = d_mu_9_6 + 0.0;
-    let d_mu_10_6 = common_d_mu_b2.b2_0_4 * 2.0;
-    d_mu[6][10] = d_mu_10_6 + 0.0;
-    let d_mu_11_6 = common_d_mu_b2.b2_0_5 * 2.0;
-    d_mu[6][11] = d_mu_11_6 + 0.0;
-    let d_mu_12_6 = common_d_mu_b2.b2_0_6 * 2.0;
-    d_mu[6][12] = d_mu_12_6 + 0.0;
+    d_mu[6][7] = common_d_mu_b2.d_mu_7_6 + 0.0;
+    d_mu[6][8] = common_d_mu_b2.d_mu_8_6 + 0.0;
+    d_mu[6][9] = common_d_mu_b2.d_mu_9_6 + 0.0;
+    d_mu[6][10] = common_d_mu_b2.d_mu_10_6 + 0.0;
+    d_mu[6][11] = common_d_mu_b2.d_mu_11_6 + 0.0;
+    d_mu[6][12] = common_d_mu_b2.d_mu_12_6 + 0.0;
     // D_μ column joint_2
     d_mu[7][0] = 0.0 - d_mu_7_0;
     d_mu[7][1] = 0.0 - d_mu_7_1;
@@ -6605,18 +6560,13 @@ fn d_mu_itself(
     d_mu[7][3] = 0.0 - d_mu_7_1_18;
     d_mu[7][4] = 0.0 - d_mu_7_0_20;
     d_mu[7][5] = 0.0 - d_mu_7_0_18;
-    d_mu[7][6] = 0.0 - d_mu_7_6;
+    d_mu[7][6] = 0.0 - common_d_mu_b2.d_mu_7_6;
     d_mu[7][7] = 0.0;
-    let d_mu_8_7 = common_d_mu_b2.b2_1_2 * 2.0;
-    d_mu[7][8] = d_mu_8_7 + 0.0;
-    let d_mu_9_7 = common_d_mu_b2.b2_1_3 * 2.0;
-    d_mu[7][9] = d_mu_9_7 + 0.0;
-    let d_mu_10_7 = common_d_mu_b2.b2_1_4 * 2.0;
-    d_mu[7][10] = d_mu_10_7 + 0.0;
-    let d_mu_11_7 = common_d_mu_b2.b2_1_5 * 2.0;
-    d_mu[7][11] = d_mu_11_7 + 0.0;
-    let d_mu_12_7 = common_d_mu_b2.b2_1_6 * 2.0;
-    d_mu[7][12] = d_mu_12_7 + 0.0;
+    d_mu[7][8] = common_d_mu_b2.d_mu_8_7 + 0.0;
+    d_mu[7][9] = common_d_mu_b2.d_mu_9_7 + 0.0;
+    d_mu[7][10] = common_d_mu_b2.d_mu_10_7 + 0.0;
+    d_mu[7][11] = common_d_mu_b2.d_mu_11_7 + 0.0;
+    d_mu[7][12] = common_d_mu_b2.d_mu_12_7 + 0.0;
     // D_μ column joint_3
     d_mu[8][0] = 0.0 - d_mu_8_0;
     d_mu[8][1] = 0.0 - d_mu_8_1;
@@ -6624,17 +6574,13 @@ fn d_mu_itself(
     d_mu[8][3] = 0.0 - d_mu_8_1_18;
     d_mu[8][4] = 0.0 - d_mu_8_0_20;
     d_mu[8][5] = 0.0 - d_mu_8_0_18;
-    d_mu[8][6] = 0.0 - d_mu_8_6;
-    d_mu[8][7] = 0.0 - d_mu_8_7;
+    d_mu[8][6] = 0.0 - common_d_mu_b2.d_mu_8_6;
+    d_mu[8][7] = 0.0 - common_d_mu_b2.d_mu_8_7;
     d_mu[8][8] = 0.0;
-    let d_mu_9_8 = common_d_mu_b2.b2_2_3 * 2.0;
-    d_mu[8][9] = d_mu_9_8 + 0.0;
-    let d_mu_10_8 = common_d_mu_b2.b2_2_4 * 2.0;
-    d_mu[8][10] = d_mu_10_8 + 0.0;
-    let d_mu_11_8 = common_d_mu_b2.b2_2_5 * 2.0;
-    d_mu[8][11] = d_mu_11_8 + 0.0;
-    let d_mu_12_8 = common_d_mu_b2.b2_2_6 * 2.0;
-    d_mu[8][12] = d_mu_12_8 + 0.0;
+    d_mu[8][9] = common_d_mu_b2.d_mu_9_8 + 0.0;
+    d_mu[8][10] = common_d_mu_b2.d_mu_10_8 + 0.0;
+    d_mu[8][11] = common_d_mu_b2.d_mu_11_8 + 0.0;
+    d_mu[8][12] = common_d_mu_b2.d_mu_12_8 + 0.0;
     // D_μ column joint_4
     d_mu[9][0] = 0.0 - d_mu_9_0;
     d_mu[9][1] = 0.0 - d_mu_9_1;
@@ -6642,16 +6588,13 @@ fn d_mu_itself(
     d_mu[9][3] = 0.0 - d_mu_9_1_18;
     d_mu[9][4] = 0.0 - d_mu_9_0_20;
     d_mu[9][5] = 0.0 - d_mu_9_0_18;
-    d_mu[9][6] = 0.0 - d_mu_9_6;
-    d_mu[9][7] = 0.0 - d_mu_9_7;
-    d_mu[9][8] = 0.0 - d_mu_9_8;
+    d_mu[9][6] = 0.0 - common_d_mu_b2.d_mu_9_6;
+    d_mu[9][7] = 0.0 - common_d_mu_b2.d_mu_9_7;
+    d_mu[9][8] = 0.0 - common_d_mu_b2.d_mu_9_8;
     d_mu[9][9] = 0.0;
-    let d_mu_10_9 = common_d_mu_b2.b2_3_4 * 2.0;
-    d_mu[9][10] = d_mu_10_9 + 0.0;
-    let d_mu_11_9 = common_d_mu_b2.b2_3_5 * 2.0;
-    d_mu[9][11] = d_mu_11_9 + 0.0;
-    let d_mu_12_9 = common_d_mu_b2.b2_3_6 * 2.0;
-    d_mu[9][12] = d_mu_12_9 + 0.0;
+    d_mu[9][10] = common_d_mu_b2.d_mu_10_9 + 0.0;
+    d_mu[9][11] = common_d_mu_b2.d_mu_11_9 + 0.0;
+    d_mu[9][12] = common_d_mu_b2.d_mu_12_9 + 0.0;
     // D_μ column joint_5
     d_mu[10][0] = 0.0 - d_mu_10_0;
     d_mu[10][1] = 0.0 - d_mu_10_1;
@@ -6659,15 +6602,13 @@ fn d_mu_itself(
     d_mu[10][3] = 0.0 - d_mu_10_1_18;
     d_mu[10][4] = 0.0 - d_mu_10_0_20;
     d_mu[10][5] = 0.0 - d_mu_10_0_18;
-    d_mu[10][6] = 0.0 - d_mu_10_6;
-    d_mu[10][7] = 0.0 - d_mu_10_7;
-    d_mu[10][8] = 0.0 - d_mu_10_8;
-    d_mu[10][9] = 0.0 - d_mu_10_9;
+    d_mu[10][6] = 0.0 - common_d_mu_b2.d_mu_10_6;
+    d_mu[10][7] = 0.0 - common_d_mu_b2.d_mu_10_7;
+    d_mu[10][8] = 0.0 - common_d_mu_b2.d_mu_10_8;
+    d_mu[10][9] = 0.0 - common_d_mu_b2.d_mu_10_9;
     d_mu[10][10] = 0.0;
-    let d_mu_11_10 = common_d_mu_b2.b2_4_5 * 2.0;
-    d_mu[10][11] = d_mu_11_10 + 0.0;
-    let d_mu_12_10 = common_d_mu_b2.b2_4_6 * 2.0;
-    d_mu[10][12] = d_mu_12_10 + 0.0;
+    d_mu[10][11] = common_d_mu_b2.d_mu_11_10 + 0.0;
+    d_mu[10][12] = common_d_mu_b2.d_mu_12_10 + 0.0;
     // D_μ column joint_6
     d_mu[11][0] = 0.0 - d_mu_11_0;
     d_mu[11][1] = 0.0 - d_mu_11_1;
@@ -6675,14 +6616,13 @@ fn d_mu_itself(
     d_mu[11][3] = 0.0 - d_mu_11_1_18;
     d_mu[11][4] = 0.0 - d_mu_11_0_20;
     d_mu[11][5] = 0.0 - d_mu_11_0_18;
-    d_mu[11][6] = 0.0 - d_mu_11_6;
-    d_mu[11][7] = 0.0 - d_mu_11_7;
-    d_mu[11][8] = 0.0 - d_mu_11_8;
-    d_mu[11][9] = 0.0 - d_mu_11_9;
-    d_mu[11][10] = 0.0 - d_mu_11_10;
+    d_mu[11][6] = 0.0 - common_d_mu_b2.d_mu_11_6;
+    d_mu[11][7] = 0.0 - common_d_mu_b2.d_mu_11_7;
+    d_mu[11][8] = 0.0 - common_d_mu_b2.d_mu_11_8;
+    d_mu[11][9] = 0.0 - common_d_mu_b2.d_mu_11_9;
+    d_mu[11][10] = 0.0 - common_d_mu_b2.d_mu_11_10;
     d_mu[11][11] = 0.0;
-    let d_mu_12_11 = common_d_mu_b2.b2_5_6 * 2.0;
-    d_mu[11][12] = d_mu_12_11 + 0.0;
+    d_mu[11][12] = common_d_mu_b2.d_mu_12_11 + 0.0;
     // D_μ column joint_7
     d_mu[12][0] = 0.0 - d_mu_12_0;
     d_mu[12][1] = 0.0 - d_mu_12_1;
@@ -6690,12 +6630,12 @@ fn d_mu_itself(
     d_mu[12][3] = 0.0 - d_mu_12_1_18;
     d_mu[12][4] = 0.0 - d_mu_12_0_20;
     d_mu[12][5] = 0.0 - d_mu_12_0_18;
-    d_mu[12][6] = 0.0 - d_mu_12_6;
-    d_mu[12][7] = 0.0 - d_mu_12_7;
-    d_mu[12][8] = 0.0 - d_mu_12_8;
-    d_mu[12][9] = 0.0 - d_mu_12_9;
-    d_mu[12][10] = 0.0 - d_mu_12_10;
-    d_mu[12][11] = 0.0 - d_mu_12_11;
+    d_mu[12][6] = 0.0 - common_d_mu_b2.d_mu_12_6;
+    d_mu[12][7] = 0.0 - common_d_mu_b2.d_mu_12_7;
+    d_mu[12][8] = 0.0 - common_d_mu_b2.d_mu_12_8;
+    d_mu[12][9] = 0.0 - common_d_mu_b2.d_mu_12_9;
+    d_mu[12][10] = 0.0 - common_d_mu_b2.d_mu_12_10;
+    d_mu[12][11] = 0.0 - common_d_mu_b2.d_mu_12_11;
     d_mu[12][12] = 0.0;
 }
 /// What only `b2` computes.
@@ -6703,59 +6643,80 @@ fn d_mu_itself(
 fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 7]; 7]) {
     // B_2(μ) column joint_1
     b2[0][0] = 0.0;
-    b2[0][1] = 0.0 - common_d_mu_b2.b2_0_1;
-    b2[0][2] = 0.0 - common_d_mu_b2.b2_0_2;
-    b2[0][3] = 0.0 - common_d_mu_b2.b2_0_3;
-    b2[0][4] = 0.0 - common_d_mu_b2.b2_0_4;
-    b2[0][5] = 0.0 - common_d_mu_b2.b2_0_5;
-    b2[0][6] = 0.0 - common_d_mu_b2.b2_0_6;
+    let b2_1_0 = common_d_mu_b2.d_mu_7_6 * 0.5;
+    b2[0][1] = 0.0 - b2_1_0;
+    let b2_2_0 = common_d_mu_b2.d_mu_8_6 * 0.5;
+    b2[0][2] = 0.0 - b2_2_0;
+    let b2_3_0 = common_d_mu_b2.d_mu_9_6 * 0.5;
+    b2[0][3] = 0.0 - b2_3_0;
+    let b2_4_0 = common_d_mu_b2.d_mu_10_6 * 0.5;
+    b2[0][4] = 0.0 - b2_4_0;
+    let b2_5_0 = common_d_mu_b2.d_mu_11_6 * 0.5;
+    b2[0][5] = 0.0 - b2_5_0;
+    let b2_6_0 = common_d_mu_b2.d_mu_12_6 * 0.5;
+    b2[0][6] = 0.0 - b2_6_0;
     // B_2(μ) column joint_2
-    b2[1][0] = common_d_mu_b2.b2_0_1 + 0.0;
+    b2[1][0] = b2_1_0 + 0.0;
     b2[1][1] = 0.0;
-    b2[1][2] = 0.0 - common_d_mu_b2.b2_1_2;
-    b2[1][3] = 0.0 - common_d_mu_b2.b2_1_3;
-    b2[1][4] = 0.0 - common_d_mu_b2.b2_1_4;
-    b2[1][5] = 0.0 - common_d_mu_b2.b2_1_5;
-    b2[1][6] = 0.0 - common_d_mu_b2.b2_1_6;
+    let b2_2_1 = common_d_mu_b2.d_mu_8_7 * 0.5;
+    b2[1][2] = 0.0 - b2_2_1;
+    let b2_3_1 = common_d_mu_b2.d_mu_9_7 * 0.5;
+    b2[1][3] = 0.0 - b2_3_1;
+    let b2_4_1 = common_d_mu_b2.d_mu_10_7 * 0.5;
+    b2[1][4] = 0.0 - b2_4_1;
+    let b2_5_1 = common_d_mu_b2.d_mu_11_7 * 0.5;
+    b2[1][5] = 0.0 - b2_5_1;
+    let b2_6_1 = common_d_mu_b2.d_mu_12_7 * 0.5;
+    b2[1][6] = 0.0 - b2_6_1;
     // B_2(μ) column joint_3
-    b2[2][0] = common_d_mu_b2.b2_0_2 + 0.0;
-    b2[2][1] = common_d_mu_b2.b2_1_2 + 0.0;
+    b2[2][0] = b2_2_0 + 0.0;
+    b2[2][1] = b2_2_1 + 0.0;
     b2[2][2] = 0.0;
-    b2[2][3] = 0.0 - common_d_mu_b2.b2_2_3;
-    b2[2][4] = 0.0 - common_d_mu_b2.b2_2_4;
-    b2[2][5] = 0.0 - common_d_mu_b2.b2_2_5;
-    b2[2][6] = 0.0 - common_d_mu_b2.b2_2_6;
+    let b2_3_2 = common_d_mu_b2.d_mu_9_8 * 0.5;
+    b2[2][3] = 0.0 - b2_3_2;
+    let b2_4_2 = common_d_mu_b2.d_mu_10_8 * 0.5;
+    b2[2][4] = 0.0 - b2_4_2;
+    let b2_5_2 = common_d_mu_b2.d_mu_11_8 * 0.5;
+    b2[2][5] = 0.0 - b2_5_2;
+    let b2_6_2 = common_d_mu_b2.d_mu_12_8 * 0.5;
+    b2[2][6] = 0.0 - b2_6_2;
     // B_2(μ) column joint_4
-    b2[3][0] = common_d_mu_b2.b2_0_3 + 0.0;
-    b2[3][1] = common_d_mu_b2.b2_1_3 + 0.0;
-    b2[3][2] = common_d_mu_b2.b2_2_3 + 0.0;
+    b2[3][0] = b2_3_0 + 0.0;
+    b2[3][1] = b2_3_1 + 0.0;
+    b2[3][2] = b2_3_2 + 0.0;
     b2[3][3] = 0.0;
-    b2[3][4] = 0.0 - common_d_mu_b2.b2_3_4;
-    b2[3][5] = 0.0 - common_d_mu_b2.b2_3_5;
-    b2[3][6] = 0.0 - common_d_mu_b2.b2_3_6;
+    let b2_4_3 = common_d_mu_b2.d_mu_10_9 * 0.5;
+    b2[3][4] = 0.0 - b2_4_3;
+    let b2_5_3 = common_d_mu_b2.d_mu_11_9 * 0.5;
+    b2[3][5] = 0.0 - b2_5_3;
+    let b2_6_3 = common_d_mu_b2.d_mu_12_9 * 0.5;
+    b2[3][6] = 0.0 - b2_6_3;
     // B_2(μ) column joint_5
-    b2[4][0] = common_d_mu_b2.b2_0_4 + 0.0;
-    b2[4][1] = common_d_mu_b2.b2_1_4 + 0.0;
-    b2[4][2] = common_d_mu_b2.b2_2_4 + 0.0;
-    b2[4][3] = common_d_mu_b2.b2_3_4 + 0.0;
+    b2[4][0] = b2_4_0 + 0.0;
+    b2[4][1] = b2_4_1 + 0.0;
+    b2[4][2] = b2_4_2 + 0.0;
+    b2[4][3] = b2_4_3 + 0.0;
     b2[4][4] = 0.0;
-    b2[4][5] = 0.0 - common_d_mu_b2.b2_4_5;
-    b2[4][6] = 0.0 - common_d_mu_b2.b2_4_6;
+    let b2_5_4 = common_d_mu_b2.d_mu_11_10 * 0.5;
+    b2[4][5] = 0.0 - b2_5_4;
+    let b2_6_4 = common_d_mu_b2.d_mu_12_10 * 0.5;
+    b2[4][6] = 0.0 - b2_6_4;
     // B_2(μ) column joint_6
-    b2[5][0] = common_d_mu_b2.b2_0_5 + 0.0;
-    b2[5][1] = common_d_mu_b2.b2_1_5 + 0.0;
-    b2[5][2] = common_d_mu_b2.b2_2_5 + 0.0;
-    b2[5][3] = common_d_mu_b2.b2_3_5 + 0.0;
-    b2[5][4] = common_d_mu_b2.b2_4_5 + 0.0;
+    b2[5][0] = b2_5_0 + 0.0;
+    b2[5][1] = b2_5_1 + 0.0;
+    b2[5][2] = b2_5_2 + 0.0;
+    b2[5][3] = b2_5_3 + 0.0;
+    b2[5][4] = b2_5_4 + 0.0;
     b2[5][5] = 0.0;
-    b2[5][6] = 0.0 - common_d_mu_b2.b2_5_6;
+    let b2_6_5 = common_d_mu_b2.d_mu_12_11 * 0.5;
+    b2[5][6] = 0.0 - b2_6_5;
     // B_2(μ) column joint_7
-    b2[6][0] = common_d_mu_b2.b2_0_6 + 0.0;
-    b2[6][1] = common_d_mu_b2.b2_1_6 + 0.0;
-    b2[6][2] = common_d_mu_b2.b2_2_6 + 0.0;
-    b2[6][3] = common_d_mu_b2.b2_3_6 + 0.0;
-    b2[6][4] = common_d_mu_b2.b2_4_6 + 0.0;
-    b2[6][5] = common_d_mu_b2.b2_5_6 + 0.0;
+    b2[6][0] = b2_6_0 + 0.0;
+    b2[6][1] = b2_6_1 + 0.0;
+    b2[6][2] = b2_6_2 + 0.0;
+    b2[6][3] = b2_6_3 + 0.0;
+    b2[6][4] = b2_6_4 + 0.0;
+    b2[6][5] = b2_6_5 + 0.0;
     b2[6][6] = 0.0;
 }
 /// The block-diagonal inertia diag(Λ_b, Λ_q) and the connection A_l = Λ_b⁻¹ M_bq.
@@ -6774,8 +6735,8 @@ pub fn inertia(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     inertia_itself(
         &poses,
@@ -6793,29 +6754,36 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (13×13, by columns; Λ's · 1/s)
 ///
-/// 4109 operations: 1898 + −, 2208 ×, 3 ÷; 7 sin cos; about 48.4 KiB of code.
+/// 3267 operations: 1596 + −, 1668 ×, 3 ÷; 7 sin cos; about 38.6 KiB of code.
 pub fn d_mu(q: &[f64; 7], mu: &[f64; 6], d_mu: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
-    let common_d_mu_b2 = common_d_mu_b2(
-        mu,
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
+    let common_d_mu_b2_curvature = common_d_mu_b2_curvature(
         &poses,
         &inertias,
         &complements,
         &screws,
+    );
+    let common_d_mu_b2 = common_d_mu_b2(
+        mu,
+        &inertias,
+        &screws,
+        &outside,
         &reactions,
+        &common_d_mu_and_7_more,
+        &common_d_mu_b2_curvature,
     );
     d_mu_itself(
         mu,
         &poses,
         &inertias,
         &screws,
-        &common_d_mu_and_6_more,
+        &common_d_mu_and_7_more,
         &common_d_mu_b2,
         d_mu,
     );
@@ -6826,21 +6794,29 @@ pub fn d_mu(q: &[f64; 7], mu: &[f64; 6], d_mu: &mut [[f64; 13]; 13]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (7×7, by columns; kg·m²/s)
 ///
-/// 3165 operations: 1413 + −, 1749 ×, 3 ÷; 7 sin cos; about 37.4 KiB of code.
+/// 2608 operations: 1285 + −, 1320 ×, 3 ÷; 7 sin cos; about 30.8 KiB of code.
 pub fn b2(q: &[f64; 7], mu: &[f64; 6], b2: &mut [[f64; 7]; 7]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_b2 = common_d_mu_b2(
-        mu,
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
+    let common_d_mu_b2_curvature = common_d_mu_b2_curvature(
         &poses,
         &inertias,
         &complements,
         &screws,
+    );
+    let common_d_mu_b2 = common_d_mu_b2(
+        mu,
+        &inertias,
+        &screws,
+        &outside,
         &reactions,
+        &common_d_mu_and_7_more,
+        &common_d_mu_b2_curvature,
     );
     b2_itself(&common_d_mu_b2, b2);
 }
@@ -6854,7 +6830,7 @@ pub fn b2(q: &[f64; 7], mu: &[f64; 6], b2: &mut [[f64; 7]; 7]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (13×13, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (7×7, by columns; kg·m²/s)
 ///
-/// 4476 operations: 2067 + −, 2406 ×, 3 ÷; 7 sin cos; about 52.7 KiB of code.
+/// 3655 operations: 1765 + −, 1887 ×, 3 ÷; 7 sin cos; about 43.1 KiB of code.
 pub fn matrices(
     q: &[f64; 7],
     mu: &[f64; 6],
@@ -6866,18 +6842,25 @@ pub fn matrices(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
-    let common_d_mu_b2 = common_d_mu_b2(
-        mu,
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
+    let common_d_mu_b2_curvature = common_d_mu_b2_curvature(
         &poses,
         &inertias,
         &complements,
         &screws,
+    );
+    let common_d_mu_b2 = common_d_mu_b2(
+        mu,
+        &inertias,
+        &screws,
+        &outside,
         &reactions,
+        &common_d_mu_and_7_more,
+        &common_d_mu_b2_curvature,
     );
     inertia_itself(
         &poses,
@@ -6893,7 +6876,7 @@ pub fn matrices(
         &poses,
         &inertias,
         &screws,
-        &common_d_mu_and_6_more,
+        &common_d_mu_and_7_more,
         &common_d_mu_b2,
         d_mu,
     );
@@ -6909,63 +6892,67 @@ pub fn matrices(
 pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
     let common_d_qdot_d_qdot_xi_kinetic_energy = common_d_qdot_d_qdot_xi_kinetic_energy(
         &inertias,
         &velocities,
     );
-    let d_qdot_0_0_16_1_0 = (screws.inside_joint_2_fz * qd[1]
+    let d_qdot_0_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let d_qdot_0_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_qdot_0_0_0 = d_qdot_0_0_0_1 + d_qdot_0_0_0_1;
+    let d_qdot_0_0_17_1_0 = (screws.inside_joint_2_fz * qd[1]
         + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
         + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
         + screws.inside_joint_7_fz * qd[6]) * 0.5;
-    let d_qdot_0_0_16_0_0 = (screws.inside_joint_1_fy * qd[0]
+    let d_qdot_0_0_17_0_0 = (screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
         + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
         + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6]) * 0.5;
-    let d_qdot_0_0_16_1 = d_qdot_0_0_16_1_0 * poses.com_z;
-    let d_qdot_0_0_16_0 = d_qdot_0_0_16_0_0 * poses.com_y;
-    let d_qdot_0_0_16 = d_qdot_0_0_16_0 + d_qdot_0_0_16_1;
+    let d_qdot_0_0_17_1 = d_qdot_0_0_17_1_0 * poses.com_z;
+    let d_qdot_0_0_17_0 = d_qdot_0_0_17_0_0 * poses.com_y;
+    let d_qdot_0_0_17 = d_qdot_0_0_17_0 + d_qdot_0_0_17_1;
     // D_q\u{307} column 0
-    d_qdot[0][0] = (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * qd[6]) * 0.5 + d_qdot_0_0_16
-        + d_qdot_0_0_16 + 0.0;
-    let d_qdot_1_0_0 = (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * qd[0]
-        - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * qd[6]) * 0.5;
+    d_qdot[0][0] = ((d_qdot_0_0_0 - d_qdot_0_0_1) * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * 0.5
+        + d_qdot_0_0_17 + d_qdot_0_0_17 + 0.0;
+    let d_qdot_1_0_0 = ((inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
+        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6]) * 0.5;
     let d_qdot_1_0_1_0 = (screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
         + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
         + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6]) * 0.5;
     let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.com_y;
-    let d_qdot_1_0_2 = d_qdot_0_0_16_0_0 * poses.com_x;
+    let d_qdot_1_0_2 = d_qdot_0_0_17_0_0 * poses.com_x;
     d_qdot[0][1] = d_qdot_1_0_0 - d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
-    let d_qdot_2_0_0 = (common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * qd[1]
+    let d_qdot_2_0_0 = (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * qd[6]) * 0.5;
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6]) * 0.5;
     let d_qdot_2_0_1 = d_qdot_1_0_1_0 * poses.com_z;
-    let d_qdot_2_0_2 = d_qdot_0_0_16_1_0 * poses.com_x;
+    let d_qdot_2_0_2 = d_qdot_0_0_17_1_0 * poses.com_x;
     d_qdot[0][2] = d_qdot_2_0_0 - d_qdot_2_0_1 - d_qdot_2_0_2 + 0.0;
     d_qdot[0][3] = 0.0;
-    d_qdot[0][4] = 0.0 - d_qdot_0_0_16_1_0;
-    d_qdot[0][5] = d_qdot_0_0_16_0_0 + 0.0;
+    d_qdot[0][4] = 0.0 - d_qdot_0_0_17_1_0;
+    d_qdot[0][5] = d_qdot_0_0_17_0_0 + 0.0;
     d_qdot[0][6] = 0.0;
     d_qdot[0][7] = 0.0;
     d_qdot[0][8] = 0.0;
@@ -6975,27 +6962,29 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[0][12] = 0.0;
     // D_q\u{307} column 1
     d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 - d_qdot_1_0_1 + 0.0;
-    let d_qdot_1_1_16_0 = d_qdot_1_0_1_0 * poses.com_x;
-    let d_qdot_1_1_16 = d_qdot_1_1_16_0 + d_qdot_0_0_16_1;
-    d_qdot[1][1] = (common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0 * qd[6]) * 0.5 + d_qdot_1_1_16
-        + d_qdot_1_1_16 + 0.0;
+    let d_qdot_1_1_1_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_qdot_1_1_1 = d_qdot_1_1_1_1 + d_qdot_1_1_1_1;
+    let d_qdot_1_1_17_0 = d_qdot_1_0_1_0 * poses.com_x;
+    let d_qdot_1_1_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_1;
+    d_qdot[1][1] = ((d_qdot_0_0_1 - d_qdot_1_1_1) * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * 0.5
+        + d_qdot_1_1_17 + d_qdot_1_1_17 + 0.0;
     let d_qdot_2_1_0 = (screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * qd[6]) * 0.5;
-    let d_qdot_2_1_1 = d_qdot_0_0_16_0_0 * poses.com_z;
-    let d_qdot_2_1_2 = d_qdot_0_0_16_1_0 * poses.com_y;
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6]) * 0.5;
+    let d_qdot_2_1_1 = d_qdot_0_0_17_0_0 * poses.com_z;
+    let d_qdot_2_1_2 = d_qdot_0_0_17_1_0 * poses.com_y;
     d_qdot[1][2] = d_qdot_2_1_0 - d_qdot_2_1_1 - d_qdot_2_1_2 + 0.0;
-    d_qdot[1][3] = d_qdot_0_0_16_1_0 + 0.0;
+    d_qdot[1][3] = d_qdot_0_0_17_1_0 + 0.0;
     d_qdot[1][4] = 0.0;
     d_qdot[1][5] = 0.0 - d_qdot_1_0_1_0;
     d_qdot[1][6] = 0.0;
@@ -7008,16 +6997,16 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     // D_q\u{307} column 2
     d_qdot[2][0] = d_qdot_2_0_0 - d_qdot_2_0_2 - d_qdot_2_0_1 + 0.0;
     d_qdot[2][1] = d_qdot_2_1_0 - d_qdot_2_1_2 - d_qdot_2_1_1 + 0.0;
-    let d_qdot_2_2_16 = d_qdot_1_1_16_0 + d_qdot_0_0_16_0;
-    d_qdot[2][2] = (common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0 * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0 * qd[2]
-        - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0 * qd[6]) * 0.5 + d_qdot_2_2_16
-        + d_qdot_2_2_16 + 0.0;
-    d_qdot[2][3] = 0.0 - d_qdot_0_0_16_0_0;
+    let d_qdot_2_2_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_0;
+    d_qdot[2][2] = ((d_qdot_0_0_0 - d_qdot_1_1_1) * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * 0.5 + d_qdot_2_2_17
+        + d_qdot_2_2_17 + 0.0;
+    d_qdot[2][3] = 0.0 - d_qdot_0_0_17_0_0;
     d_qdot[2][4] = d_qdot_1_0_1_0 + 0.0;
     d_qdot[2][5] = 0.0;
     d_qdot[2][6] = 0.0;
@@ -7029,8 +7018,8 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[2][12] = 0.0;
     // D_q\u{307} column 3
     d_qdot[3][0] = 0.0;
-    d_qdot[3][1] = d_qdot_0_0_16_1_0 + 0.0;
-    d_qdot[3][2] = 0.0 - d_qdot_0_0_16_0_0;
+    d_qdot[3][1] = d_qdot_0_0_17_1_0 + 0.0;
+    d_qdot[3][2] = 0.0 - d_qdot_0_0_17_0_0;
     d_qdot[3][3] = 0.0;
     d_qdot[3][4] = 0.0;
     d_qdot[3][5] = 0.0;
@@ -7042,7 +7031,7 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[3][11] = 0.0;
     d_qdot[3][12] = 0.0;
     // D_q\u{307} column 4
-    d_qdot[4][0] = 0.0 - d_qdot_0_0_16_1_0;
+    d_qdot[4][0] = 0.0 - d_qdot_0_0_17_1_0;
     d_qdot[4][1] = 0.0;
     d_qdot[4][2] = d_qdot_1_0_1_0 + 0.0;
     d_qdot[4][3] = 0.0;
@@ -7056,7 +7045,7 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[4][11] = 0.0;
     d_qdot[4][12] = 0.0;
     // D_q\u{307} column 5
-    d_qdot[5][0] = d_qdot_0_0_16_0_0 + 0.0;
+    d_qdot[5][0] = d_qdot_0_0_17_0_0 + 0.0;
     d_qdot[5][1] = 0.0 - d_qdot_1_0_1_0;
     d_qdot[5][2] = 0.0;
     d_qdot[5][3] = 0.0;
@@ -7078,8 +7067,6 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[6][5] = 0.0;
     let factor_outside_link_1_yz_0_1 = (inertias.inertia_base_xx
         + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
-    let factor_link_7_yz_4_1 = (inertias.inertia_link_7_xx + inertias.inertia_link_7_yy
-        + inertias.inertia_link_7_zz) * 0.5;
     let factor_outside_link_1_yz_0 = velocities.minus_velocity_base_wx
         * factor_outside_link_1_yz_0_1
         + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_0_1;
@@ -7473,6 +7460,8 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + factor_link_6_yz_0_4;
     let factor_link_6_zz_0 = factor_link_6_yy_0_1 - factor_link_6_xx_0_0
         - factor_link_6_xx_0_3_0 + factor_link_6_xx_0_3;
+    let factor_link_7_yz_4_1 = (inertias.inertia_link_7_xx + inertias.inertia_link_7_yy
+        + inertias.inertia_link_7_zz) * 0.5;
     let factor_link_7_yz_4 = velocities.velocity_link_7_wx * factor_link_7_yz_4_1
         - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_1_1;
     let factor_link_7_xz_4 = velocities.velocity_link_7_wy * factor_link_7_yz_4_1
@@ -8992,8 +8981,8 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
 pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 7]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
@@ -9020,16 +9009,16 @@ pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (13; N·m, N)
 ///
-/// 4167 operations: 1956 + −, 2208 ×, 3 ÷; 7 sin cos; about 49.1 KiB of code.
+/// 4137 operations: 1944 + −, 2190 ×, 3 ÷; 7 sin cos; about 48.8 KiB of code.
 pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
     let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
         mu,
         &poses,
@@ -9038,132 +9027,114 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
         &screws,
         &reactions,
     );
-    let d_mu_xi_0_0_0 = inertias.composite_base_xy * mu[0]
+    let d_mu_xi_0_0 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let d_mu_xi_0_0_2 = inertias.composite_base_xz * mu[0]
+    let d_mu_xi_0_2 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let d_mu_xi_0_3_2_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let d_mu_xi_0_0_4_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let d_mu_xi_0_0_6_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let d_mu_xi_0_3_2 = d_mu_xi_0_3_2_0 * 17.5;
-    let d_mu_xi_0_0_4 = d_mu_xi_0_0_4_0 * 17.5;
-    let d_mu_xi_0_0_6 = d_mu_xi_0_0_6_0 * 17.5;
-    let d_mu_xi_0_3_5 = screws.inside_joint_2_fx * qd[1]
+    let d_mu_xi_0_8_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let d_mu_xi_0_8_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_mu_xi_0_8_0 = d_mu_xi_0_8_0_1 + d_mu_xi_0_8_0_1;
+    let d_mu_xi_0_11_2_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
+    let d_mu_xi_0_9_2_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let d_mu_xi_0_11_0_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let d_mu_xi_0_11_2 = d_mu_xi_0_11_2_0 * 17.5;
+    let d_mu_xi_0_9_2 = d_mu_xi_0_9_2_0 * 17.5;
+    let d_mu_xi_0_11_0 = d_mu_xi_0_11_0_0 * 17.5;
+    let d_mu_xi_0_11_5 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
         + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
         + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let d_mu_xi_0_0_27 = screws.inside_joint_1_fy * qd[0]
+    let d_mu_xi_0_8_20 = screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
         + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
         + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let d_mu_xi_0_0_29 = screws.inside_joint_2_fz * qd[1]
+    let d_mu_xi_0_8_22 = screws.inside_joint_2_fz * qd[1]
         + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
         + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
         + screws.inside_joint_7_fz * qd[6];
-    let d_mu_xi_0_0_23 = common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * qd[0]
-        - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * qd[6];
-    let d_mu_xi_0_0_25 = common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * qd[1]
+    let d_mu_xi_0_8_16 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
+        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
+    let d_mu_xi_0_8_18 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * qd[6];
-    let d_mu_xi_0_3_1 = mu[0] - velocities.minus_velocity_base_wx;
-    let d_mu_xi_0_0_3 = mu[1] - velocities.minus_velocity_base_wy;
-    let d_mu_xi_0_0_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let d_mu_xi_0_0_7 = d_mu_xi_0_0_4_0 - velocities.minus_velocity_base_vy;
-    let d_mu_xi_0_0_5 = d_mu_xi_0_0_6_0 - velocities.minus_velocity_base_vz;
-    let d_mu_xi_0_0 = d_mu_xi_0_0_0 * d_mu_xi_0_0_1 - d_mu_xi_0_0_2 * d_mu_xi_0_0_3
-        + (d_mu_xi_0_0_4 * d_mu_xi_0_0_5 - d_mu_xi_0_0_6 * d_mu_xi_0_0_7)
-        - ((common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * qd[0]
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * qd[1]
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * qd[2]
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * qd[3]
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * qd[4]
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * qd[5]
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * qd[6]) * mu[0]
-            + d_mu_xi_0_0_23 * mu[1] + d_mu_xi_0_0_25 * mu[2]
-            + (d_mu_xi_0_0_27 * d_mu_xi_0_0_6_0 - d_mu_xi_0_0_29 * d_mu_xi_0_0_4_0))
-            * 0.5;
-    let d_mu_xi_0_3 = d_mu_xi_0_0_6 * d_mu_xi_0_3_1 - d_mu_xi_0_3_2 * d_mu_xi_0_0_1
-        - (mu[2] * d_mu_xi_0_3_5 - mu[0] * d_mu_xi_0_0_29) * 0.5;
-    let d_mu_xi_0_1 = d_mu_xi_0_3_2 * d_mu_xi_0_0_3 - d_mu_xi_0_0_4 * d_mu_xi_0_3_1
-        - (mu[0] * d_mu_xi_0_0_27 - mu[1] * d_mu_xi_0_3_5) * 0.5;
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
+    let d_mu_xi_0_11_1 = mu[0] - velocities.minus_velocity_base_wx;
+    let d_mu_xi_0_9_1 = mu[1] - velocities.minus_velocity_base_wy;
+    let d_mu_xi_0_11_3 = mu[2] - velocities.minus_velocity_base_wz;
+    let d_mu_xi_0_7 = d_mu_xi_0_9_2_0 - velocities.minus_velocity_base_vy;
+    let d_mu_xi_0_5 = d_mu_xi_0_11_0_0 - velocities.minus_velocity_base_vz;
+    let d_mu_xi_0_8 = (((d_mu_xi_0_8_0 - d_mu_xi_0_8_1) * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+        + d_mu_xi_0_8_16 * mu[1] + d_mu_xi_0_8_18 * mu[2]
+        + (d_mu_xi_0_8_20 * d_mu_xi_0_11_0_0 - d_mu_xi_0_8_22 * d_mu_xi_0_9_2_0)) * 0.5;
+    let d_mu_xi_0_11 = d_mu_xi_0_11_0 * d_mu_xi_0_11_1 - d_mu_xi_0_11_2 * d_mu_xi_0_11_3
+        - (mu[2] * d_mu_xi_0_11_5 - mu[0] * d_mu_xi_0_8_22) * 0.5;
+    let d_mu_xi_0_9 = d_mu_xi_0_11_2 * d_mu_xi_0_9_1 - d_mu_xi_0_9_2 * d_mu_xi_0_11_1
+        - (mu[0] * d_mu_xi_0_8_20 - mu[1] * d_mu_xi_0_11_5) * 0.5;
     // D_μ ξ
-    d_mu_xi[0] = d_mu_xi_0_0 + (d_mu_xi_0_1 * poses.com_y - d_mu_xi_0_3 * poses.com_z)
-        + 0.0;
-    let d_mu_xi_1_0_2 = inertias.composite_base_xx * mu[0]
+    d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_11_3 - d_mu_xi_0_2 * d_mu_xi_0_9_1
+        + (d_mu_xi_0_9_2 * d_mu_xi_0_5 - d_mu_xi_0_11_0 * d_mu_xi_0_7) - d_mu_xi_0_8
+        + (d_mu_xi_0_9 * poses.com_y - d_mu_xi_0_11 * poses.com_z) + 0.0;
+    let d_mu_xi_1_2 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let d_mu_xi_1_0_25 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * qd[6];
-    let d_mu_xi_1_0_5 = d_mu_xi_0_3_2_0 + velocities.velocity_base_vx;
-    let d_mu_xi_1_0 = d_mu_xi_0_0_2 * d_mu_xi_0_3_1 - d_mu_xi_1_0_2 * d_mu_xi_0_0_1
-        + (d_mu_xi_0_0_6 * d_mu_xi_1_0_5 - d_mu_xi_0_3_2 * d_mu_xi_0_0_5)
-        - (d_mu_xi_0_0_23 * mu[0]
-            + (common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * qd[0]
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * qd[1]
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0 * qd[2]
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0 * qd[3]
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0 * qd[4]
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0 * qd[5]
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0 * qd[6]) * mu[1]
-            + d_mu_xi_1_0_25 * mu[2]
-            + (d_mu_xi_0_0_29 * d_mu_xi_0_3_2_0 - d_mu_xi_0_3_5 * d_mu_xi_0_0_6_0))
+    let d_mu_xi_1_8_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_mu_xi_1_8_3 = d_mu_xi_1_8_3_1 + d_mu_xi_1_8_3_1;
+    let d_mu_xi_1_8_18 = screws.inside_joint_1_mx * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+    let d_mu_xi_1_5 = d_mu_xi_0_11_2_0 + velocities.velocity_base_vx;
+    let d_mu_xi_1_8 = (d_mu_xi_0_8_16 * mu[0]
+        + ((d_mu_xi_0_8_1 - d_mu_xi_1_8_3) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+        + d_mu_xi_1_8_18 * mu[2]
+        + (d_mu_xi_0_8_22 * d_mu_xi_0_11_2_0 - d_mu_xi_0_11_5 * d_mu_xi_0_11_0_0)) * 0.5;
+    let d_mu_xi_1_9 = d_mu_xi_0_9_2 * d_mu_xi_0_11_3 - d_mu_xi_0_11_0 * d_mu_xi_0_9_1
+        - (mu[1] * d_mu_xi_0_8_22 - mu[2] * d_mu_xi_0_8_20) * 0.5;
+    d_mu_xi[1] = d_mu_xi_0_2 * d_mu_xi_0_11_1 - d_mu_xi_1_2 * d_mu_xi_0_11_3
+        + (d_mu_xi_0_11_0 * d_mu_xi_1_5 - d_mu_xi_0_11_2 * d_mu_xi_0_5) - d_mu_xi_1_8
+        + (d_mu_xi_1_9 * poses.com_z - d_mu_xi_0_9 * poses.com_x) + 0.0;
+    let d_mu_xi_2_0 = d_mu_xi_1_2 * d_mu_xi_0_9_1 - d_mu_xi_0_0 * d_mu_xi_0_11_1
+        + (d_mu_xi_0_11_2 * d_mu_xi_0_7 - d_mu_xi_0_9_2 * d_mu_xi_1_5)
+        - (d_mu_xi_0_8_18 * mu[0] + d_mu_xi_1_8_18 * mu[1]
+            + ((d_mu_xi_0_8_0 - d_mu_xi_1_8_3) * qd[0]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
+                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
+                - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
+                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
+                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
+                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
+            + (d_mu_xi_0_11_5 * d_mu_xi_0_9_2_0 - d_mu_xi_0_8_20 * d_mu_xi_0_11_2_0))
             * 0.5;
-    let d_mu_xi_1_1 = d_mu_xi_0_0_4 * d_mu_xi_0_0_1 - d_mu_xi_0_0_6 * d_mu_xi_0_0_3
-        - (mu[1] * d_mu_xi_0_0_29 - mu[2] * d_mu_xi_0_0_27) * 0.5;
-    d_mu_xi[1] = d_mu_xi_1_0 + (d_mu_xi_1_1 * poses.com_z - d_mu_xi_0_1 * poses.com_x)
+    d_mu_xi[2] = d_mu_xi_2_0 + (d_mu_xi_0_11 * poses.com_x - d_mu_xi_1_9 * poses.com_y)
         + 0.0;
-    let d_mu_xi_2 = d_mu_xi_1_0_2 * d_mu_xi_0_0_3 - d_mu_xi_0_0_0 * d_mu_xi_0_3_1
-        + (d_mu_xi_0_3_2 * d_mu_xi_0_0_7 - d_mu_xi_0_0_4 * d_mu_xi_1_0_5)
-        - (d_mu_xi_0_0_25 * mu[0] + d_mu_xi_1_0_25 * mu[1]
-            + (common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0 * qd[0]
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0 * qd[1]
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0 * qd[2]
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0 * qd[3]
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0 * qd[4]
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0 * qd[5]
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0 * qd[6]) * mu[2]
-            + (d_mu_xi_0_3_5 * d_mu_xi_0_0_4_0 - d_mu_xi_0_0_27 * d_mu_xi_0_3_2_0)) * 0.5
-        + (d_mu_xi_0_3 * poses.com_x - d_mu_xi_1_1 * poses.com_y);
-    d_mu_xi[2] = d_mu_xi_2 + 0.0;
-    d_mu_xi[3] = d_mu_xi_1_1 + 0.0;
-    d_mu_xi[4] = d_mu_xi_0_3 + 0.0;
-    d_mu_xi[5] = d_mu_xi_0_1 + 0.0;
+    d_mu_xi[3] = d_mu_xi_1_9 + 0.0;
+    d_mu_xi[4] = d_mu_xi_0_11 + 0.0;
+    d_mu_xi[5] = d_mu_xi_0_9 + 0.0;
     let wrench_outside_link_1_my_0_1 = (inertias.inertia_base_xx
         + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
-    let wrench_outside_link_1_my_0 = mu[0] * wrench_outside_link_1_my_0_1
-        - (inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_xz * mu[2]);
-    let wrench_outside_link_1_mx_2 = mu[1] * wrench_outside_link_1_my_0_1
-        - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-            - inertias.minus_inertia_base_yz * mu[2]);
-    let wrench_outside_link_1_mx_0 = mu[2] * wrench_outside_link_1_my_0_1
-        - (inertias.inertia_base_zz * mu[2]
-            - (inertias.minus_inertia_base_xz * mu[0]
-                + inertias.minus_inertia_base_yz * mu[1]));
-    let wrench_link_7_my_2_1 = (inertias.inertia_link_7_xx + inertias.inertia_link_7_yy
-        + inertias.inertia_link_7_zz) * 0.5;
-    let wrench_link_7_my_2 = mu[0] * wrench_link_7_my_2_1
-        - (inertias.inertia_link_7_xx * mu[0] + inertias.inertia_link_7_xy * mu[1]
-            + inertias.inertia_link_7_xz * mu[2]);
-    let wrench_link_7_mx_0 = mu[1] * wrench_link_7_my_2_1
-        - (inertias.inertia_link_7_xy * mu[0] + inertias.inertia_link_7_yy * mu[1]
-            + inertias.inertia_link_7_yz * mu[2]);
-    let wrench_link_7_mx_2 = mu[2] * wrench_link_7_my_2_1
-        - (inertias.inertia_link_7_xz * mu[0] + inertias.inertia_link_7_yz * mu[1]
-            + inertias.inertia_link_7_zz * mu[2]);
     let wrench_outside_link_1_fy_5 = velocities.minus_velocity_base_wy
         * inertias.minus_inertia_base_hz
         - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy;
@@ -9185,6 +9156,8 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
         + inertias.inertia_link_5_zz) * 0.5;
     let wrench_link_6_my_0_2_1 = (inertias.inertia_link_6_xx + inertias.inertia_link_6_yy
         + inertias.inertia_link_6_zz) * 0.5;
+    let wrench_link_7_my_2_1 = (inertias.inertia_link_7_xx + inertias.inertia_link_7_yy
+        + inertias.inertia_link_7_zz) * 0.5;
     let wrench_outside_link_1_my_5_2 = mu[1] * velocities.minus_velocity_base_vz;
     let wrench_outside_link_1_my_5 = mu[2] * velocities.minus_velocity_base_vy
         - wrench_outside_link_1_my_5_2;
@@ -9193,6 +9166,12 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
         + wrench_outside_link_1_mx_7_2;
     let wrench_outside_link_1_mx_5 = mu[0] * velocities.minus_velocity_base_vy
         + mu[1] * velocities.velocity_base_vx;
+    let wrench_outside_link_1_my_0 = mu[0] * wrench_outside_link_1_my_0_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_46_0;
+    let wrench_outside_link_1_mx_2 = mu[1] * wrench_outside_link_1_my_0_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_48_0;
+    let wrench_outside_link_1_mx_0 = mu[2] * wrench_outside_link_1_my_0_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_37_0;
     let wrench_outside_link_1_mx = wrench_outside_link_1_mx_0
         * velocities.minus_velocity_base_wy
         - wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wz
@@ -9381,6 +9360,12 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
         - mu[0] * velocities.velocity_link_7_vz;
     let wrench_link_7_mx_5 = mu[0] * velocities.velocity_link_7_vy
         - mu[1] * velocities.velocity_link_7_vx;
+    let wrench_link_7_my_2 = mu[0] * wrench_link_7_my_2_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_6_19_0;
+    let wrench_link_7_mx_0 = mu[1] * wrench_link_7_my_2_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_6_21_0;
+    let wrench_link_7_mx_2 = mu[2] * wrench_link_7_my_2_1
+        - common_coupling_torque_d_mu_xi.coupling_torque_6_10_0;
     let wrench_link_7_mx = wrench_link_7_mx_0 * velocities.velocity_link_7_wz
         - wrench_link_7_mx_2 * velocities.velocity_link_7_wy
         - (inertias.minus_inertia_link_7_hy * wrench_link_7_mx_5
@@ -9667,92 +9652,101 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
 pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
     let common_d_qdot_d_qdot_xi_kinetic_energy = common_d_qdot_d_qdot_xi_kinetic_energy(
         &inertias,
         &velocities,
     );
-    let d_qdot_xi_0_22 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let d_qdot_xi_0_20 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let d_qdot_xi_0_26_1 = screws.inside_joint_2_fx * qd[1]
+    let d_qdot_xi_0_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let d_qdot_xi_0_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_qdot_xi_0_0_0 = d_qdot_xi_0_0_0_1 + d_qdot_xi_0_0_0_1;
+    let d_qdot_xi_0_0_23 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let d_qdot_xi_0_0_21 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let d_qdot_xi_0_3_1 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
         + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
         + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let d_qdot_xi_0_24_1 = screws.inside_joint_1_fy * qd[0]
+    let d_qdot_xi_0_0_20 = screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
         + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
         + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let d_qdot_xi_0_26_3 = screws.inside_joint_2_fz * qd[1]
+    let d_qdot_xi_0_0_22 = screws.inside_joint_2_fz * qd[1]
         + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
         + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
         + screws.inside_joint_7_fz * qd[6];
-    let d_qdot_xi_0_15 = common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * qd[0]
-        - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * qd[6];
-    let d_qdot_xi_0_17 = common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * qd[1]
+    let d_qdot_xi_0_0_16 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
+        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
+    let d_qdot_xi_0_0_18 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * qd[6];
-    let d_qdot_xi_0_26 = (mu[2] * d_qdot_xi_0_26_1 - mu[0] * d_qdot_xi_0_26_3) * 0.5;
-    let d_qdot_xi_0_24 = (mu[0] * d_qdot_xi_0_24_1 - mu[1] * d_qdot_xi_0_26_1) * 0.5;
-    let d_qdot_xi_0 = ((common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * qd[6]) * mu[0]
-        + d_qdot_xi_0_15 * mu[1] + d_qdot_xi_0_17 * mu[2]
-        + (d_qdot_xi_0_24_1 * d_qdot_xi_0_20 - d_qdot_xi_0_26_3 * d_qdot_xi_0_22)) * 0.5
-        + (d_qdot_xi_0_24 * poses.com_y - d_qdot_xi_0_26 * poses.com_z);
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
+    let d_qdot_xi_0_0 = (((d_qdot_xi_0_0_0 - d_qdot_xi_0_0_1) * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+        + d_qdot_xi_0_0_16 * mu[1] + d_qdot_xi_0_0_18 * mu[2]
+        + (d_qdot_xi_0_0_20 * d_qdot_xi_0_0_21 - d_qdot_xi_0_0_22 * d_qdot_xi_0_0_23))
+        * 0.5;
+    let d_qdot_xi_0_3 = (mu[2] * d_qdot_xi_0_3_1 - mu[0] * d_qdot_xi_0_0_22) * 0.5;
+    let d_qdot_xi_0_1 = (mu[0] * d_qdot_xi_0_0_20 - mu[1] * d_qdot_xi_0_3_1) * 0.5;
     // D_q\u{307} ξ
-    d_qdot_xi[0] = d_qdot_xi_0 + 0.0;
-    let d_qdot_xi_1_20 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let d_qdot_xi_1_17 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * qd[6];
-    let d_qdot_xi_1_24 = (mu[1] * d_qdot_xi_0_26_3 - mu[2] * d_qdot_xi_0_24_1) * 0.5;
-    let d_qdot_xi_1 = (d_qdot_xi_0_15 * mu[0]
-        + (common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * qd[0]
-            + common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * qd[1]
-            + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0 * qd[2]
-            + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0 * qd[3]
-            + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0 * qd[4]
-            + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0 * qd[5]
-            + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0 * qd[6]) * mu[1]
-        + d_qdot_xi_1_17 * mu[2]
-        + (d_qdot_xi_0_26_3 * d_qdot_xi_1_20 - d_qdot_xi_0_26_1 * d_qdot_xi_0_20)) * 0.5
-        + (d_qdot_xi_1_24 * poses.com_z - d_qdot_xi_0_24 * poses.com_x);
-    d_qdot_xi[1] = d_qdot_xi_1 + 0.0;
-    d_qdot_xi[2] = (d_qdot_xi_0_17 * mu[0] + d_qdot_xi_1_17 * mu[1]
-        + (common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0 * qd[0]
-            + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0 * qd[1]
-            + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0 * qd[2]
-            - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0 * qd[3]
-            + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0 * qd[4]
-            + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0 * qd[5]
-            + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0 * qd[6]) * mu[2]
-        + (d_qdot_xi_0_26_1 * d_qdot_xi_0_22 - d_qdot_xi_0_24_1 * d_qdot_xi_1_20)) * 0.5
-        + (d_qdot_xi_0_26 * poses.com_x - d_qdot_xi_1_24 * poses.com_y) + 0.0;
-    d_qdot_xi[3] = d_qdot_xi_1_24 + 0.0;
-    d_qdot_xi[4] = d_qdot_xi_0_26 + 0.0;
-    d_qdot_xi[5] = d_qdot_xi_0_24 + 0.0;
+    d_qdot_xi[0] = d_qdot_xi_0_0
+        + (d_qdot_xi_0_1 * poses.com_y - d_qdot_xi_0_3 * poses.com_z) + 0.0;
+    let d_qdot_xi_1_0_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_qdot_xi_1_0_3 = d_qdot_xi_1_0_3_1 + d_qdot_xi_1_0_3_1;
+    let d_qdot_xi_1_0_21 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
+    let d_qdot_xi_1_0_18 = screws.inside_joint_1_mx * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+    let d_qdot_xi_1_0 = (d_qdot_xi_0_0_16 * mu[0]
+        + ((d_qdot_xi_0_0_1 - d_qdot_xi_1_0_3) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+        + d_qdot_xi_1_0_18 * mu[2]
+        + (d_qdot_xi_0_0_22 * d_qdot_xi_1_0_21 - d_qdot_xi_0_3_1 * d_qdot_xi_0_0_21))
+        * 0.5;
+    let d_qdot_xi_1_1 = (mu[1] * d_qdot_xi_0_0_22 - mu[2] * d_qdot_xi_0_0_20) * 0.5;
+    d_qdot_xi[1] = d_qdot_xi_1_0
+        + (d_qdot_xi_1_1 * poses.com_z - d_qdot_xi_0_1 * poses.com_x) + 0.0;
+    let d_qdot_xi_2 = (d_qdot_xi_0_0_18 * mu[0] + d_qdot_xi_1_0_18 * mu[1]
+        + ((d_qdot_xi_0_0_0 - d_qdot_xi_1_0_3) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
+            - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
+        + (d_qdot_xi_0_3_1 * d_qdot_xi_0_0_23 - d_qdot_xi_0_0_20 * d_qdot_xi_1_0_21))
+        * 0.5 + (d_qdot_xi_0_3 * poses.com_x - d_qdot_xi_1_1 * poses.com_y);
+    d_qdot_xi[2] = d_qdot_xi_2 + 0.0;
+    d_qdot_xi[3] = d_qdot_xi_1_1 + 0.0;
+    d_qdot_xi[4] = d_qdot_xi_0_3 + 0.0;
+    d_qdot_xi[5] = d_qdot_xi_0_1 + 0.0;
     let minus_wrench_outside_link_1_my_0 = common_d_qdot_d_qdot_xi_kinetic_energy
         .factor_outside_link_1_yz_0_1
         + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_zy_0_1
@@ -10558,7 +10552,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (13; N·m, N)
 ///
-/// 2570 operations: 1198 + −, 1369 ×, 3 ÷; 7 sin cos; about 30.4 KiB of code.
+/// 2682 operations: 1252 + −, 1427 ×, 3 ÷; 7 sin cos; about 31.7 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -10567,7 +10561,8 @@ pub fn hamel_bias(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     let minus_wrench_outside_link_1_fy_1_0 = base_twist[0]
         + velocities.minus_velocity_base_wx;
@@ -11425,1083 +11420,352 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 7×7, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 3824 operations: 1843 + −, 1978 ×, 3 ÷; 7 sin cos; about 45.1 KiB of code.
+/// 3631 operations: 1758 + −, 1870 ×, 3 ÷; 7 sin cos; about 42.8 KiB of code.
 pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
+    let common_d_mu_b2_curvature = common_d_mu_b2_curvature(
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+    );
     // 𝓑_ω(e_i, e_j) x, column joint_1
     curvature[0][0][0] = 0.0;
-    let curvature_x_1_0_3_3_23_18 = screws.inside_joint_2_my
-        - screws.inside_joint_2_fz * poses.com_x
-        + (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * screws.connection_joint_2_wx
-            + common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_2_wy
-            - screws.inside_joint_1_my * screws.connection_joint_2_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_2_vz)
-        + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * reactions.reaction_joint_1_wx
-            - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * reactions.reaction_joint_1_wz);
-    let curvature_x_1_0_3_3_23 = screws.inside_joint_2_mx
-        + screws.inside_joint_2_fz * poses.com_y
-        - (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_2_wx
-            + common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * screws.connection_joint_2_wy
-            + screws.inside_joint_1_mx * screws.connection_joint_2_wz
-            + screws.minus_inside_joint_1_fx * screws.connection_joint_2_vz)
-        - (common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * reactions.reaction_joint_1_wy
-            - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * reactions.reaction_joint_1_wz)
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_3_3_23_18;
-    let curvature_x_1_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_1_0_3_3_23_18
-        - (screws.inside_joint_2_fx * poses.com_x
-            + screws.inside_joint_2_fy * poses.com_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_2_wy
-                - screws.inside_joint_1_my * screws.connection_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0
-                    * screws.connection_joint_2_wz
-                - (screws.minus_inside_joint_1_fx * screws.connection_joint_2_vy
-                    + screws.inside_joint_1_fy * screws.connection_joint_2_vx))
-            + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * reactions.reaction_joint_1_wy
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0
-                    * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_1_0_3_3_23)
+    let curvature_x_1_0_21_1_2_3 = (inertias.locked_inverse_pivot_z_4
+        * inertias.locked_inverse_pivot_y_2 - inertias.locked_inverse_pivot_z_2)
         * inertias.locked_inverse_pivot_z;
-    let curvature_x_1_0_3 = curvature_x_1_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_1_0_3_3;
-    let curvature_x_1_0 = curvature_x_1_0_3_3_23_18 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_1_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_2_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_2_wy);
+    let curvature_x_1_0_21_1_2 = inertias.locked_inverse_pivot_y_2
+        * inertias.locked_inverse_pivot_y
+        + inertias.locked_inverse_pivot_z_4 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_1_0_21_1 = inertias.locked_inverse_pivot_x
+        + inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_21_1_2
+        - inertias.locked_inverse_pivot_z_2 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_1_0_21 = common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * curvature_x_1_0_21_1_2
+        - outside.outside_joint_1_my * curvature_x_1_0_21_1_2_3;
+    let curvature_x_1_0_23 = reactions.reaction_joint_1_wz
+        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * curvature_x_1_0_21_1
+            + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2_3);
+    let curvature_x_1_0_25 = reactions.reaction_joint_1_wy
+        + (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * curvature_x_1_0_21_1_2_3
+            - (outside.outside_joint_1_my * curvature_x_1_0_21_1
+                + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2));
+    let curvature_x_1_0 = reactions.reaction_joint_1_wx
+        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * curvature_x_1_0_21_1
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3)
+        + reactions.reaction_joint_1_wy
+            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3
+                - (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0
+                    * curvature_x_1_0_21_1
+                    + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0
+                        * curvature_x_1_0_21_1_2))
+        + reactions.reaction_joint_1_wz
+            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1
+                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
+                    * curvature_x_1_0_21_1_2
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0
+                    * curvature_x_1_0_21_1_2_3)
+        - curvature_x_1_0_21 * screws.connection_joint_2_wx
+        + curvature_x_1_0_23 * screws.connection_joint_2_wy
+        - curvature_x_1_0_25 * screws.connection_joint_2_wz;
     curvature[0][0][1] = curvature_x_1_0 + 0.0;
-    let curvature_x_2_0_3_3_23_18 = screws.inside_joint_3_my
-        - screws.inside_joint_3_fz * poses.com_x
-        + (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * screws.connection_joint_3_wx
-            + common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_3_wy
-            - screws.inside_joint_1_my * screws.connection_joint_3_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_3_vz)
-        + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * reactions.reaction_joint_1_wz);
-    let curvature_x_2_0_3_3_23 = screws.inside_joint_3_mx
-        + screws.inside_joint_3_fz * poses.com_y
-        - (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_3_wx
-            + common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * screws.connection_joint_3_wy
-            + screws.inside_joint_1_mx * screws.connection_joint_3_wz
-            + screws.minus_inside_joint_1_fx * screws.connection_joint_3_vz)
-        - (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0 * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * reactions.reaction_joint_1_wz)
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_2_0_3_3_23_18;
-    let curvature_x_2_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_2_0_3_3_23_18
-        - (screws.inside_joint_3_fx * poses.com_x
-            + screws.inside_joint_3_fy * poses.com_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_3_wy
-                - screws.inside_joint_1_my * screws.connection_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0
-                    * screws.connection_joint_3_wz
-                - (screws.minus_inside_joint_1_fx * screws.connection_joint_3_vy
-                    + screws.inside_joint_1_fy * screws.connection_joint_3_vx))
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * reactions.reaction_joint_1_wy
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0
-                    * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_2_0_3_3_23)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_2_0_3 = curvature_x_2_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_2_0_3_3;
-    let curvature_x_2_0 = curvature_x_2_0_3_3_23_18 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_2_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_2_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_3_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_3_wy);
+    let curvature_x_2_0_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_5 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0 = reactions.reaction_joint_1_wx * curvature_x_2_0_1
+        + reactions.reaction_joint_1_wy * curvature_x_2_0_3
+        + reactions.reaction_joint_1_wz * curvature_x_2_0_5
+        - curvature_x_1_0_21 * screws.connection_joint_3_wx
+        + curvature_x_1_0_23 * screws.connection_joint_3_wy
+        - curvature_x_1_0_25 * screws.connection_joint_3_wz;
     curvature[0][0][2] = curvature_x_2_0 + 0.0;
-    let curvature_x_3_0_3_3_23_18 = screws.inside_joint_4_my
-        - screws.inside_joint_4_fz * poses.com_x
-        + (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * screws.connection_joint_4_wx
-            + common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_4_wy
-            - screws.inside_joint_1_my * screws.connection_joint_4_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_4_vz)
-        + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * reactions.reaction_joint_1_wz);
-    let curvature_x_3_0_3_3_23 = screws.inside_joint_4_mx
-        + screws.inside_joint_4_fz * poses.com_y
-        - (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_4_wx
-            + common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * screws.connection_joint_4_wy
-            + screws.inside_joint_1_mx * screws.connection_joint_4_wz
-            + screws.minus_inside_joint_1_fx * screws.connection_joint_4_vz)
-        - (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0 * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * reactions.reaction_joint_1_wz)
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_3_0_3_3_23_18;
-    let curvature_x_3_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_3_0_3_3_23_18
-        - (screws.inside_joint_4_fx * poses.com_x
-            + screws.inside_joint_4_fy * poses.com_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_4_wy
-                - screws.inside_joint_1_my * screws.connection_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0
-                    * screws.connection_joint_4_wz
-                - (screws.minus_inside_joint_1_fx * screws.connection_joint_4_vy
-                    + screws.inside_joint_1_fy * screws.connection_joint_4_vx))
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * reactions.reaction_joint_1_wy
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0
-                    * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_3_0_3_3_23)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_3_0_3 = curvature_x_3_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_3_0_3_3;
-    let curvature_x_3_0 = curvature_x_3_0_3_3_23_18 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_3_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_3_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_4_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_4_wy);
+    let curvature_x_3_0_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_3_0_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_3_0_5 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_3_0 = reactions.reaction_joint_1_wx * curvature_x_3_0_1
+        + reactions.reaction_joint_1_wy * curvature_x_3_0_3
+        + reactions.reaction_joint_1_wz * curvature_x_3_0_5
+        - curvature_x_1_0_21 * screws.connection_joint_4_wx
+        + curvature_x_1_0_23 * screws.connection_joint_4_wy
+        - curvature_x_1_0_25 * screws.connection_joint_4_wz;
     curvature[0][0][3] = curvature_x_3_0 + 0.0;
-    let curvature_x_4_0_3_3_23_18 = screws.inside_joint_5_my
-        - screws.inside_joint_5_fz * poses.com_x
-        + (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * screws.connection_joint_5_wx
-            + common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_5_wy
-            - screws.inside_joint_1_my * screws.connection_joint_5_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_5_vz)
-        + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wz);
-    let curvature_x_4_0_3_3_23 = screws.inside_joint_5_mx
-        + screws.inside_joint_5_fz * poses.com_y
-        - (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_5_wx
-            + common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * screws.connection_joint_5_wy
-            + screws.inside_joint_1_mx * screws.connection_joint_5_wz
-            + screws.minus_inside_joint_1_fx * screws.connection_joint_5_vz)
-        - (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * reactions.reaction_joint_1_wz)
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_4_0_3_3_23_18;
-    let curvature_x_4_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_4_0_3_3_23_18
-        - (screws.inside_joint_5_fx * poses.com_x
-            + screws.inside_joint_5_fy * poses.com_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_5_wy
-                - screws.inside_joint_1_my * screws.connection_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0
-                    * screws.connection_joint_5_wz
-                - (screws.minus_inside_joint_1_fx * screws.connection_joint_5_vy
-                    + screws.inside_joint_1_fy * screws.connection_joint_5_vx))
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * reactions.reaction_joint_1_wy
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0
-                    * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_0_3_3_23)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_4_0_3 = curvature_x_4_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_0_3_3;
-    let curvature_x_4_0 = curvature_x_4_0_3_3_23_18 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_4_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_4_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_5_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_5_wy);
+    let curvature_x_4_0_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_4_0_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_4_0_5 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_4_0 = reactions.reaction_joint_1_wx * curvature_x_4_0_1
+        + reactions.reaction_joint_1_wy * curvature_x_4_0_3
+        + reactions.reaction_joint_1_wz * curvature_x_4_0_5
+        - curvature_x_1_0_21 * screws.connection_joint_5_wx
+        + curvature_x_1_0_23 * screws.connection_joint_5_wy
+        - curvature_x_1_0_25 * screws.connection_joint_5_wz;
     curvature[0][0][4] = curvature_x_4_0 + 0.0;
-    let curvature_x_5_0_3_3_23_18 = screws.inside_joint_6_my
-        - screws.inside_joint_6_fz * poses.com_x
-        + (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * screws.connection_joint_6_wx
-            + common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_6_wy
-            - screws.inside_joint_1_my * screws.connection_joint_6_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_6_vz)
-        + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wz);
-    let curvature_x_5_0_3_3_23 = screws.inside_joint_6_mx
-        + screws.inside_joint_6_fz * poses.com_y
-        - (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_6_wx
-            + common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * screws.connection_joint_6_wy
-            + screws.inside_joint_1_mx * screws.connection_joint_6_wz
-            + screws.minus_inside_joint_1_fx * screws.connection_joint_6_vz)
-        - (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * reactions.reaction_joint_1_wz)
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_5_0_3_3_23_18;
-    let curvature_x_5_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_5_0_3_3_23_18
-        - (screws.inside_joint_6_fx * poses.com_x
-            + screws.inside_joint_6_fy * poses.com_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_6_wy
-                - screws.inside_joint_1_my * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                - (screws.minus_inside_joint_1_fx * screws.connection_joint_6_vy
-                    + screws.inside_joint_1_fy * screws.connection_joint_6_vx))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_1_wy
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0
-                    * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_0_3_3_23)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_5_0_3 = curvature_x_5_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_0_3_3;
-    let curvature_x_5_0 = curvature_x_5_0_3_3_23_18 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_5_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_5_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_6_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_6_wy);
+    let curvature_x_5_0_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_5_0_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_5_0_5 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_5_0 = reactions.reaction_joint_1_wx * curvature_x_5_0_1
+        + reactions.reaction_joint_1_wy * curvature_x_5_0_3
+        + reactions.reaction_joint_1_wz * curvature_x_5_0_5
+        - curvature_x_1_0_21 * screws.connection_joint_6_wx
+        + curvature_x_1_0_23 * screws.connection_joint_6_wy
+        - curvature_x_1_0_25 * screws.connection_joint_6_wz;
     curvature[0][0][5] = curvature_x_5_0 + 0.0;
-    let curvature_x_6_0_3_3_23_18 = screws.inside_joint_7_my
-        - screws.inside_joint_7_fz * poses.com_x
-        + (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * screws.connection_joint_7_wx
-            + common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_7_wy
-            - screws.inside_joint_1_my * screws.connection_joint_7_wz
-            + screws.inside_joint_1_fy * screws.connection_joint_7_vz)
-        + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wz);
-    let curvature_x_6_0_3_3_23 = screws.inside_joint_7_mx
-        + screws.inside_joint_7_fz * poses.com_y
-        - (common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * screws.connection_joint_7_wx
-            + common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * screws.connection_joint_7_wy
-            + screws.inside_joint_1_mx * screws.connection_joint_7_wz
-            + screws.minus_inside_joint_1_fx * screws.connection_joint_7_vz)
-        - (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-            + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0
-                * reactions.reaction_joint_1_wy
-            + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * reactions.reaction_joint_1_wz)
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_6_0_3_3_23_18;
-    let curvature_x_6_0_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_6_0_3_3_23_18
-        - (screws.inside_joint_7_fx * poses.com_x
-            + screws.inside_joint_7_fy * poses.com_y
-            + (screws.inside_joint_1_mx * screws.connection_joint_7_wy
-                - screws.inside_joint_1_my * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                - (screws.minus_inside_joint_1_fx * screws.connection_joint_7_vy
-                    + screws.inside_joint_1_fy * screws.connection_joint_7_vx))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_1_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_1_wy
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0
-                    * reactions.reaction_joint_1_wz))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_0_3_3_23)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_6_0_3 = curvature_x_6_0_3_3_23 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_0_3_3;
-    let curvature_x_6_0 = curvature_x_6_0_3_3_23_18 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_6_0_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_6_0_3_3
-        + (screws.connection_joint_1_wy * screws.connection_joint_7_wz
-            - screws.connection_joint_1_wz * screws.connection_joint_7_wy);
+    let curvature_x_6_0_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_6_0_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_6_0_5 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_6_0 = reactions.reaction_joint_1_wx * curvature_x_6_0_1
+        + reactions.reaction_joint_1_wy * curvature_x_6_0_3
+        + reactions.reaction_joint_1_wz * curvature_x_6_0_5
+        - curvature_x_1_0_21 * screws.connection_joint_7_wx
+        + curvature_x_1_0_23 * screws.connection_joint_7_wy
+        - curvature_x_1_0_25 * screws.connection_joint_7_wz;
     curvature[0][0][6] = curvature_x_6_0 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_2
     curvature[0][1][0] = 0.0 - curvature_x_1_0;
     curvature[0][1][1] = 0.0;
-    let curvature_x_2_1_3_3_31_1 = screws.inside_joint_3_mz * poses.cos_joint_1
-        + (screws.inside_joint_3_fy * screws.screw_joint_2_vz
-            - screws.inside_joint_3_fz * screws.screw_joint_2_vy)
-        + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * screws.connection_joint_3_wx
-            - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * screws.connection_joint_3_wy
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_3_wz
-            + (screws.inside_joint_2_fy * screws.connection_joint_3_vz
-                - screws.inside_joint_2_fz * screws.connection_joint_3_vy))
-        + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * reactions.reaction_joint_2_wx
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * reactions.reaction_joint_2_wy
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * reactions.reaction_joint_2_wz
-            + (screws.inside_joint_3_fy * reactions.reaction_joint_2_vz
-                - screws.inside_joint_3_fz * reactions.reaction_joint_2_vy));
-    let curvature_x_2_1_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_2_1_3_3_31_1
-        - (screws.inside_joint_3_mz * poses.sin_joint_1
-            + (screws.inside_joint_3_fz * screws.screw_joint_2_vx
-                - screws.inside_joint_3_fx * screws.screw_joint_2_vz)
-            + (common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * screws.connection_joint_3_wy
-                - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0
-                    * screws.connection_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_3_wz
-                + (screws.inside_joint_2_fz * screws.connection_joint_3_vx
-                    - screws.inside_joint_2_fx * screws.connection_joint_3_vz))
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_3_fz * reactions.reaction_joint_2_vx
-                    - screws.inside_joint_3_fx * reactions.reaction_joint_2_vz)));
-    let curvature_x_2_1_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_2_1_3_3_31_1
-        - (screws.inside_joint_3_fx * screws.screw_joint_2_vy
-            - screws.inside_joint_3_fy * screws.screw_joint_2_vx
-            - (screws.inside_joint_3_mx * poses.cos_joint_1
-                + screws.inside_joint_3_my * poses.sin_joint_1)
-            + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0
-                    * screws.connection_joint_3_wz
-                + (screws.inside_joint_2_fx * screws.connection_joint_3_vy
-                    - screws.inside_joint_2_fy * screws.connection_joint_3_vx))
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_3_fx * reactions.reaction_joint_2_vy
-                    - screws.inside_joint_3_fy * reactions.reaction_joint_2_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_2_1_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_2_1_3 = curvature_x_2_1_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_2_1_3_3;
-    let curvature_x_2_1 = curvature_x_2_1_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_2_1_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_2_1_3_3
-        + (screws.connection_joint_2_wy * screws.connection_joint_3_wz
-            - screws.connection_joint_2_wz * screws.connection_joint_3_wy);
+    let curvature_x_2_1_14_1 = curvature_x_1_0_21_1 * 35.0;
+    let curvature_x_2_1_12_3 = curvature_x_1_0_21_1_2 * 35.0;
+    let curvature_x_2_1_12_1 = curvature_x_1_0_21_1_2_3 * 35.0;
+    let curvature_x_2_1_6 = common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_1_8 = reactions.reaction_joint_2_wz
+        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_2_1_10 = reactions.reaction_joint_2_wy
+        + (common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_2_1_12 = reactions.reaction_joint_2_vy * curvature_x_2_1_12_1
+        + reactions.reaction_joint_2_vz * curvature_x_2_1_12_3;
+    let curvature_x_2_1_14 = reactions.reaction_joint_2_vz * curvature_x_2_1_14_1
+        - reactions.reaction_joint_2_vx * curvature_x_2_1_12_1;
+    let curvature_x_2_1_16 = reactions.reaction_joint_2_vx * curvature_x_2_1_12_3
+        + reactions.reaction_joint_2_vy * curvature_x_2_1_14_1;
+    let curvature_x_2_1 = reactions.reaction_joint_2_wx * curvature_x_2_0_1
+        + reactions.reaction_joint_2_wy * curvature_x_2_0_3
+        + reactions.reaction_joint_2_wz * curvature_x_2_0_5
+        - curvature_x_2_1_6 * screws.connection_joint_3_wx
+        + curvature_x_2_1_8 * screws.connection_joint_3_wy
+        - curvature_x_2_1_10 * screws.connection_joint_3_wz
+        + curvature_x_2_1_12 * screws.connection_joint_3_vx
+        + curvature_x_2_1_14 * screws.connection_joint_3_vy
+        - curvature_x_2_1_16 * screws.connection_joint_3_vz;
     curvature[0][1][2] = curvature_x_2_1 + 0.0;
-    let curvature_x_3_1_3_3_31_1 = screws.inside_joint_4_mz * poses.cos_joint_1
-        + (screws.inside_joint_4_fy * screws.screw_joint_2_vz
-            - screws.inside_joint_4_fz * screws.screw_joint_2_vy)
-        + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * screws.connection_joint_4_wx
-            - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * screws.connection_joint_4_wy
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_4_wz
-            + (screws.inside_joint_2_fy * screws.connection_joint_4_vz
-                - screws.inside_joint_2_fz * screws.connection_joint_4_vy))
-        + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * reactions.reaction_joint_2_wx
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * reactions.reaction_joint_2_wy
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * reactions.reaction_joint_2_wz
-            + (screws.inside_joint_4_fy * reactions.reaction_joint_2_vz
-                - screws.inside_joint_4_fz * reactions.reaction_joint_2_vy));
-    let curvature_x_3_1_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_3_1_3_3_31_1
-        - (screws.inside_joint_4_mz * poses.sin_joint_1
-            + (screws.inside_joint_4_fz * screws.screw_joint_2_vx
-                - screws.inside_joint_4_fx * screws.screw_joint_2_vz)
-            + (common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * screws.connection_joint_4_wy
-                - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0
-                    * screws.connection_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_4_wz
-                + (screws.inside_joint_2_fz * screws.connection_joint_4_vx
-                    - screws.inside_joint_2_fx * screws.connection_joint_4_vz))
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_4_fz * reactions.reaction_joint_2_vx
-                    - screws.inside_joint_4_fx * reactions.reaction_joint_2_vz)));
-    let curvature_x_3_1_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_3_1_3_3_31_1
-        - (screws.inside_joint_4_fx * screws.screw_joint_2_vy
-            - screws.inside_joint_4_fy * screws.screw_joint_2_vx
-            - (screws.inside_joint_4_mx * poses.cos_joint_1
-                + screws.inside_joint_4_my * poses.sin_joint_1)
-            + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0
-                    * screws.connection_joint_4_wz
-                + (screws.inside_joint_2_fx * screws.connection_joint_4_vy
-                    - screws.inside_joint_2_fy * screws.connection_joint_4_vx))
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_4_fx * reactions.reaction_joint_2_vy
-                    - screws.inside_joint_4_fy * reactions.reaction_joint_2_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_3_1_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_3_1_3 = curvature_x_3_1_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_3_1_3_3;
-    let curvature_x_3_1 = curvature_x_3_1_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_3_1_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_3_1_3_3
-        + (screws.connection_joint_2_wy * screws.connection_joint_4_wz
-            - screws.connection_joint_2_wz * screws.connection_joint_4_wy);
+    let curvature_x_3_1 = reactions.reaction_joint_2_wx * curvature_x_3_0_1
+        + reactions.reaction_joint_2_wy * curvature_x_3_0_3
+        + reactions.reaction_joint_2_wz * curvature_x_3_0_5
+        - curvature_x_2_1_6 * screws.connection_joint_4_wx
+        + curvature_x_2_1_8 * screws.connection_joint_4_wy
+        - curvature_x_2_1_10 * screws.connection_joint_4_wz
+        + curvature_x_2_1_12 * screws.connection_joint_4_vx
+        + curvature_x_2_1_14 * screws.connection_joint_4_vy
+        - curvature_x_2_1_16 * screws.connection_joint_4_vz;
     curvature[0][1][3] = curvature_x_3_1 + 0.0;
-    let curvature_x_4_1_3_3_31_1 = screws.inside_joint_5_mz * poses.cos_joint_1
-        + (screws.inside_joint_5_fy * screws.screw_joint_2_vz
-            - screws.inside_joint_5_fz * screws.screw_joint_2_vy)
-        + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * screws.connection_joint_5_wx
-            - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * screws.connection_joint_5_wy
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_5_wz
-            + (screws.inside_joint_2_fy * screws.connection_joint_5_vz
-                - screws.inside_joint_2_fz * screws.connection_joint_5_vy))
-        + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * reactions.reaction_joint_2_wx
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wy
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * reactions.reaction_joint_2_wz
-            + (screws.inside_joint_5_fy * reactions.reaction_joint_2_vz
-                - screws.inside_joint_5_fz * reactions.reaction_joint_2_vy));
-    let curvature_x_4_1_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_4_1_3_3_31_1
-        - (screws.inside_joint_5_mz * poses.sin_joint_1
-            + (screws.inside_joint_5_fz * screws.screw_joint_2_vx
-                - screws.inside_joint_5_fx * screws.screw_joint_2_vz)
-            + (common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * screws.connection_joint_5_wy
-                - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0
-                    * screws.connection_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_5_wz
-                + (screws.inside_joint_2_fz * screws.connection_joint_5_vx
-                    - screws.inside_joint_2_fx * screws.connection_joint_5_vz))
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_5_fz * reactions.reaction_joint_2_vx
-                    - screws.inside_joint_5_fx * reactions.reaction_joint_2_vz)));
-    let curvature_x_4_1_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_4_1_3_3_31_1
-        - (screws.inside_joint_5_fx * screws.screw_joint_2_vy
-            - screws.inside_joint_5_fy * screws.screw_joint_2_vx
-            - (screws.inside_joint_5_mx * poses.cos_joint_1
-                + screws.inside_joint_5_my * poses.sin_joint_1)
-            + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0
-                    * screws.connection_joint_5_wz
-                + (screws.inside_joint_2_fx * screws.connection_joint_5_vy
-                    - screws.inside_joint_2_fy * screws.connection_joint_5_vx))
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_5_fx * reactions.reaction_joint_2_vy
-                    - screws.inside_joint_5_fy * reactions.reaction_joint_2_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_1_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_4_1_3 = curvature_x_4_1_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_1_3_3;
-    let curvature_x_4_1 = curvature_x_4_1_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_4_1_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_4_1_3_3
-        + (screws.connection_joint_2_wy * screws.connection_joint_5_wz
-            - screws.connection_joint_2_wz * screws.connection_joint_5_wy);
+    let curvature_x_4_1 = reactions.reaction_joint_2_wx * curvature_x_4_0_1
+        + reactions.reaction_joint_2_wy * curvature_x_4_0_3
+        + reactions.reaction_joint_2_wz * curvature_x_4_0_5
+        - curvature_x_2_1_6 * screws.connection_joint_5_wx
+        + curvature_x_2_1_8 * screws.connection_joint_5_wy
+        - curvature_x_2_1_10 * screws.connection_joint_5_wz
+        + curvature_x_2_1_12 * screws.connection_joint_5_vx
+        + curvature_x_2_1_14 * screws.connection_joint_5_vy
+        - curvature_x_2_1_16 * screws.connection_joint_5_vz;
     curvature[0][1][4] = curvature_x_4_1 + 0.0;
-    let curvature_x_5_1_3_3_31_1 = screws.inside_joint_6_mz * poses.cos_joint_1
-        + (screws.inside_joint_6_fy * screws.screw_joint_2_vz
-            - screws.inside_joint_6_fz * screws.screw_joint_2_vy)
-        + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * screws.connection_joint_6_wx
-            - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * screws.connection_joint_6_wy
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_6_wz
-            + (screws.inside_joint_2_fy * screws.connection_joint_6_vz
-                - screws.inside_joint_2_fz * screws.connection_joint_6_vy))
-        + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * reactions.reaction_joint_2_wx
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wy
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_2_wz
-            + (screws.inside_joint_6_fy * reactions.reaction_joint_2_vz
-                - screws.inside_joint_6_fz * reactions.reaction_joint_2_vy));
-    let curvature_x_5_1_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_5_1_3_3_31_1
-        - (screws.inside_joint_6_mz * poses.sin_joint_1
-            + (screws.inside_joint_6_fz * screws.screw_joint_2_vx
-                - screws.inside_joint_6_fx * screws.screw_joint_2_vz)
-            + (common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * screws.connection_joint_6_wy
-                - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0
-                    * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_2_fz * screws.connection_joint_6_vx
-                    - screws.inside_joint_2_fx * screws.connection_joint_6_vz))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_6_fz * reactions.reaction_joint_2_vx
-                    - screws.inside_joint_6_fx * reactions.reaction_joint_2_vz)));
-    let curvature_x_5_1_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_5_1_3_3_31_1
-        - (screws.inside_joint_6_fx * screws.screw_joint_2_vy
-            - screws.inside_joint_6_fy * screws.screw_joint_2_vx
-            - (screws.inside_joint_6_mx * poses.cos_joint_1
-                + screws.inside_joint_6_my * poses.sin_joint_1)
-            + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_2_fx * screws.connection_joint_6_vy
-                    - screws.inside_joint_2_fy * screws.connection_joint_6_vx))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_6_fx * reactions.reaction_joint_2_vy
-                    - screws.inside_joint_6_fy * reactions.reaction_joint_2_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_1_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_5_1_3 = curvature_x_5_1_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_1_3_3;
-    let curvature_x_5_1 = curvature_x_5_1_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_5_1_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_5_1_3_3
-        + (screws.connection_joint_2_wy * screws.connection_joint_6_wz
-            - screws.connection_joint_2_wz * screws.connection_joint_6_wy);
+    let curvature_x_5_1 = reactions.reaction_joint_2_wx * curvature_x_5_0_1
+        + reactions.reaction_joint_2_wy * curvature_x_5_0_3
+        + reactions.reaction_joint_2_wz * curvature_x_5_0_5
+        - curvature_x_2_1_6 * screws.connection_joint_6_wx
+        + curvature_x_2_1_8 * screws.connection_joint_6_wy
+        - curvature_x_2_1_10 * screws.connection_joint_6_wz
+        + curvature_x_2_1_12 * screws.connection_joint_6_vx
+        + curvature_x_2_1_14 * screws.connection_joint_6_vy
+        - curvature_x_2_1_16 * screws.connection_joint_6_vz;
     curvature[0][1][5] = curvature_x_5_1 + 0.0;
-    let curvature_x_6_1_3_3_31_1 = screws.inside_joint_7_mz * poses.cos_joint_1
-        + (screws.inside_joint_7_fy * screws.screw_joint_2_vz
-            - screws.inside_joint_7_fz * screws.screw_joint_2_vy)
-        + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * screws.connection_joint_7_wx
-            - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * screws.connection_joint_7_wy
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_7_wz
-            + (screws.inside_joint_2_fy * screws.connection_joint_7_vz
-                - screws.inside_joint_2_fz * screws.connection_joint_7_vy))
-        + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * reactions.reaction_joint_2_wx
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wy
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_2_wz
-            + (screws.inside_joint_7_fy * reactions.reaction_joint_2_vz
-                - screws.inside_joint_7_fz * reactions.reaction_joint_2_vy));
-    let curvature_x_6_1_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_6_1_3_3_31_1
-        - (screws.inside_joint_7_mz * poses.sin_joint_1
-            + (screws.inside_joint_7_fz * screws.screw_joint_2_vx
-                - screws.inside_joint_7_fx * screws.screw_joint_2_vz)
-            + (common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * screws.connection_joint_7_wy
-                - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0
-                    * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_2_fz * screws.connection_joint_7_vx
-                    - screws.inside_joint_2_fx * screws.connection_joint_7_vz))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_7_fz * reactions.reaction_joint_2_vx
-                    - screws.inside_joint_7_fx * reactions.reaction_joint_2_vz)));
-    let curvature_x_6_1_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_6_1_3_3_31_1
-        - (screws.inside_joint_7_fx * screws.screw_joint_2_vy
-            - screws.inside_joint_7_fy * screws.screw_joint_2_vx
-            - (screws.inside_joint_7_mx * poses.cos_joint_1
-                + screws.inside_joint_7_my * poses.sin_joint_1)
-            + (common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_2_fx * screws.connection_joint_7_vy
-                    - screws.inside_joint_2_fy * screws.connection_joint_7_vx))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_2_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_2_wy
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0
-                    * reactions.reaction_joint_2_wz
-                + (screws.inside_joint_7_fx * reactions.reaction_joint_2_vy
-                    - screws.inside_joint_7_fy * reactions.reaction_joint_2_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_1_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_6_1_3 = curvature_x_6_1_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_1_3_3;
-    let curvature_x_6_1 = curvature_x_6_1_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_6_1_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_6_1_3_3
-        + (screws.connection_joint_2_wy * screws.connection_joint_7_wz
-            - screws.connection_joint_2_wz * screws.connection_joint_7_wy);
+    let curvature_x_6_1 = reactions.reaction_joint_2_wx * curvature_x_6_0_1
+        + reactions.reaction_joint_2_wy * curvature_x_6_0_3
+        + reactions.reaction_joint_2_wz * curvature_x_6_0_5
+        - curvature_x_2_1_6 * screws.connection_joint_7_wx
+        + curvature_x_2_1_8 * screws.connection_joint_7_wy
+        - curvature_x_2_1_10 * screws.connection_joint_7_wz
+        + curvature_x_2_1_12 * screws.connection_joint_7_vx
+        + curvature_x_2_1_14 * screws.connection_joint_7_vy
+        - curvature_x_2_1_16 * screws.connection_joint_7_vz;
     curvature[0][1][6] = curvature_x_6_1 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_3
     curvature[0][2][0] = 0.0 - curvature_x_2_0;
     curvature[0][2][1] = 0.0 - curvature_x_2_1;
     curvature[0][2][2] = 0.0;
-    let curvature_x_3_2_3_3_31_1 = screws.inside_joint_4_my * poses.cos_joint_2
-        + screws.inside_joint_4_mz * poses.minus_rotation_link_2_yy
-        + (screws.inside_joint_4_fy * screws.screw_joint_3_vz
-            - screws.inside_joint_4_fz * screws.screw_joint_3_vy)
-        + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * screws.connection_joint_4_wx
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_4_wy
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_4_wz
-            + (screws.inside_joint_3_fy * screws.connection_joint_4_vz
-                - screws.inside_joint_3_fz * screws.connection_joint_4_vy))
-        + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * reactions.reaction_joint_3_wx
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * reactions.reaction_joint_3_wy
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * reactions.reaction_joint_3_wz
-            + (screws.inside_joint_4_fy * reactions.reaction_joint_3_vz
-                - screws.inside_joint_4_fz * reactions.reaction_joint_3_vy));
-    let curvature_x_3_2_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_3_2_3_3_31_1
-        - (screws.inside_joint_4_fz * screws.screw_joint_3_vx
-            - screws.inside_joint_4_fx * screws.screw_joint_3_vz
-            - (screws.inside_joint_4_mz * poses.minus_rotation_link_2_xy
-                + screws.inside_joint_4_mx * poses.cos_joint_2)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0
-                    * screws.connection_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_4_wz
-                + (screws.inside_joint_3_fz * screws.connection_joint_4_vx
-                    - screws.inside_joint_3_fx * screws.connection_joint_4_vz))
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0
-                * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_4_fz * reactions.reaction_joint_3_vx
-                    - screws.inside_joint_4_fx * reactions.reaction_joint_3_vz)));
-    let curvature_x_3_2_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_3_2_3_3_31_1
-        - (screws.inside_joint_4_my * poses.minus_rotation_link_2_xy
-            - screws.inside_joint_4_mx * poses.minus_rotation_link_2_yy
-            + (screws.inside_joint_4_fx * screws.screw_joint_3_vy
-                - screws.inside_joint_4_fy * screws.screw_joint_3_vx)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0
-                    * screws.connection_joint_4_wz
-                + (screws.inside_joint_3_fx * screws.connection_joint_4_vy
-                    - screws.inside_joint_3_fy * screws.connection_joint_4_vx))
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_4_fx * reactions.reaction_joint_3_vy
-                    - screws.inside_joint_4_fy * reactions.reaction_joint_3_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_3_2_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_3_2_3 = curvature_x_3_2_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_3_2_3_3;
-    let curvature_x_3_2 = curvature_x_3_2_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_3_2_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_3_2_3_3
-        + (screws.connection_joint_3_wy * screws.connection_joint_4_wz
-            - screws.connection_joint_3_wz * screws.connection_joint_4_wy);
+    let curvature_x_3_2_6 = common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_3_2_8 = reactions.reaction_joint_3_wz
+        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_3_2_10 = reactions.reaction_joint_3_wy
+        + (common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_3_2_12 = reactions.reaction_joint_3_vy * curvature_x_2_1_12_1
+        + reactions.reaction_joint_3_vz * curvature_x_2_1_12_3;
+    let curvature_x_3_2_14 = reactions.reaction_joint_3_vz * curvature_x_2_1_14_1
+        - reactions.reaction_joint_3_vx * curvature_x_2_1_12_1;
+    let curvature_x_3_2_16 = reactions.reaction_joint_3_vx * curvature_x_2_1_12_3
+        + reactions.reaction_joint_3_vy * curvature_x_2_1_14_1;
+    let curvature_x_3_2 = reactions.reaction_joint_3_wx * curvature_x_3_0_1
+        + reactions.reaction_joint_3_wy * curvature_x_3_0_3
+        + reactions.reaction_joint_3_wz * curvature_x_3_0_5
+        - curvature_x_3_2_6 * screws.connection_joint_4_wx
+        + curvature_x_3_2_8 * screws.connection_joint_4_wy
+        - curvature_x_3_2_10 * screws.connection_joint_4_wz
+        + curvature_x_3_2_12 * screws.connection_joint_4_vx
+        + curvature_x_3_2_14 * screws.connection_joint_4_vy
+        - curvature_x_3_2_16 * screws.connection_joint_4_vz;
     curvature[0][2][3] = curvature_x_3_2 + 0.0;
-    let curvature_x_4_2_3_3_31_1 = screws.inside_joint_5_my * poses.cos_joint_2
-        + screws.inside_joint_5_mz * poses.minus_rotation_link_2_yy
-        + (screws.inside_joint_5_fy * screws.screw_joint_3_vz
-            - screws.inside_joint_5_fz * screws.screw_joint_3_vy)
-        + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * screws.connection_joint_5_wx
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_5_wy
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_5_wz
-            + (screws.inside_joint_3_fy * screws.connection_joint_5_vz
-                - screws.inside_joint_3_fz * screws.connection_joint_5_vy))
-        + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * reactions.reaction_joint_3_wx
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * reactions.reaction_joint_3_wy
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * reactions.reaction_joint_3_wz
-            + (screws.inside_joint_5_fy * reactions.reaction_joint_3_vz
-                - screws.inside_joint_5_fz * reactions.reaction_joint_3_vy));
-    let curvature_x_4_2_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_4_2_3_3_31_1
-        - (screws.inside_joint_5_fz * screws.screw_joint_3_vx
-            - screws.inside_joint_5_fx * screws.screw_joint_3_vz
-            - (screws.inside_joint_5_mz * poses.minus_rotation_link_2_xy
-                + screws.inside_joint_5_mx * poses.cos_joint_2)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0
-                    * screws.connection_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_5_wz
-                + (screws.inside_joint_3_fz * screws.connection_joint_5_vx
-                    - screws.inside_joint_3_fx * screws.connection_joint_5_vz))
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_5_fz * reactions.reaction_joint_3_vx
-                    - screws.inside_joint_5_fx * reactions.reaction_joint_3_vz)));
-    let curvature_x_4_2_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_4_2_3_3_31_1
-        - (screws.inside_joint_5_my * poses.minus_rotation_link_2_xy
-            - screws.inside_joint_5_mx * poses.minus_rotation_link_2_yy
-            + (screws.inside_joint_5_fx * screws.screw_joint_3_vy
-                - screws.inside_joint_5_fy * screws.screw_joint_3_vx)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0
-                    * screws.connection_joint_5_wz
-                + (screws.inside_joint_3_fx * screws.connection_joint_5_vy
-                    - screws.inside_joint_3_fy * screws.connection_joint_5_vx))
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_5_fx * reactions.reaction_joint_3_vy
-                    - screws.inside_joint_5_fy * reactions.reaction_joint_3_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_2_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_4_2_3 = curvature_x_4_2_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_2_3_3;
-    let curvature_x_4_2 = curvature_x_4_2_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_4_2_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_4_2_3_3
-        + (screws.connection_joint_3_wy * screws.connection_joint_5_wz
-            - screws.connection_joint_3_wz * screws.connection_joint_5_wy);
+    let curvature_x_4_2 = reactions.reaction_joint_3_wx * curvature_x_4_0_1
+        + reactions.reaction_joint_3_wy * curvature_x_4_0_3
+        + reactions.reaction_joint_3_wz * curvature_x_4_0_5
+        - curvature_x_3_2_6 * screws.connection_joint_5_wx
+        + curvature_x_3_2_8 * screws.connection_joint_5_wy
+        - curvature_x_3_2_10 * screws.connection_joint_5_wz
+        + curvature_x_3_2_12 * screws.connection_joint_5_vx
+        + curvature_x_3_2_14 * screws.connection_joint_5_vy
+        - curvature_x_3_2_16 * screws.connection_joint_5_vz;
     curvature[0][2][4] = curvature_x_4_2 + 0.0;
-    let curvature_x_5_2_3_3_31_1 = screws.inside_joint_6_my * poses.cos_joint_2
-        + screws.inside_joint_6_mz * poses.minus_rotation_link_2_yy
-        + (screws.inside_joint_6_fy * screws.screw_joint_3_vz
-            - screws.inside_joint_6_fz * screws.screw_joint_3_vy)
-        + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * screws.connection_joint_6_wx
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_6_wy
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_6_wz
-            + (screws.inside_joint_3_fy * screws.connection_joint_6_vz
-                - screws.inside_joint_3_fz * screws.connection_joint_6_vy))
-        + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * reactions.reaction_joint_3_wx
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_3_wy
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_3_wz
-            + (screws.inside_joint_6_fy * reactions.reaction_joint_3_vz
-                - screws.inside_joint_6_fz * reactions.reaction_joint_3_vy));
-    let curvature_x_5_2_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_5_2_3_3_31_1
-        - (screws.inside_joint_6_fz * screws.screw_joint_3_vx
-            - screws.inside_joint_6_fx * screws.screw_joint_3_vz
-            - (screws.inside_joint_6_mz * poses.minus_rotation_link_2_xy
-                + screws.inside_joint_6_mx * poses.cos_joint_2)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0
-                    * screws.connection_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_3_fz * screws.connection_joint_6_vx
-                    - screws.inside_joint_3_fx * screws.connection_joint_6_vz))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_6_fz * reactions.reaction_joint_3_vx
-                    - screws.inside_joint_6_fx * reactions.reaction_joint_3_vz)));
-    let curvature_x_5_2_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_5_2_3_3_31_1
-        - (screws.inside_joint_6_my * poses.minus_rotation_link_2_xy
-            - screws.inside_joint_6_mx * poses.minus_rotation_link_2_yy
-            + (screws.inside_joint_6_fx * screws.screw_joint_3_vy
-                - screws.inside_joint_6_fy * screws.screw_joint_3_vx)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_3_fx * screws.connection_joint_6_vy
-                    - screws.inside_joint_3_fy * screws.connection_joint_6_vx))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_6_fx * reactions.reaction_joint_3_vy
-                    - screws.inside_joint_6_fy * reactions.reaction_joint_3_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_2_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_5_2_3 = curvature_x_5_2_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_2_3_3;
-    let curvature_x_5_2 = curvature_x_5_2_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_5_2_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_5_2_3_3
-        + (screws.connection_joint_3_wy * screws.connection_joint_6_wz
-            - screws.connection_joint_3_wz * screws.connection_joint_6_wy);
+    let curvature_x_5_2 = reactions.reaction_joint_3_wx * curvature_x_5_0_1
+        + reactions.reaction_joint_3_wy * curvature_x_5_0_3
+        + reactions.reaction_joint_3_wz * curvature_x_5_0_5
+        - curvature_x_3_2_6 * screws.connection_joint_6_wx
+        + curvature_x_3_2_8 * screws.connection_joint_6_wy
+        - curvature_x_3_2_10 * screws.connection_joint_6_wz
+        + curvature_x_3_2_12 * screws.connection_joint_6_vx
+        + curvature_x_3_2_14 * screws.connection_joint_6_vy
+        - curvature_x_3_2_16 * screws.connection_joint_6_vz;
     curvature[0][2][5] = curvature_x_5_2 + 0.0;
-    let curvature_x_6_2_3_3_31_1 = screws.inside_joint_7_my * poses.cos_joint_2
-        + screws.inside_joint_7_mz * poses.minus_rotation_link_2_yy
-        + (screws.inside_joint_7_fy * screws.screw_joint_3_vz
-            - screws.inside_joint_7_fz * screws.screw_joint_3_vy)
-        + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * screws.connection_joint_7_wx
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_7_wy
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_7_wz
-            + (screws.inside_joint_3_fy * screws.connection_joint_7_vz
-                - screws.inside_joint_3_fz * screws.connection_joint_7_vy))
-        + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * reactions.reaction_joint_3_wx
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_3_wy
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_3_wz
-            + (screws.inside_joint_7_fy * reactions.reaction_joint_3_vz
-                - screws.inside_joint_7_fz * reactions.reaction_joint_3_vy));
-    let curvature_x_6_2_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_6_2_3_3_31_1
-        - (screws.inside_joint_7_fz * screws.screw_joint_3_vx
-            - screws.inside_joint_7_fx * screws.screw_joint_3_vz
-            - (screws.inside_joint_7_mz * poses.minus_rotation_link_2_xy
-                + screws.inside_joint_7_mx * poses.cos_joint_2)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_3_fz * screws.connection_joint_7_vx
-                    - screws.inside_joint_3_fx * screws.connection_joint_7_vz))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_7_fz * reactions.reaction_joint_3_vx
-                    - screws.inside_joint_7_fx * reactions.reaction_joint_3_vz)));
-    let curvature_x_6_2_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_6_2_3_3_31_1
-        - (screws.inside_joint_7_my * poses.minus_rotation_link_2_xy
-            - screws.inside_joint_7_mx * poses.minus_rotation_link_2_yy
-            + (screws.inside_joint_7_fx * screws.screw_joint_3_vy
-                - screws.inside_joint_7_fy * screws.screw_joint_3_vx)
-            + (common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_3_fx * screws.connection_joint_7_vy
-                    - screws.inside_joint_3_fy * screws.connection_joint_7_vx))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_3_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_3_wy
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0
-                    * reactions.reaction_joint_3_wz
-                + (screws.inside_joint_7_fx * reactions.reaction_joint_3_vy
-                    - screws.inside_joint_7_fy * reactions.reaction_joint_3_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_2_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_6_2_3 = curvature_x_6_2_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_2_3_3;
-    let curvature_x_6_2 = curvature_x_6_2_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_6_2_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_6_2_3_3
-        + (screws.connection_joint_3_wy * screws.connection_joint_7_wz
-            - screws.connection_joint_3_wz * screws.connection_joint_7_wy);
+    let curvature_x_6_2 = reactions.reaction_joint_3_wx * curvature_x_6_0_1
+        + reactions.reaction_joint_3_wy * curvature_x_6_0_3
+        + reactions.reaction_joint_3_wz * curvature_x_6_0_5
+        - curvature_x_3_2_6 * screws.connection_joint_7_wx
+        + curvature_x_3_2_8 * screws.connection_joint_7_wy
+        - curvature_x_3_2_10 * screws.connection_joint_7_wz
+        + curvature_x_3_2_12 * screws.connection_joint_7_vx
+        + curvature_x_3_2_14 * screws.connection_joint_7_vy
+        - curvature_x_3_2_16 * screws.connection_joint_7_vz;
     curvature[0][2][6] = curvature_x_6_2 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_4
     curvature[0][3][0] = 0.0 - curvature_x_3_0;
     curvature[0][3][1] = 0.0 - curvature_x_3_1;
     curvature[0][3][2] = 0.0 - curvature_x_3_2;
     curvature[0][3][3] = 0.0;
-    let curvature_x_4_3_3_3_31_1 = screws.inside_joint_5_fz
-        * screws.minus_screw_joint_4_vy
-        - screws.inside_joint_5_fy * screws.minus_screw_joint_4_vz
-        - (screws.inside_joint_5_my * poses.minus_rotation_link_3_zy
-            + screws.inside_joint_5_mz * poses.rotation_link_3_yy)
-        + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * screws.connection_joint_5_wx
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * screws.connection_joint_5_wy
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * screws.connection_joint_5_wz
-            + (screws.inside_joint_4_fy * screws.connection_joint_5_vz
-                - screws.inside_joint_4_fz * screws.connection_joint_5_vy))
-        + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * reactions.reaction_joint_4_wx
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * reactions.reaction_joint_4_wy
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * reactions.reaction_joint_4_wz
-            - (screws.inside_joint_5_fy * reactions.minus_reaction_joint_4_vz
-                + screws.inside_joint_5_fz * reactions.reaction_joint_4_vy));
-    let curvature_x_4_3_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_4_3_3_3_31_1
-        - (screws.inside_joint_5_mx * poses.minus_rotation_link_3_zy
-            - screws.inside_joint_5_mz * poses.minus_rotation_link_3_xy
-            + (screws.inside_joint_5_fz * screws.screw_joint_4_vx
-                + screws.inside_joint_5_fx * screws.minus_screw_joint_4_vz)
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * screws.connection_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0
-                    * screws.connection_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * screws.connection_joint_5_wz
-                + (screws.inside_joint_4_fz * screws.connection_joint_5_vx
-                    - screws.inside_joint_4_fx * screws.connection_joint_5_vz))
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * reactions.reaction_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * reactions.reaction_joint_4_wz
-                + (screws.inside_joint_5_fz * reactions.reaction_joint_4_vx
-                    + screws.inside_joint_5_fx * reactions.minus_reaction_joint_4_vz)));
-    let curvature_x_4_3_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_4_3_3_3_31_1
-        - (screws.inside_joint_5_mx * poses.rotation_link_3_yy
-            + screws.inside_joint_5_my * poses.minus_rotation_link_3_xy
-            - (screws.inside_joint_5_fx * screws.minus_screw_joint_4_vy
-                + screws.inside_joint_5_fy * screws.screw_joint_4_vx)
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * screws.connection_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * screws.connection_joint_5_wy
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0
-                    * screws.connection_joint_5_wz
-                + (screws.inside_joint_4_fx * screws.connection_joint_5_vy
-                    - screws.inside_joint_4_fy * screws.connection_joint_5_vx))
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * reactions.reaction_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * reactions.reaction_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0
-                    * reactions.reaction_joint_4_wz
-                + (screws.inside_joint_5_fx * reactions.reaction_joint_4_vy
-                    - screws.inside_joint_5_fy * reactions.reaction_joint_4_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_3_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_4_3_3 = curvature_x_4_3_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_4_3_3_3;
-    let curvature_x_4_3 = curvature_x_4_3_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_4_3_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_4_3_3_3
-        + (screws.connection_joint_4_wy * screws.connection_joint_5_wz
-            - screws.connection_joint_4_wz * screws.connection_joint_5_wy);
+    let curvature_x_4_3_6 = common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_4_3_8 = reactions.reaction_joint_4_wz
+        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_4_3_10 = reactions.reaction_joint_4_wy
+        + (common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_4_3_12 = reactions.reaction_joint_4_vy * curvature_x_2_1_12_1
+        - reactions.minus_reaction_joint_4_vz * curvature_x_2_1_12_3;
+    let curvature_x_4_3_14 = reactions.minus_reaction_joint_4_vz * curvature_x_2_1_14_1
+        + reactions.reaction_joint_4_vx * curvature_x_2_1_12_1;
+    let curvature_x_4_3_16 = reactions.reaction_joint_4_vx * curvature_x_2_1_12_3
+        + reactions.reaction_joint_4_vy * curvature_x_2_1_14_1;
+    let curvature_x_4_3 = reactions.reaction_joint_4_wx * curvature_x_4_0_1
+        + reactions.reaction_joint_4_wy * curvature_x_4_0_3
+        + reactions.reaction_joint_4_wz * curvature_x_4_0_5
+        - curvature_x_4_3_6 * screws.connection_joint_5_wx
+        + curvature_x_4_3_8 * screws.connection_joint_5_wy
+        - curvature_x_4_3_10 * screws.connection_joint_5_wz
+        + curvature_x_4_3_12 * screws.connection_joint_5_vx
+        - curvature_x_4_3_14 * screws.connection_joint_5_vy
+        - curvature_x_4_3_16 * screws.connection_joint_5_vz;
     curvature[0][3][4] = curvature_x_4_3 + 0.0;
-    let curvature_x_5_3_3_3_31_1 = screws.inside_joint_6_fz
-        * screws.minus_screw_joint_4_vy
-        - screws.inside_joint_6_fy * screws.minus_screw_joint_4_vz
-        - (screws.inside_joint_6_my * poses.minus_rotation_link_3_zy
-            + screws.inside_joint_6_mz * poses.rotation_link_3_yy)
-        + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * screws.connection_joint_6_wx
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * screws.connection_joint_6_wy
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * screws.connection_joint_6_wz
-            + (screws.inside_joint_4_fy * screws.connection_joint_6_vz
-                - screws.inside_joint_4_fz * screws.connection_joint_6_vy))
-        + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * reactions.reaction_joint_4_wx
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_4_wy
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_4_wz
-            - (screws.inside_joint_6_fy * reactions.minus_reaction_joint_4_vz
-                + screws.inside_joint_6_fz * reactions.reaction_joint_4_vy));
-    let curvature_x_5_3_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_5_3_3_3_31_1
-        - (screws.inside_joint_6_mx * poses.minus_rotation_link_3_zy
-            - screws.inside_joint_6_mz * poses.minus_rotation_link_3_xy
-            + (screws.inside_joint_6_fz * screws.screw_joint_4_vx
-                + screws.inside_joint_6_fx * screws.minus_screw_joint_4_vz)
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0
-                    * screws.connection_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_4_fz * screws.connection_joint_6_vx
-                    - screws.inside_joint_4_fx * screws.connection_joint_6_vz))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_4_wz
-                + (screws.inside_joint_6_fz * reactions.reaction_joint_4_vx
-                    + screws.inside_joint_6_fx * reactions.minus_reaction_joint_4_vz)));
-    let curvature_x_5_3_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_5_3_3_3_31_1
-        - (screws.inside_joint_6_mx * poses.rotation_link_3_yy
-            + screws.inside_joint_6_my * poses.minus_rotation_link_3_xy
-            - (screws.inside_joint_6_fx * screws.minus_screw_joint_4_vy
-                + screws.inside_joint_6_fy * screws.screw_joint_4_vx)
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * screws.connection_joint_6_wy
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_4_fx * screws.connection_joint_6_vy
-                    - screws.inside_joint_4_fy * screws.connection_joint_6_vx))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0
-                    * reactions.reaction_joint_4_wz
-                + (screws.inside_joint_6_fx * reactions.reaction_joint_4_vy
-                    - screws.inside_joint_6_fy * reactions.reaction_joint_4_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_3_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_5_3_3 = curvature_x_5_3_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_3_3_3;
-    let curvature_x_5_3 = curvature_x_5_3_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_5_3_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_5_3_3_3
-        + (screws.connection_joint_4_wy * screws.connection_joint_6_wz
-            - screws.connection_joint_4_wz * screws.connection_joint_6_wy);
+    let curvature_x_5_3 = reactions.reaction_joint_4_wx * curvature_x_5_0_1
+        + reactions.reaction_joint_4_wy * curvature_x_5_0_3
+        + reactions.reaction_joint_4_wz * curvature_x_5_0_5
+        - curvature_x_4_3_6 * screws.connection_joint_6_wx
+        + curvature_x_4_3_8 * screws.connection_joint_6_wy
+        - curvature_x_4_3_10 * screws.connection_joint_6_wz
+        + curvature_x_4_3_12 * screws.connection_joint_6_vx
+        - curvature_x_4_3_14 * screws.connection_joint_6_vy
+        - curvature_x_4_3_16 * screws.connection_joint_6_vz;
     curvature[0][3][5] = curvature_x_5_3 + 0.0;
-    let curvature_x_6_3_3_3_31_1 = screws.inside_joint_7_fz
-        * screws.minus_screw_joint_4_vy
-        - screws.inside_joint_7_fy * screws.minus_screw_joint_4_vz
-        - (screws.inside_joint_7_my * poses.minus_rotation_link_3_zy
-            + screws.inside_joint_7_mz * poses.rotation_link_3_yy)
-        + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * screws.connection_joint_7_wx
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * screws.connection_joint_7_wy
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * screws.connection_joint_7_wz
-            + (screws.inside_joint_4_fy * screws.connection_joint_7_vz
-                - screws.inside_joint_4_fz * screws.connection_joint_7_vy))
-        + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * reactions.reaction_joint_4_wx
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_4_wy
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_4_wz
-            - (screws.inside_joint_7_fy * reactions.minus_reaction_joint_4_vz
-                + screws.inside_joint_7_fz * reactions.reaction_joint_4_vy));
-    let curvature_x_6_3_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_6_3_3_3_31_1
-        - (screws.inside_joint_7_mx * poses.minus_rotation_link_3_zy
-            - screws.inside_joint_7_mz * poses.minus_rotation_link_3_xy
-            + (screws.inside_joint_7_fz * screws.screw_joint_4_vx
-                + screws.inside_joint_7_fx * screws.minus_screw_joint_4_vz)
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_4_fz * screws.connection_joint_7_vx
-                    - screws.inside_joint_4_fx * screws.connection_joint_7_vz))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_4_wz
-                + (screws.inside_joint_7_fz * reactions.reaction_joint_4_vx
-                    + screws.inside_joint_7_fx * reactions.minus_reaction_joint_4_vz)));
-    let curvature_x_6_3_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_6_3_3_3_31_1
-        - (screws.inside_joint_7_mx * poses.rotation_link_3_yy
-            + screws.inside_joint_7_my * poses.minus_rotation_link_3_xy
-            - (screws.inside_joint_7_fx * screws.minus_screw_joint_4_vy
-                + screws.inside_joint_7_fy * screws.screw_joint_4_vx)
-            + (common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_4_fx * screws.connection_joint_7_vy
-                    - screws.inside_joint_4_fy * screws.connection_joint_7_vx))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_4_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_4_wy
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0
-                    * reactions.reaction_joint_4_wz
-                + (screws.inside_joint_7_fx * reactions.reaction_joint_4_vy
-                    - screws.inside_joint_7_fy * reactions.reaction_joint_4_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_3_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_6_3_3 = curvature_x_6_3_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_3_3_3;
-    let curvature_x_6_3 = curvature_x_6_3_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_6_3_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_6_3_3_3
-        + (screws.connection_joint_4_wy * screws.connection_joint_7_wz
-            - screws.connection_joint_4_wz * screws.connection_joint_7_wy);
+    let curvature_x_6_3 = reactions.reaction_joint_4_wx * curvature_x_6_0_1
+        + reactions.reaction_joint_4_wy * curvature_x_6_0_3
+        + reactions.reaction_joint_4_wz * curvature_x_6_0_5
+        - curvature_x_4_3_6 * screws.connection_joint_7_wx
+        + curvature_x_4_3_8 * screws.connection_joint_7_wy
+        - curvature_x_4_3_10 * screws.connection_joint_7_wz
+        + curvature_x_4_3_12 * screws.connection_joint_7_vx
+        - curvature_x_4_3_14 * screws.connection_joint_7_vy
+        - curvature_x_4_3_16 * screws.connection_joint_7_vz;
     curvature[0][3][6] = curvature_x_6_3 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_5
     curvature[0][4][0] = 0.0 - curvature_x_4_0;
@@ -12509,139 +11773,45 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[0][4][2] = 0.0 - curvature_x_4_2;
     curvature[0][4][3] = 0.0 - curvature_x_4_3;
     curvature[0][4][4] = 0.0;
-    let curvature_x_5_4_3_3_31_1 = screws.inside_joint_6_my * poses.rotation_link_5_zz
-        + screws.inside_joint_6_mz * poses.rotation_link_4_yy
-        + (screws.inside_joint_6_fy * screws.screw_joint_5_vz
-            - screws.inside_joint_6_fz * screws.screw_joint_5_vy)
-        + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * screws.connection_joint_6_wx
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * screws.connection_joint_6_wy
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * screws.connection_joint_6_wz
-            + (screws.inside_joint_5_fy * screws.connection_joint_6_vz
-                - screws.inside_joint_5_fz * screws.connection_joint_6_vy))
-        + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * reactions.reaction_joint_5_wx
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_5_wy
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_5_wz
-            + (screws.inside_joint_6_fy * reactions.reaction_joint_5_vz
-                - screws.inside_joint_6_fz * reactions.reaction_joint_5_vy));
-    let curvature_x_5_4_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_5_4_3_3_31_1
-        - (screws.inside_joint_6_fz * screws.screw_joint_5_vx
-            - screws.inside_joint_6_fx * screws.screw_joint_5_vz
-            - (screws.inside_joint_6_mz * poses.rotation_link_4_xy
-                + screws.inside_joint_6_mx * poses.rotation_link_5_zz)
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0
-                    * screws.connection_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_5_fz * screws.connection_joint_6_vx
-                    - screws.inside_joint_5_fx * screws.connection_joint_6_vz))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * reactions.reaction_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_5_wz
-                + (screws.inside_joint_6_fz * reactions.reaction_joint_5_vx
-                    - screws.inside_joint_6_fx * reactions.reaction_joint_5_vz)));
-    let curvature_x_5_4_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_5_4_3_3_31_1
-        - (screws.inside_joint_6_my * poses.rotation_link_4_xy
-            - screws.inside_joint_6_mx * poses.rotation_link_4_yy
-            + (screws.inside_joint_6_fx * screws.screw_joint_5_vy
-                - screws.inside_joint_6_fy * screws.screw_joint_5_vx)
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * screws.connection_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * screws.connection_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0
-                    * screws.connection_joint_6_wz
-                + (screws.inside_joint_5_fx * screws.connection_joint_6_vy
-                    - screws.inside_joint_5_fy * screws.connection_joint_6_vx))
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * reactions.reaction_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * reactions.reaction_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0
-                    * reactions.reaction_joint_5_wz
-                + (screws.inside_joint_6_fx * reactions.reaction_joint_5_vy
-                    - screws.inside_joint_6_fy * reactions.reaction_joint_5_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_4_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_5_4_3 = curvature_x_5_4_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_5_4_3_3;
-    let curvature_x_5_4 = curvature_x_5_4_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_5_4_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_5_4_3_3
-        + (screws.connection_joint_5_wy * screws.connection_joint_6_wz
-            - screws.connection_joint_5_wz * screws.connection_joint_6_wy);
+    let curvature_x_5_4_6 = common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0
+        * curvature_x_1_0_21_1
+        - common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_5_4_8 = reactions.reaction_joint_5_wz
+        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_5_4_10 = reactions.reaction_joint_5_wy
+        + (common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0
+                * curvature_x_1_0_21_1_2_3);
+    let curvature_x_5_4_12 = reactions.reaction_joint_5_vy * curvature_x_2_1_12_1
+        + reactions.reaction_joint_5_vz * curvature_x_2_1_12_3;
+    let curvature_x_5_4_14 = reactions.reaction_joint_5_vz * curvature_x_2_1_14_1
+        - reactions.reaction_joint_5_vx * curvature_x_2_1_12_1;
+    let curvature_x_5_4_16 = reactions.reaction_joint_5_vx * curvature_x_2_1_12_3
+        + reactions.reaction_joint_5_vy * curvature_x_2_1_14_1;
+    let curvature_x_5_4 = reactions.reaction_joint_5_wx * curvature_x_5_0_1
+        + reactions.reaction_joint_5_wy * curvature_x_5_0_3
+        + reactions.reaction_joint_5_wz * curvature_x_5_0_5
+        - curvature_x_5_4_6 * screws.connection_joint_6_wx
+        + curvature_x_5_4_8 * screws.connection_joint_6_wy
+        - curvature_x_5_4_10 * screws.connection_joint_6_wz
+        + curvature_x_5_4_12 * screws.connection_joint_6_vx
+        + curvature_x_5_4_14 * screws.connection_joint_6_vy
+        - curvature_x_5_4_16 * screws.connection_joint_6_vz;
     curvature[0][4][5] = curvature_x_5_4 + 0.0;
-    let curvature_x_6_4_3_3_31_1 = screws.inside_joint_7_my * poses.rotation_link_5_zz
-        + screws.inside_joint_7_mz * poses.rotation_link_4_yy
-        + (screws.inside_joint_7_fy * screws.screw_joint_5_vz
-            - screws.inside_joint_7_fz * screws.screw_joint_5_vy)
-        + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * screws.connection_joint_7_wx
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * screws.connection_joint_7_wy
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * screws.connection_joint_7_wz
-            + (screws.inside_joint_5_fy * screws.connection_joint_7_vz
-                - screws.inside_joint_5_fz * screws.connection_joint_7_vy))
-        + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * reactions.reaction_joint_5_wx
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_5_wy
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_5_wz
-            + (screws.inside_joint_7_fy * reactions.reaction_joint_5_vz
-                - screws.inside_joint_7_fz * reactions.reaction_joint_5_vy));
-    let curvature_x_6_4_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_6_4_3_3_31_1
-        - (screws.inside_joint_7_fz * screws.screw_joint_5_vx
-            - screws.inside_joint_7_fx * screws.screw_joint_5_vz
-            - (screws.inside_joint_7_mz * poses.rotation_link_4_xy
-                + screws.inside_joint_7_mx * poses.rotation_link_5_zz)
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0
-                * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_5_fz * screws.connection_joint_7_vx
-                    - screws.inside_joint_5_fx * screws.connection_joint_7_vz))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_5_wz
-                + (screws.inside_joint_7_fz * reactions.reaction_joint_5_vx
-                    - screws.inside_joint_7_fx * reactions.reaction_joint_5_vz)));
-    let curvature_x_6_4_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_6_4_3_3_31_1
-        - (screws.inside_joint_7_my * poses.rotation_link_4_xy
-            - screws.inside_joint_7_mx * poses.rotation_link_4_yy
-            + (screws.inside_joint_7_fx * screws.screw_joint_5_vy
-                - screws.inside_joint_7_fy * screws.screw_joint_5_vx)
-            + (common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_5_fx * screws.connection_joint_7_vy
-                    - screws.inside_joint_5_fy * screws.connection_joint_7_vx))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_5_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_5_wy
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0
-                    * reactions.reaction_joint_5_wz
-                + (screws.inside_joint_7_fx * reactions.reaction_joint_5_vy
-                    - screws.inside_joint_7_fy * reactions.reaction_joint_5_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_4_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_6_4_3 = curvature_x_6_4_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_4_3_3;
-    let curvature_x_6_4 = curvature_x_6_4_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_6_4_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_6_4_3_3
-        + (screws.connection_joint_5_wy * screws.connection_joint_7_wz
-            - screws.connection_joint_5_wz * screws.connection_joint_7_wy);
+    let curvature_x_6_4 = reactions.reaction_joint_5_wx * curvature_x_6_0_1
+        + reactions.reaction_joint_5_wy * curvature_x_6_0_3
+        + reactions.reaction_joint_5_wz * curvature_x_6_0_5
+        - curvature_x_5_4_6 * screws.connection_joint_7_wx
+        + curvature_x_5_4_8 * screws.connection_joint_7_wy
+        - curvature_x_5_4_10 * screws.connection_joint_7_wz
+        + curvature_x_5_4_12 * screws.connection_joint_7_vx
+        + curvature_x_5_4_14 * screws.connection_joint_7_vy
+        - curvature_x_5_4_16 * screws.connection_joint_7_vz;
     curvature[0][4][6] = curvature_x_6_4 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_6
     curvature[0][5][0] = 0.0 - curvature_x_5_0;
@@ -12650,72 +11820,34 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[0][5][3] = 0.0 - curvature_x_5_3;
     curvature[0][5][4] = 0.0 - curvature_x_5_4;
     curvature[0][5][5] = 0.0;
-    let curvature_x_6_5_3_3_31_1 = screws.inside_joint_7_my * poses.rotation_link_6_zz
-        + screws.inside_joint_7_mz * poses.rotation_link_5_yy
-        + (screws.inside_joint_7_fy * screws.screw_joint_6_vz
-            - screws.inside_joint_7_fz * screws.screw_joint_6_vy)
-        + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * screws.connection_joint_7_wx
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * screws.connection_joint_7_wy
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * screws.connection_joint_7_wz
-            + (screws.inside_joint_6_fy * screws.connection_joint_7_vz
-                - screws.inside_joint_6_fz * screws.connection_joint_7_vy))
-        + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * reactions.reaction_joint_6_wx
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_6_wy
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_6_wz
-            + (screws.inside_joint_7_fy * reactions.reaction_joint_6_vz
-                - screws.inside_joint_7_fz * reactions.reaction_joint_6_vy));
-    let curvature_x_6_5_3_3_31 = inertias.locked_inverse_pivot_y_2
-        * curvature_x_6_5_3_3_31_1
-        - (screws.inside_joint_7_mz * poses.rotation_link_6_xz
-            - screws.inside_joint_7_mx * poses.rotation_link_6_zz
-            + (screws.inside_joint_7_fz * screws.screw_joint_6_vx
-                - screws.inside_joint_7_fx * screws.screw_joint_6_vz)
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0
-                * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_6_fz * screws.connection_joint_7_vx
-                    - screws.inside_joint_6_fx * screws.connection_joint_7_vz))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0
-                * reactions.reaction_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0
-                    * reactions.reaction_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_6_wz
-                + (screws.inside_joint_7_fz * reactions.reaction_joint_6_vx
-                    - screws.inside_joint_7_fx * reactions.reaction_joint_6_vz)));
-    let curvature_x_6_5_3_3 = (inertias.locked_inverse_pivot_z_2
-        * curvature_x_6_5_3_3_31_1
-        - (screws.inside_joint_7_fx * screws.screw_joint_6_vy
-            - screws.inside_joint_7_fy * screws.screw_joint_6_vx
-            - (screws.inside_joint_7_mx * poses.rotation_link_5_yy
-                + screws.inside_joint_7_my * poses.rotation_link_6_xz)
-            + (common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * screws.connection_joint_7_wx
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0
-                    * screws.connection_joint_7_wy
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0
-                    * screws.connection_joint_7_wz
-                + (screws.inside_joint_6_fx * screws.connection_joint_7_vy
-                    - screws.inside_joint_6_fy * screws.connection_joint_7_vx))
-            + (common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * reactions.reaction_joint_6_wx
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0
-                    * reactions.reaction_joint_6_wy
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0
-                    * reactions.reaction_joint_6_wz
-                + (screws.inside_joint_7_fx * reactions.reaction_joint_6_vy
-                    - screws.inside_joint_7_fy * reactions.reaction_joint_6_vx)))
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_5_3_3_31)
-        * inertias.locked_inverse_pivot_z;
-    let curvature_x_6_5_3 = curvature_x_6_5_3_3_31 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * curvature_x_6_5_3_3;
-    let curvature_x_6_5 = curvature_x_6_5_3_3_31_1 * inertias.locked_inverse_pivot_x
-        + inertias.locked_inverse_pivot_y_2 * curvature_x_6_5_3
-        + inertias.locked_inverse_pivot_z_2 * curvature_x_6_5_3_3
-        + (screws.connection_joint_6_wy * screws.connection_joint_7_wz
-            - screws.connection_joint_6_wz * screws.connection_joint_7_wy);
+    let curvature_x_6_5 = reactions.reaction_joint_6_wx * curvature_x_6_0_1
+        + reactions.reaction_joint_6_wy * curvature_x_6_0_3
+        + reactions.reaction_joint_6_wz * curvature_x_6_0_5
+        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * curvature_x_1_0_21_1_2_3)
+            * screws.connection_joint_7_wx
+        + (reactions.reaction_joint_6_wz
+            - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * curvature_x_1_0_21_1
+                - common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0
+                    * curvature_x_1_0_21_1_2
+                + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+                    * curvature_x_1_0_21_1_2_3)) * screws.connection_joint_7_wy
+        - (reactions.reaction_joint_6_wy
+            + (common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * curvature_x_1_0_21_1
+                - common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+                    * curvature_x_1_0_21_1_2
+                + common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0
+                    * curvature_x_1_0_21_1_2_3)) * screws.connection_joint_7_wz
+        + (reactions.reaction_joint_6_vy * curvature_x_2_1_12_1
+            + reactions.reaction_joint_6_vz * curvature_x_2_1_12_3)
+            * screws.connection_joint_7_vx
+        + (reactions.reaction_joint_6_vz * curvature_x_2_1_14_1
+            - reactions.reaction_joint_6_vx * curvature_x_2_1_12_1)
+            * screws.connection_joint_7_vy
+        - (reactions.reaction_joint_6_vx * curvature_x_2_1_12_3
+            + reactions.reaction_joint_6_vy * curvature_x_2_1_14_1)
+            * screws.connection_joint_7_vz;
     curvature[0][5][6] = curvature_x_6_5 + 0.0;
     // 𝓑_ω(e_i, e_j) x, column joint_7
     curvature[0][6][0] = 0.0 - curvature_x_6_0;
@@ -12727,241 +11859,861 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[0][6][6] = 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_1
     curvature[1][0][0] = 0.0;
-    let curvature_y_1_0 = curvature_x_1_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_2_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_2_wz);
-    curvature[1][0][1] = 0.0 - curvature_y_1_0;
-    let curvature_y_2_0 = curvature_x_2_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_3_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_3_wz);
-    curvature[1][0][2] = 0.0 - curvature_y_2_0;
-    let curvature_y_3_0 = curvature_x_3_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_4_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_4_wz);
-    curvature[1][0][3] = 0.0 - curvature_y_3_0;
-    let curvature_y_4_0 = curvature_x_4_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_5_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_5_wz);
-    curvature[1][0][4] = 0.0 - curvature_y_4_0;
-    let curvature_y_5_0 = curvature_x_5_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_6_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_6_wz);
-    curvature[1][0][5] = 0.0 - curvature_y_5_0;
-    let curvature_y_6_0 = curvature_x_6_0_3
-        - (screws.connection_joint_1_wz * screws.connection_joint_7_wx
-            - screws.connection_joint_1_wx * screws.connection_joint_7_wz);
-    curvature[1][0][6] = 0.0 - curvature_y_6_0;
+    let wrench_base_mx_4 = inertias.locked_inverse_pivot_z_4
+        * inertias.locked_inverse_pivot_z;
+    let curvature_y_1_0_22_1_3 = inertias.locked_inverse_pivot_y
+        + inertias.locked_inverse_pivot_z_4 * wrench_base_mx_4;
+    let curvature_y_1_0_22_1 = inertias.locked_inverse_pivot_z_2 * wrench_base_mx_4
+        - inertias.locked_inverse_pivot_y_2 * curvature_y_1_0_22_1_3;
+    let minus_wrench_base_mz_4 = outside.outside_joint_1_mx * wrench_base_mx_4;
+    let curvature_y_1_0_22 = common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0
+        * curvature_y_1_0_22_1 - minus_wrench_base_mz_4;
+    let curvature_y_1_0_20 = reactions.reaction_joint_1_wz
+        + (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * curvature_y_1_0_22_1_3
+            + outside.outside_joint_1_my * wrench_base_mx_4);
+    let curvature_y_1_0_24 = reactions.reaction_joint_1_wx
+        - (outside.outside_joint_1_mx * curvature_y_1_0_22_1_3
+            - outside.outside_joint_1_my * curvature_y_1_0_22_1
+            - common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * wrench_base_mx_4);
+    let wrench_outside_link_1_mz_2 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_1_0 = reactions.reaction_joint_1_wx
+        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * curvature_y_1_0_22_1
+            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4)
+        + reactions.reaction_joint_1_wy
+            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * curvature_y_1_0_22_1_3
+                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0
+                    * curvature_y_1_0_22_1 - wrench_outside_link_1_mz_2)
+        + reactions.reaction_joint_1_wz
+            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * curvature_y_1_0_22_1
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
+                    * curvature_y_1_0_22_1_3
+                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * wrench_base_mx_4)
+        - curvature_y_1_0_20 * screws.connection_joint_2_wx
+        - curvature_y_1_0_22 * screws.connection_joint_2_wy
+        + curvature_y_1_0_24 * screws.connection_joint_2_wz;
+    curvature[1][0][1] = curvature_y_1_0 + 0.0;
+    let curvature_y_2_0_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
+    let wrench_outside_link_2_mz_2 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_2_0_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
+        - wrench_outside_link_2_mz_2;
+    let curvature_y_2_0_5 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+    let curvature_y_2_0 = reactions.reaction_joint_1_wx * curvature_y_2_0_1
+        + reactions.reaction_joint_1_wy * curvature_y_2_0_3
+        + reactions.reaction_joint_1_wz * curvature_y_2_0_5
+        - curvature_y_1_0_20 * screws.connection_joint_3_wx
+        - curvature_y_1_0_22 * screws.connection_joint_3_wy
+        + curvature_y_1_0_24 * screws.connection_joint_3_wz;
+    curvature[1][0][2] = curvature_y_2_0 + 0.0;
+    let curvature_y_3_0_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
+    let wrench_outside_link_3_mz_2 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_3_0_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
+        - wrench_outside_link_3_mz_2;
+    let curvature_y_3_0_5 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+    let curvature_y_3_0 = reactions.reaction_joint_1_wx * curvature_y_3_0_1
+        + reactions.reaction_joint_1_wy * curvature_y_3_0_3
+        + reactions.reaction_joint_1_wz * curvature_y_3_0_5
+        - curvature_y_1_0_20 * screws.connection_joint_4_wx
+        - curvature_y_1_0_22 * screws.connection_joint_4_wy
+        + curvature_y_1_0_24 * screws.connection_joint_4_wz;
+    curvature[1][0][3] = curvature_y_3_0 + 0.0;
+    let curvature_y_4_0_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
+    let wrench_outside_link_4_mz_2 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_4_0_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
+        - wrench_outside_link_4_mz_2;
+    let curvature_y_4_0_5 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+    let curvature_y_4_0 = reactions.reaction_joint_1_wx * curvature_y_4_0_1
+        + reactions.reaction_joint_1_wy * curvature_y_4_0_3
+        + reactions.reaction_joint_1_wz * curvature_y_4_0_5
+        - curvature_y_1_0_20 * screws.connection_joint_5_wx
+        - curvature_y_1_0_22 * screws.connection_joint_5_wy
+        + curvature_y_1_0_24 * screws.connection_joint_5_wz;
+    curvature[1][0][4] = curvature_y_4_0 + 0.0;
+    let curvature_y_5_0_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
+    let wrench_outside_link_5_mz_2 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_5_0_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
+        - wrench_outside_link_5_mz_2;
+    let curvature_y_5_0_5 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+    let curvature_y_5_0 = reactions.reaction_joint_1_wx * curvature_y_5_0_1
+        + reactions.reaction_joint_1_wy * curvature_y_5_0_3
+        + reactions.reaction_joint_1_wz * curvature_y_5_0_5
+        - curvature_y_1_0_20 * screws.connection_joint_6_wx
+        - curvature_y_1_0_22 * screws.connection_joint_6_wy
+        + curvature_y_1_0_24 * screws.connection_joint_6_wz;
+    curvature[1][0][5] = curvature_y_5_0 + 0.0;
+    let curvature_y_6_0_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
+    let wrench_outside_link_6_mz_2 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_6_0_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
+        - wrench_outside_link_6_mz_2;
+    let curvature_y_6_0_5 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+    let curvature_y_6_0 = reactions.reaction_joint_1_wx * curvature_y_6_0_1
+        + reactions.reaction_joint_1_wy * curvature_y_6_0_3
+        + reactions.reaction_joint_1_wz * curvature_y_6_0_5
+        - curvature_y_1_0_20 * screws.connection_joint_7_wx
+        - curvature_y_1_0_22 * screws.connection_joint_7_wy
+        + curvature_y_1_0_24 * screws.connection_joint_7_wz;
+    curvature[1][0][6] = curvature_y_6_0 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_2
-    curvature[1][1][0] = curvature_y_1_0 + 0.0;
+    curvature[1][1][0] = 0.0 - curvature_y_1_0;
     curvature[1][1][1] = 0.0;
-    let curvature_y_2_1 = curvature_x_2_1_3
-        - (screws.connection_joint_2_wz * screws.connection_joint_3_wx
-            - screws.connection_joint_2_wx * screws.connection_joint_3_wz);
-    curvature[1][1][2] = 0.0 - curvature_y_2_1;
-    let curvature_y_3_1 = curvature_x_3_1_3
-        - (screws.connection_joint_2_wz * screws.connection_joint_4_wx
-            - screws.connection_joint_2_wx * screws.connection_joint_4_wz);
-    curvature[1][1][3] = 0.0 - curvature_y_3_1;
-    let curvature_y_4_1 = curvature_x_4_1_3
-        - (screws.connection_joint_2_wz * screws.connection_joint_5_wx
-            - screws.connection_joint_2_wx * screws.connection_joint_5_wz);
-    curvature[1][1][4] = 0.0 - curvature_y_4_1;
-    let curvature_y_5_1 = curvature_x_5_1_3
-        - (screws.connection_joint_2_wz * screws.connection_joint_6_wx
-            - screws.connection_joint_2_wx * screws.connection_joint_6_wz);
-    curvature[1][1][5] = 0.0 - curvature_y_5_1;
-    let curvature_y_6_1 = curvature_x_6_1_3
-        - (screws.connection_joint_2_wz * screws.connection_joint_7_wx
-            - screws.connection_joint_2_wx * screws.connection_joint_7_wz);
-    curvature[1][1][6] = 0.0 - curvature_y_6_1;
+    let curvature_y_2_1_14_1 = curvature_y_1_0_22_1 * 35.0;
+    let curvature_y_2_1_12_3 = curvature_y_1_0_22_1_3 * 35.0;
+    let wrench_link_1_fx_3 = wrench_base_mx_4 * 35.0;
+    let minus_wrench_link_1_mz_2 = common_d_mu_b2_curvature.wrench_link_1_my_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_2_1_8 = common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * curvature_y_1_0_22_1_3
+        - minus_wrench_link_1_mz_2;
+    let curvature_y_2_1_6 = reactions.reaction_joint_2_wz
+        + (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * wrench_base_mx_4);
+    let curvature_y_2_1_10 = reactions.reaction_joint_2_wx
+        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0 * wrench_base_mx_4);
+    let curvature_y_2_1_12 = reactions.reaction_joint_2_vy * wrench_link_1_fx_3
+        + reactions.reaction_joint_2_vz * curvature_y_2_1_12_3;
+    let minus_wrench_link_1_fz_0 = reactions.reaction_joint_2_vx * wrench_link_1_fx_3;
+    let curvature_y_2_1_14 = reactions.reaction_joint_2_vz * curvature_y_2_1_14_1
+        + minus_wrench_link_1_fz_0;
+    let curvature_y_2_1_16 = reactions.reaction_joint_2_vx * curvature_y_2_1_12_3
+        - reactions.reaction_joint_2_vy * curvature_y_2_1_14_1;
+    let curvature_y_2_1 = reactions.reaction_joint_2_wx * curvature_y_2_0_1
+        + reactions.reaction_joint_2_wy * curvature_y_2_0_3
+        + reactions.reaction_joint_2_wz * curvature_y_2_0_5
+        - curvature_y_2_1_6 * screws.connection_joint_3_wx
+        - curvature_y_2_1_8 * screws.connection_joint_3_wy
+        + curvature_y_2_1_10 * screws.connection_joint_3_wz
+        - curvature_y_2_1_12 * screws.connection_joint_3_vx
+        + curvature_y_2_1_14 * screws.connection_joint_3_vy
+        + curvature_y_2_1_16 * screws.connection_joint_3_vz;
+    curvature[1][1][2] = curvature_y_2_1 + 0.0;
+    let curvature_y_3_1 = reactions.reaction_joint_2_wx * curvature_y_3_0_1
+        + reactions.reaction_joint_2_wy * curvature_y_3_0_3
+        + reactions.reaction_joint_2_wz * curvature_y_3_0_5
+        - curvature_y_2_1_6 * screws.connection_joint_4_wx
+        - curvature_y_2_1_8 * screws.connection_joint_4_wy
+        + curvature_y_2_1_10 * screws.connection_joint_4_wz
+        - curvature_y_2_1_12 * screws.connection_joint_4_vx
+        + curvature_y_2_1_14 * screws.connection_joint_4_vy
+        + curvature_y_2_1_16 * screws.connection_joint_4_vz;
+    curvature[1][1][3] = curvature_y_3_1 + 0.0;
+    let curvature_y_4_1 = reactions.reaction_joint_2_wx * curvature_y_4_0_1
+        + reactions.reaction_joint_2_wy * curvature_y_4_0_3
+        + reactions.reaction_joint_2_wz * curvature_y_4_0_5
+        - curvature_y_2_1_6 * screws.connection_joint_5_wx
+        - curvature_y_2_1_8 * screws.connection_joint_5_wy
+        + curvature_y_2_1_10 * screws.connection_joint_5_wz
+        - curvature_y_2_1_12 * screws.connection_joint_5_vx
+        + curvature_y_2_1_14 * screws.connection_joint_5_vy
+        + curvature_y_2_1_16 * screws.connection_joint_5_vz;
+    curvature[1][1][4] = curvature_y_4_1 + 0.0;
+    let curvature_y_5_1 = reactions.reaction_joint_2_wx * curvature_y_5_0_1
+        + reactions.reaction_joint_2_wy * curvature_y_5_0_3
+        + reactions.reaction_joint_2_wz * curvature_y_5_0_5
+        - curvature_y_2_1_6 * screws.connection_joint_6_wx
+        - curvature_y_2_1_8 * screws.connection_joint_6_wy
+        + curvature_y_2_1_10 * screws.connection_joint_6_wz
+        - curvature_y_2_1_12 * screws.connection_joint_6_vx
+        + curvature_y_2_1_14 * screws.connection_joint_6_vy
+        + curvature_y_2_1_16 * screws.connection_joint_6_vz;
+    curvature[1][1][5] = curvature_y_5_1 + 0.0;
+    let curvature_y_6_1 = reactions.reaction_joint_2_wx * curvature_y_6_0_1
+        + reactions.reaction_joint_2_wy * curvature_y_6_0_3
+        + reactions.reaction_joint_2_wz * curvature_y_6_0_5
+        - curvature_y_2_1_6 * screws.connection_joint_7_wx
+        - curvature_y_2_1_8 * screws.connection_joint_7_wy
+        + curvature_y_2_1_10 * screws.connection_joint_7_wz
+        - curvature_y_2_1_12 * screws.connection_joint_7_vx
+        + curvature_y_2_1_14 * screws.connection_joint_7_vy
+        + curvature_y_2_1_16 * screws.connection_joint_7_vz;
+    curvature[1][1][6] = curvature_y_6_1 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_3
-    curvature[1][2][0] = curvature_y_2_0 + 0.0;
-    curvature[1][2][1] = curvature_y_2_1 + 0.0;
+    curvature[1][2][0] = 0.0 - curvature_y_2_0;
+    curvature[1][2][1] = 0.0 - curvature_y_2_1;
     curvature[1][2][2] = 0.0;
-    let curvature_y_3_2 = curvature_x_3_2_3
-        - (screws.connection_joint_3_wz * screws.connection_joint_4_wx
-            - screws.connection_joint_3_wx * screws.connection_joint_4_wz);
-    curvature[1][2][3] = 0.0 - curvature_y_3_2;
-    let curvature_y_4_2 = curvature_x_4_2_3
-        - (screws.connection_joint_3_wz * screws.connection_joint_5_wx
-            - screws.connection_joint_3_wx * screws.connection_joint_5_wz);
-    curvature[1][2][4] = 0.0 - curvature_y_4_2;
-    let curvature_y_5_2 = curvature_x_5_2_3
-        - (screws.connection_joint_3_wz * screws.connection_joint_6_wx
-            - screws.connection_joint_3_wx * screws.connection_joint_6_wz);
-    curvature[1][2][5] = 0.0 - curvature_y_5_2;
-    let curvature_y_6_2 = curvature_x_6_2_3
-        - (screws.connection_joint_3_wz * screws.connection_joint_7_wx
-            - screws.connection_joint_3_wx * screws.connection_joint_7_wz);
-    curvature[1][2][6] = 0.0 - curvature_y_6_2;
+    let minus_wrench_link_2_mz_2 = common_d_mu_b2_curvature.wrench_link_2_my_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_3_2_8 = common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * curvature_y_1_0_22_1_3
+        - minus_wrench_link_2_mz_2;
+    let curvature_y_3_2_6 = reactions.reaction_joint_3_wz
+        + (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * wrench_base_mx_4);
+    let curvature_y_3_2_10 = reactions.reaction_joint_3_wx
+        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0 * wrench_base_mx_4);
+    let curvature_y_3_2_12 = reactions.reaction_joint_3_vy * wrench_link_1_fx_3
+        + reactions.reaction_joint_3_vz * curvature_y_2_1_12_3;
+    let minus_wrench_link_2_fz_0 = reactions.reaction_joint_3_vx * wrench_link_1_fx_3;
+    let curvature_y_3_2_14 = reactions.reaction_joint_3_vz * curvature_y_2_1_14_1
+        + minus_wrench_link_2_fz_0;
+    let curvature_y_3_2_16 = reactions.reaction_joint_3_vx * curvature_y_2_1_12_3
+        - reactions.reaction_joint_3_vy * curvature_y_2_1_14_1;
+    let curvature_y_3_2 = reactions.reaction_joint_3_wx * curvature_y_3_0_1
+        + reactions.reaction_joint_3_wy * curvature_y_3_0_3
+        + reactions.reaction_joint_3_wz * curvature_y_3_0_5
+        - curvature_y_3_2_6 * screws.connection_joint_4_wx
+        - curvature_y_3_2_8 * screws.connection_joint_4_wy
+        + curvature_y_3_2_10 * screws.connection_joint_4_wz
+        - curvature_y_3_2_12 * screws.connection_joint_4_vx
+        + curvature_y_3_2_14 * screws.connection_joint_4_vy
+        + curvature_y_3_2_16 * screws.connection_joint_4_vz;
+    curvature[1][2][3] = curvature_y_3_2 + 0.0;
+    let curvature_y_4_2 = reactions.reaction_joint_3_wx * curvature_y_4_0_1
+        + reactions.reaction_joint_3_wy * curvature_y_4_0_3
+        + reactions.reaction_joint_3_wz * curvature_y_4_0_5
+        - curvature_y_3_2_6 * screws.connection_joint_5_wx
+        - curvature_y_3_2_8 * screws.connection_joint_5_wy
+        + curvature_y_3_2_10 * screws.connection_joint_5_wz
+        - curvature_y_3_2_12 * screws.connection_joint_5_vx
+        + curvature_y_3_2_14 * screws.connection_joint_5_vy
+        + curvature_y_3_2_16 * screws.connection_joint_5_vz;
+    curvature[1][2][4] = curvature_y_4_2 + 0.0;
+    let curvature_y_5_2 = reactions.reaction_joint_3_wx * curvature_y_5_0_1
+        + reactions.reaction_joint_3_wy * curvature_y_5_0_3
+        + reactions.reaction_joint_3_wz * curvature_y_5_0_5
+        - curvature_y_3_2_6 * screws.connection_joint_6_wx
+        - curvature_y_3_2_8 * screws.connection_joint_6_wy
+        + curvature_y_3_2_10 * screws.connection_joint_6_wz
+        - curvature_y_3_2_12 * screws.connection_joint_6_vx
+        + curvature_y_3_2_14 * screws.connection_joint_6_vy
+        + curvature_y_3_2_16 * screws.connection_joint_6_vz;
+    curvature[1][2][5] = curvature_y_5_2 + 0.0;
+    let curvature_y_6_2 = reactions.reaction_joint_3_wx * curvature_y_6_0_1
+        + reactions.reaction_joint_3_wy * curvature_y_6_0_3
+        + reactions.reaction_joint_3_wz * curvature_y_6_0_5
+        - curvature_y_3_2_6 * screws.connection_joint_7_wx
+        - curvature_y_3_2_8 * screws.connection_joint_7_wy
+        + curvature_y_3_2_10 * screws.connection_joint_7_wz
+        - curvature_y_3_2_12 * screws.connection_joint_7_vx
+        + curvature_y_3_2_14 * screws.connection_joint_7_vy
+        + curvature_y_3_2_16 * screws.connection_joint_7_vz;
+    curvature[1][2][6] = curvature_y_6_2 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_4
-    curvature[1][3][0] = curvature_y_3_0 + 0.0;
-    curvature[1][3][1] = curvature_y_3_1 + 0.0;
-    curvature[1][3][2] = curvature_y_3_2 + 0.0;
+    curvature[1][3][0] = 0.0 - curvature_y_3_0;
+    curvature[1][3][1] = 0.0 - curvature_y_3_1;
+    curvature[1][3][2] = 0.0 - curvature_y_3_2;
     curvature[1][3][3] = 0.0;
-    let curvature_y_4_3 = curvature_x_4_3_3
-        - (screws.connection_joint_4_wz * screws.connection_joint_5_wx
-            - screws.connection_joint_4_wx * screws.connection_joint_5_wz);
-    curvature[1][3][4] = 0.0 - curvature_y_4_3;
-    let curvature_y_5_3 = curvature_x_5_3_3
-        - (screws.connection_joint_4_wz * screws.connection_joint_6_wx
-            - screws.connection_joint_4_wx * screws.connection_joint_6_wz);
-    curvature[1][3][5] = 0.0 - curvature_y_5_3;
-    let curvature_y_6_3 = curvature_x_6_3_3
-        - (screws.connection_joint_4_wz * screws.connection_joint_7_wx
-            - screws.connection_joint_4_wx * screws.connection_joint_7_wz);
-    curvature[1][3][6] = 0.0 - curvature_y_6_3;
+    let minus_wrench_link_3_mz_2 = common_d_mu_b2_curvature.wrench_link_3_my_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_4_3_8 = common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * curvature_y_1_0_22_1_3
+        - minus_wrench_link_3_mz_2;
+    let curvature_y_4_3_6 = reactions.reaction_joint_4_wz
+        + (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * wrench_base_mx_4);
+    let curvature_y_4_3_10 = reactions.reaction_joint_4_wx
+        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0 * wrench_base_mx_4);
+    let curvature_y_4_3_12 = reactions.minus_reaction_joint_4_vz * curvature_y_2_1_12_3
+        - reactions.reaction_joint_4_vy * wrench_link_1_fx_3;
+    let minus_wrench_link_3_fz_0 = reactions.reaction_joint_4_vx * wrench_link_1_fx_3;
+    let curvature_y_4_3_14 = minus_wrench_link_3_fz_0
+        - reactions.minus_reaction_joint_4_vz * curvature_y_2_1_14_1;
+    let curvature_y_4_3_16 = reactions.reaction_joint_4_vx * curvature_y_2_1_12_3
+        - reactions.reaction_joint_4_vy * curvature_y_2_1_14_1;
+    let curvature_y_4_3 = reactions.reaction_joint_4_wx * curvature_y_4_0_1
+        + reactions.reaction_joint_4_wy * curvature_y_4_0_3
+        + reactions.reaction_joint_4_wz * curvature_y_4_0_5
+        - curvature_y_4_3_6 * screws.connection_joint_5_wx
+        - curvature_y_4_3_8 * screws.connection_joint_5_wy
+        + curvature_y_4_3_10 * screws.connection_joint_5_wz
+        + curvature_y_4_3_12 * screws.connection_joint_5_vx
+        + curvature_y_4_3_14 * screws.connection_joint_5_vy
+        + curvature_y_4_3_16 * screws.connection_joint_5_vz;
+    curvature[1][3][4] = curvature_y_4_3 + 0.0;
+    let curvature_y_5_3 = reactions.reaction_joint_4_wx * curvature_y_5_0_1
+        + reactions.reaction_joint_4_wy * curvature_y_5_0_3
+        + reactions.reaction_joint_4_wz * curvature_y_5_0_5
+        - curvature_y_4_3_6 * screws.connection_joint_6_wx
+        - curvature_y_4_3_8 * screws.connection_joint_6_wy
+        + curvature_y_4_3_10 * screws.connection_joint_6_wz
+        + curvature_y_4_3_12 * screws.connection_joint_6_vx
+        + curvature_y_4_3_14 * screws.connection_joint_6_vy
+        + curvature_y_4_3_16 * screws.connection_joint_6_vz;
+    curvature[1][3][5] = curvature_y_5_3 + 0.0;
+    let curvature_y_6_3 = reactions.reaction_joint_4_wx * curvature_y_6_0_1
+        + reactions.reaction_joint_4_wy * curvature_y_6_0_3
+        + reactions.reaction_joint_4_wz * curvature_y_6_0_5
+        - curvature_y_4_3_6 * screws.connection_joint_7_wx
+        - curvature_y_4_3_8 * screws.connection_joint_7_wy
+        + curvature_y_4_3_10 * screws.connection_joint_7_wz
+        + curvature_y_4_3_12 * screws.connection_joint_7_vx
+        + curvature_y_4_3_14 * screws.connection_joint_7_vy
+        + curvature_y_4_3_16 * screws.connection_joint_7_vz;
+    curvature[1][3][6] = curvature_y_6_3 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_5
-    curvature[1][4][0] = curvature_y_4_0 + 0.0;
-    curvature[1][4][1] = curvature_y_4_1 + 0.0;
-    curvature[1][4][2] = curvature_y_4_2 + 0.0;
-    curvature[1][4][3] = curvature_y_4_3 + 0.0;
+    curvature[1][4][0] = 0.0 - curvature_y_4_0;
+    curvature[1][4][1] = 0.0 - curvature_y_4_1;
+    curvature[1][4][2] = 0.0 - curvature_y_4_2;
+    curvature[1][4][3] = 0.0 - curvature_y_4_3;
     curvature[1][4][4] = 0.0;
-    let curvature_y_5_4 = curvature_x_5_4_3
-        - (screws.connection_joint_5_wz * screws.connection_joint_6_wx
-            - screws.connection_joint_5_wx * screws.connection_joint_6_wz);
-    curvature[1][4][5] = 0.0 - curvature_y_5_4;
-    let curvature_y_6_4 = curvature_x_6_4_3
-        - (screws.connection_joint_5_wz * screws.connection_joint_7_wx
-            - screws.connection_joint_5_wx * screws.connection_joint_7_wz);
-    curvature[1][4][6] = 0.0 - curvature_y_6_4;
+    let minus_wrench_link_4_mz_2 = common_d_mu_b2_curvature.wrench_link_4_my_1_1_0
+        * wrench_base_mx_4;
+    let curvature_y_5_4_8 = common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0
+        * curvature_y_1_0_22_1
+        + common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * curvature_y_1_0_22_1_3
+        - minus_wrench_link_4_mz_2;
+    let curvature_y_5_4_6 = reactions.reaction_joint_5_wz
+        + (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * wrench_base_mx_4);
+    let curvature_y_5_4_10 = reactions.reaction_joint_5_wx
+        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0 * wrench_base_mx_4);
+    let curvature_y_5_4_12 = reactions.reaction_joint_5_vy * wrench_link_1_fx_3
+        + reactions.reaction_joint_5_vz * curvature_y_2_1_12_3;
+    let minus_wrench_link_4_fz_0 = reactions.reaction_joint_5_vx * wrench_link_1_fx_3;
+    let curvature_y_5_4_14 = reactions.reaction_joint_5_vz * curvature_y_2_1_14_1
+        + minus_wrench_link_4_fz_0;
+    let curvature_y_5_4_16 = reactions.reaction_joint_5_vx * curvature_y_2_1_12_3
+        - reactions.reaction_joint_5_vy * curvature_y_2_1_14_1;
+    let curvature_y_5_4 = reactions.reaction_joint_5_wx * curvature_y_5_0_1
+        + reactions.reaction_joint_5_wy * curvature_y_5_0_3
+        + reactions.reaction_joint_5_wz * curvature_y_5_0_5
+        - curvature_y_5_4_6 * screws.connection_joint_6_wx
+        - curvature_y_5_4_8 * screws.connection_joint_6_wy
+        + curvature_y_5_4_10 * screws.connection_joint_6_wz
+        - curvature_y_5_4_12 * screws.connection_joint_6_vx
+        + curvature_y_5_4_14 * screws.connection_joint_6_vy
+        + curvature_y_5_4_16 * screws.connection_joint_6_vz;
+    curvature[1][4][5] = curvature_y_5_4 + 0.0;
+    let curvature_y_6_4 = reactions.reaction_joint_5_wx * curvature_y_6_0_1
+        + reactions.reaction_joint_5_wy * curvature_y_6_0_3
+        + reactions.reaction_joint_5_wz * curvature_y_6_0_5
+        - curvature_y_5_4_6 * screws.connection_joint_7_wx
+        - curvature_y_5_4_8 * screws.connection_joint_7_wy
+        + curvature_y_5_4_10 * screws.connection_joint_7_wz
+        - curvature_y_5_4_12 * screws.connection_joint_7_vx
+        + curvature_y_5_4_14 * screws.connection_joint_7_vy
+        + curvature_y_5_4_16 * screws.connection_joint_7_vz;
+    curvature[1][4][6] = curvature_y_6_4 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_6
-    curvature[1][5][0] = curvature_y_5_0 + 0.0;
-    curvature[1][5][1] = curvature_y_5_1 + 0.0;
-    curvature[1][5][2] = curvature_y_5_2 + 0.0;
-    curvature[1][5][3] = curvature_y_5_3 + 0.0;
-    curvature[1][5][4] = curvature_y_5_4 + 0.0;
+    curvature[1][5][0] = 0.0 - curvature_y_5_0;
+    curvature[1][5][1] = 0.0 - curvature_y_5_1;
+    curvature[1][5][2] = 0.0 - curvature_y_5_2;
+    curvature[1][5][3] = 0.0 - curvature_y_5_3;
+    curvature[1][5][4] = 0.0 - curvature_y_5_4;
     curvature[1][5][5] = 0.0;
-    let curvature_y_6_5 = curvature_x_6_5_3
-        - (screws.connection_joint_6_wz * screws.connection_joint_7_wx
-            - screws.connection_joint_6_wx * screws.connection_joint_7_wz);
-    curvature[1][5][6] = 0.0 - curvature_y_6_5;
+    let minus_wrench_link_5_mz_2 = common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+        * wrench_base_mx_4;
+    let minus_wrench_link_5_fz_0 = reactions.reaction_joint_6_vx * wrench_link_1_fx_3;
+    let curvature_y_6_5 = reactions.reaction_joint_6_wx * curvature_y_6_0_1
+        + reactions.reaction_joint_6_wy * curvature_y_6_0_3
+        + reactions.reaction_joint_6_wz * curvature_y_6_0_5
+        - (reactions.reaction_joint_6_wz
+            + (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * curvature_y_1_0_22_1
+                + common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0
+                    * curvature_y_1_0_22_1_3
+                - common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * wrench_base_mx_4))
+            * screws.connection_joint_7_wx
+        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0 * curvature_y_1_0_22_1_3
+            - minus_wrench_link_5_mz_2) * screws.connection_joint_7_wy
+        + (reactions.reaction_joint_6_wx
+            - (common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * curvature_y_1_0_22_1
+                + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+                    * curvature_y_1_0_22_1_3
+                - common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0 * wrench_base_mx_4))
+            * screws.connection_joint_7_wz
+        - (reactions.reaction_joint_6_vy * wrench_link_1_fx_3
+            + reactions.reaction_joint_6_vz * curvature_y_2_1_12_3)
+            * screws.connection_joint_7_vx
+        + (reactions.reaction_joint_6_vz * curvature_y_2_1_14_1
+            + minus_wrench_link_5_fz_0) * screws.connection_joint_7_vy
+        + (reactions.reaction_joint_6_vx * curvature_y_2_1_12_3
+            - reactions.reaction_joint_6_vy * curvature_y_2_1_14_1)
+            * screws.connection_joint_7_vz;
+    curvature[1][5][6] = curvature_y_6_5 + 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_7
-    curvature[1][6][0] = curvature_y_6_0 + 0.0;
-    curvature[1][6][1] = curvature_y_6_1 + 0.0;
-    curvature[1][6][2] = curvature_y_6_2 + 0.0;
-    curvature[1][6][3] = curvature_y_6_3 + 0.0;
-    curvature[1][6][4] = curvature_y_6_4 + 0.0;
-    curvature[1][6][5] = curvature_y_6_5 + 0.0;
+    curvature[1][6][0] = 0.0 - curvature_y_6_0;
+    curvature[1][6][1] = 0.0 - curvature_y_6_1;
+    curvature[1][6][2] = 0.0 - curvature_y_6_2;
+    curvature[1][6][3] = 0.0 - curvature_y_6_3;
+    curvature[1][6][4] = 0.0 - curvature_y_6_4;
+    curvature[1][6][5] = 0.0 - curvature_y_6_5;
     curvature[1][6][6] = 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
-    let curvature_z_1_0 = curvature_x_1_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_2_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_2_wx);
-    curvature[2][0][1] = 0.0 - curvature_z_1_0;
-    let curvature_z_2_0 = curvature_x_2_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_3_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_3_wx);
-    curvature[2][0][2] = 0.0 - curvature_z_2_0;
-    let curvature_z_3_0 = curvature_x_3_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_4_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_4_wx);
-    curvature[2][0][3] = 0.0 - curvature_z_3_0;
-    let curvature_z_4_0 = curvature_x_4_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_5_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_5_wx);
-    curvature[2][0][4] = 0.0 - curvature_z_4_0;
-    let curvature_z_5_0 = curvature_x_5_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_6_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_6_wx);
-    curvature[2][0][5] = 0.0 - curvature_z_5_0;
-    let curvature_z_6_0 = curvature_x_6_0_3_3
-        - (screws.connection_joint_1_wx * screws.connection_joint_7_wy
-            - screws.connection_joint_1_wy * screws.connection_joint_7_wx);
-    curvature[2][0][6] = 0.0 - curvature_z_6_0;
+    let minus_wrench_base_mz_3 = inertias.locked_inverse_pivot_y_2 * wrench_base_mx_4
+        - inertias.locked_inverse_pivot_z_2 * inertias.locked_inverse_pivot_z;
+    let minus_wrench_base_mz = common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0
+        * inertias.locked_inverse_pivot_z
+        - (outside.outside_joint_1_my * minus_wrench_base_mz_3 + minus_wrench_base_mz_4);
+    let wrench_base_mx = reactions.reaction_joint_1_wy
+        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * wrench_base_mx_4
+            - outside.outside_joint_1_my * inertias.locked_inverse_pivot_z);
+    let minus_wrench_base_my = reactions.reaction_joint_1_wx
+        + (common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * minus_wrench_base_mz_3
+            + outside.outside_joint_1_mx * inertias.locked_inverse_pivot_z);
+    let wrench_outside_link_1_mz = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0
+        * minus_wrench_base_mz_3 - wrench_outside_link_1_mz_2
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_1_0 = reactions.reaction_joint_1_wx
+        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * minus_wrench_base_mz_3
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0
+                * inertias.locked_inverse_pivot_z)
+        + reactions.reaction_joint_1_wy
+            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
+                * inertias.locked_inverse_pivot_z
+                - (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0
+                    * minus_wrench_base_mz_3
+                    + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0
+                        * wrench_base_mx_4))
+        + reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
+        + wrench_base_mx * screws.connection_joint_2_wx
+        - minus_wrench_base_my * screws.connection_joint_2_wy
+        - minus_wrench_base_mz * screws.connection_joint_2_wz;
+    curvature[2][0][1] = curvature_z_1_0 + 0.0;
+    let curvature_z_2_0_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_2_0_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_outside_link_2_mz = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
+        * minus_wrench_base_mz_3 - wrench_outside_link_2_mz_2
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_2_0 = reactions.reaction_joint_1_wx * curvature_z_2_0_1
+        + reactions.reaction_joint_1_wy * curvature_z_2_0_3
+        + reactions.reaction_joint_1_wz * wrench_outside_link_2_mz
+        + wrench_base_mx * screws.connection_joint_3_wx
+        - minus_wrench_base_my * screws.connection_joint_3_wy
+        - minus_wrench_base_mz * screws.connection_joint_3_wz;
+    curvature[2][0][2] = curvature_z_2_0 + 0.0;
+    let curvature_z_3_0_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_3_0_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_outside_link_3_mz = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
+        * minus_wrench_base_mz_3 - wrench_outside_link_3_mz_2
+        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_3_0 = reactions.reaction_joint_1_wx * curvature_z_3_0_1
+        + reactions.reaction_joint_1_wy * curvature_z_3_0_3
+        + reactions.reaction_joint_1_wz * wrench_outside_link_3_mz
+        + wrench_base_mx * screws.connection_joint_4_wx
+        - minus_wrench_base_my * screws.connection_joint_4_wy
+        - minus_wrench_base_mz * screws.connection_joint_4_wz;
+    curvature[2][0][3] = curvature_z_3_0 + 0.0;
+    let curvature_z_4_0_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_4_0_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_outside_link_4_mz = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
+        * minus_wrench_base_mz_3 - wrench_outside_link_4_mz_2
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_4_0 = reactions.reaction_joint_1_wx * curvature_z_4_0_1
+        + reactions.reaction_joint_1_wy * curvature_z_4_0_3
+        + reactions.reaction_joint_1_wz * wrench_outside_link_4_mz
+        + wrench_base_mx * screws.connection_joint_5_wx
+        - minus_wrench_base_my * screws.connection_joint_5_wy
+        - minus_wrench_base_mz * screws.connection_joint_5_wz;
+    curvature[2][0][4] = curvature_z_4_0 + 0.0;
+    let curvature_z_5_0_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_5_0_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_outside_link_5_mz = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
+        * minus_wrench_base_mz_3 - wrench_outside_link_5_mz_2
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_5_0 = reactions.reaction_joint_1_wx * curvature_z_5_0_1
+        + reactions.reaction_joint_1_wy * curvature_z_5_0_3
+        + reactions.reaction_joint_1_wz * wrench_outside_link_5_mz
+        + wrench_base_mx * screws.connection_joint_6_wx
+        - minus_wrench_base_my * screws.connection_joint_6_wy
+        - minus_wrench_base_mz * screws.connection_joint_6_wz;
+    curvature[2][0][5] = curvature_z_5_0 + 0.0;
+    let curvature_z_6_0_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_6_0_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0
+        * minus_wrench_base_mz_3
+        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_outside_link_6_mz = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
+        * minus_wrench_base_mz_3 - wrench_outside_link_6_mz_2
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let curvature_z_6_0 = reactions.reaction_joint_1_wx * curvature_z_6_0_1
+        + reactions.reaction_joint_1_wy * curvature_z_6_0_3
+        + reactions.reaction_joint_1_wz * wrench_outside_link_6_mz
+        + wrench_base_mx * screws.connection_joint_7_wx
+        - minus_wrench_base_my * screws.connection_joint_7_wy
+        - minus_wrench_base_mz * screws.connection_joint_7_wz;
+    curvature[2][0][6] = curvature_z_6_0 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_2
-    curvature[2][1][0] = curvature_z_1_0 + 0.0;
+    curvature[2][1][0] = 0.0 - curvature_z_1_0;
     curvature[2][1][1] = 0.0;
-    let curvature_z_2_1 = curvature_x_2_1_3_3
-        - (screws.connection_joint_2_wx * screws.connection_joint_3_wy
-            - screws.connection_joint_2_wy * screws.connection_joint_3_wx);
-    curvature[2][1][2] = 0.0 - curvature_z_2_1;
-    let curvature_z_3_1 = curvature_x_3_1_3_3
-        - (screws.connection_joint_2_wx * screws.connection_joint_4_wy
-            - screws.connection_joint_2_wy * screws.connection_joint_4_wx);
-    curvature[2][1][3] = 0.0 - curvature_z_3_1;
-    let curvature_z_4_1 = curvature_x_4_1_3_3
-        - (screws.connection_joint_2_wx * screws.connection_joint_5_wy
-            - screws.connection_joint_2_wy * screws.connection_joint_5_wx);
-    curvature[2][1][4] = 0.0 - curvature_z_4_1;
-    let curvature_z_5_1 = curvature_x_5_1_3_3
-        - (screws.connection_joint_2_wx * screws.connection_joint_6_wy
-            - screws.connection_joint_2_wy * screws.connection_joint_6_wx);
-    curvature[2][1][5] = 0.0 - curvature_z_5_1;
-    let curvature_z_6_1 = curvature_x_6_1_3_3
-        - (screws.connection_joint_2_wx * screws.connection_joint_7_wy
-            - screws.connection_joint_2_wy * screws.connection_joint_7_wx);
-    curvature[2][1][6] = 0.0 - curvature_z_6_1;
+    let wrench_link_1_fy_1 = minus_wrench_base_mz_3 * 35.0;
+    let wrench_link_1_fx_1 = inertias.locked_inverse_pivot_z * 35.0;
+    let minus_wrench_link_1_mz = common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0
+        * minus_wrench_base_mz_3 - minus_wrench_link_1_mz_2
+        + common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_link_1_mx = reactions.reaction_joint_2_wy
+        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let minus_wrench_link_1_my = reactions.reaction_joint_2_wx
+        + (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
+        + reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
+    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
+    let minus_wrench_link_1_fz = minus_wrench_link_1_fz_0
+        + reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
+    let curvature_z_2_1 = reactions.reaction_joint_2_wx * curvature_z_2_0_1
+        + reactions.reaction_joint_2_wy * curvature_z_2_0_3
+        + reactions.reaction_joint_2_wz * wrench_outside_link_2_mz
+        + wrench_link_1_mx * screws.connection_joint_3_wx
+        - minus_wrench_link_1_my * screws.connection_joint_3_wy
+        - minus_wrench_link_1_mz * screws.connection_joint_3_wz
+        + wrench_link_1_fx * screws.connection_joint_3_vx
+        + wrench_link_1_fy * screws.connection_joint_3_vy
+        - minus_wrench_link_1_fz * screws.connection_joint_3_vz;
+    curvature[2][1][2] = curvature_z_2_1 + 0.0;
+    let curvature_z_3_1 = reactions.reaction_joint_2_wx * curvature_z_3_0_1
+        + reactions.reaction_joint_2_wy * curvature_z_3_0_3
+        + reactions.reaction_joint_2_wz * wrench_outside_link_3_mz
+        + wrench_link_1_mx * screws.connection_joint_4_wx
+        - minus_wrench_link_1_my * screws.connection_joint_4_wy
+        - minus_wrench_link_1_mz * screws.connection_joint_4_wz
+        + wrench_link_1_fx * screws.connection_joint_4_vx
+        + wrench_link_1_fy * screws.connection_joint_4_vy
+        - minus_wrench_link_1_fz * screws.connection_joint_4_vz;
+    curvature[2][1][3] = curvature_z_3_1 + 0.0;
+    let curvature_z_4_1 = reactions.reaction_joint_2_wx * curvature_z_4_0_1
+        + reactions.reaction_joint_2_wy * curvature_z_4_0_3
+        + reactions.reaction_joint_2_wz * wrench_outside_link_4_mz
+        + wrench_link_1_mx * screws.connection_joint_5_wx
+        - minus_wrench_link_1_my * screws.connection_joint_5_wy
+        - minus_wrench_link_1_mz * screws.connection_joint_5_wz
+        + wrench_link_1_fx * screws.connection_joint_5_vx
+        + wrench_link_1_fy * screws.connection_joint_5_vy
+        - minus_wrench_link_1_fz * screws.connection_joint_5_vz;
+    curvature[2][1][4] = curvature_z_4_1 + 0.0;
+    let curvature_z_5_1 = reactions.reaction_joint_2_wx * curvature_z_5_0_1
+        + reactions.reaction_joint_2_wy * curvature_z_5_0_3
+        + reactions.reaction_joint_2_wz * wrench_outside_link_5_mz
+        + wrench_link_1_mx * screws.connection_joint_6_wx
+        - minus_wrench_link_1_my * screws.connection_joint_6_wy
+        - minus_wrench_link_1_mz * screws.connection_joint_6_wz
+        + wrench_link_1_fx * screws.connection_joint_6_vx
+        + wrench_link_1_fy * screws.connection_joint_6_vy
+        - minus_wrench_link_1_fz * screws.connection_joint_6_vz;
+    curvature[2][1][5] = curvature_z_5_1 + 0.0;
+    let curvature_z_6_1 = reactions.reaction_joint_2_wx * curvature_z_6_0_1
+        + reactions.reaction_joint_2_wy * curvature_z_6_0_3
+        + reactions.reaction_joint_2_wz * wrench_outside_link_6_mz
+        + wrench_link_1_mx * screws.connection_joint_7_wx
+        - minus_wrench_link_1_my * screws.connection_joint_7_wy
+        - minus_wrench_link_1_mz * screws.connection_joint_7_wz
+        + wrench_link_1_fx * screws.connection_joint_7_vx
+        + wrench_link_1_fy * screws.connection_joint_7_vy
+        - minus_wrench_link_1_fz * screws.connection_joint_7_vz;
+    curvature[2][1][6] = curvature_z_6_1 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_3
-    curvature[2][2][0] = curvature_z_2_0 + 0.0;
-    curvature[2][2][1] = curvature_z_2_1 + 0.0;
+    curvature[2][2][0] = 0.0 - curvature_z_2_0;
+    curvature[2][2][1] = 0.0 - curvature_z_2_1;
     curvature[2][2][2] = 0.0;
-    let curvature_z_3_2 = curvature_x_3_2_3_3
-        - (screws.connection_joint_3_wx * screws.connection_joint_4_wy
-            - screws.connection_joint_3_wy * screws.connection_joint_4_wx);
-    curvature[2][2][3] = 0.0 - curvature_z_3_2;
-    let curvature_z_4_2 = curvature_x_4_2_3_3
-        - (screws.connection_joint_3_wx * screws.connection_joint_5_wy
-            - screws.connection_joint_3_wy * screws.connection_joint_5_wx);
-    curvature[2][2][4] = 0.0 - curvature_z_4_2;
-    let curvature_z_5_2 = curvature_x_5_2_3_3
-        - (screws.connection_joint_3_wx * screws.connection_joint_6_wy
-            - screws.connection_joint_3_wy * screws.connection_joint_6_wx);
-    curvature[2][2][5] = 0.0 - curvature_z_5_2;
-    let curvature_z_6_2 = curvature_x_6_2_3_3
-        - (screws.connection_joint_3_wx * screws.connection_joint_7_wy
-            - screws.connection_joint_3_wy * screws.connection_joint_7_wx);
-    curvature[2][2][6] = 0.0 - curvature_z_6_2;
+    let minus_wrench_link_2_mz = common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0
+        * minus_wrench_base_mz_3 - minus_wrench_link_2_mz_2
+        + common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_link_2_mx = reactions.reaction_joint_3_wy
+        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let minus_wrench_link_2_my = reactions.reaction_joint_3_wx
+        + (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let wrench_link_2_fx = reactions.reaction_joint_3_vy * wrench_link_1_fx_1
+        + reactions.reaction_joint_3_vz * wrench_link_1_fx_3;
+    let wrench_link_2_fy = reactions.reaction_joint_3_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_3_vx * wrench_link_1_fx_1;
+    let minus_wrench_link_2_fz = minus_wrench_link_2_fz_0
+        + reactions.reaction_joint_3_vy * wrench_link_1_fy_1;
+    let curvature_z_3_2 = reactions.reaction_joint_3_wx * curvature_z_3_0_1
+        + reactions.reaction_joint_3_wy * curvature_z_3_0_3
+        + reactions.reaction_joint_3_wz * wrench_outside_link_3_mz
+        + wrench_link_2_mx * screws.connection_joint_4_wx
+        - minus_wrench_link_2_my * screws.connection_joint_4_wy
+        - minus_wrench_link_2_mz * screws.connection_joint_4_wz
+        + wrench_link_2_fx * screws.connection_joint_4_vx
+        + wrench_link_2_fy * screws.connection_joint_4_vy
+        - minus_wrench_link_2_fz * screws.connection_joint_4_vz;
+    curvature[2][2][3] = curvature_z_3_2 + 0.0;
+    let curvature_z_4_2 = reactions.reaction_joint_3_wx * curvature_z_4_0_1
+        + reactions.reaction_joint_3_wy * curvature_z_4_0_3
+        + reactions.reaction_joint_3_wz * wrench_outside_link_4_mz
+        + wrench_link_2_mx * screws.connection_joint_5_wx
+        - minus_wrench_link_2_my * screws.connection_joint_5_wy
+        - minus_wrench_link_2_mz * screws.connection_joint_5_wz
+        + wrench_link_2_fx * screws.connection_joint_5_vx
+        + wrench_link_2_fy * screws.connection_joint_5_vy
+        - minus_wrench_link_2_fz * screws.connection_joint_5_vz;
+    curvature[2][2][4] = curvature_z_4_2 + 0.0;
+    let curvature_z_5_2 = reactions.reaction_joint_3_wx * curvature_z_5_0_1
+        + reactions.reaction_joint_3_wy * curvature_z_5_0_3
+        + reactions.reaction_joint_3_wz * wrench_outside_link_5_mz
+        + wrench_link_2_mx * screws.connection_joint_6_wx
+        - minus_wrench_link_2_my * screws.connection_joint_6_wy
+        - minus_wrench_link_2_mz * screws.connection_joint_6_wz
+        + wrench_link_2_fx * screws.connection_joint_6_vx
+        + wrench_link_2_fy * screws.connection_joint_6_vy
+        - minus_wrench_link_2_fz * screws.connection_joint_6_vz;
+    curvature[2][2][5] = curvature_z_5_2 + 0.0;
+    let curvature_z_6_2 = reactions.reaction_joint_3_wx * curvature_z_6_0_1
+        + reactions.reaction_joint_3_wy * curvature_z_6_0_3
+        + reactions.reaction_joint_3_wz * wrench_outside_link_6_mz
+        + wrench_link_2_mx * screws.connection_joint_7_wx
+        - minus_wrench_link_2_my * screws.connection_joint_7_wy
+        - minus_wrench_link_2_mz * screws.connection_joint_7_wz
+        + wrench_link_2_fx * screws.connection_joint_7_vx
+        + wrench_link_2_fy * screws.connection_joint_7_vy
+        - minus_wrench_link_2_fz * screws.connection_joint_7_vz;
+    curvature[2][2][6] = curvature_z_6_2 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_4
-    curvature[2][3][0] = curvature_z_3_0 + 0.0;
-    curvature[2][3][1] = curvature_z_3_1 + 0.0;
-    curvature[2][3][2] = curvature_z_3_2 + 0.0;
+    curvature[2][3][0] = 0.0 - curvature_z_3_0;
+    curvature[2][3][1] = 0.0 - curvature_z_3_1;
+    curvature[2][3][2] = 0.0 - curvature_z_3_2;
     curvature[2][3][3] = 0.0;
-    let curvature_z_4_3 = curvature_x_4_3_3_3
-        - (screws.connection_joint_4_wx * screws.connection_joint_5_wy
-            - screws.connection_joint_4_wy * screws.connection_joint_5_wx);
-    curvature[2][3][4] = 0.0 - curvature_z_4_3;
-    let curvature_z_5_3 = curvature_x_5_3_3_3
-        - (screws.connection_joint_4_wx * screws.connection_joint_6_wy
-            - screws.connection_joint_4_wy * screws.connection_joint_6_wx);
-    curvature[2][3][5] = 0.0 - curvature_z_5_3;
-    let curvature_z_6_3 = curvature_x_6_3_3_3
-        - (screws.connection_joint_4_wx * screws.connection_joint_7_wy
-            - screws.connection_joint_4_wy * screws.connection_joint_7_wx);
-    curvature[2][3][6] = 0.0 - curvature_z_6_3;
+    let minus_wrench_link_3_mz = common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0
+        * minus_wrench_base_mz_3 - minus_wrench_link_3_mz_2
+        + common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_link_3_mx = reactions.reaction_joint_4_wy
+        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let minus_wrench_link_3_my = reactions.reaction_joint_4_wx
+        + (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let wrench_link_3_fx = reactions.reaction_joint_4_vy * wrench_link_1_fx_1
+        - reactions.minus_reaction_joint_4_vz * wrench_link_1_fx_3;
+    let minus_wrench_link_3_fy = reactions.minus_reaction_joint_4_vz * wrench_link_1_fy_1
+        + reactions.reaction_joint_4_vx * wrench_link_1_fx_1;
+    let minus_wrench_link_3_fz = minus_wrench_link_3_fz_0
+        + reactions.reaction_joint_4_vy * wrench_link_1_fy_1;
+    let curvature_z_4_3 = reactions.reaction_joint_4_wx * curvature_z_4_0_1
+        + reactions.reaction_joint_4_wy * curvature_z_4_0_3
+        + reactions.reaction_joint_4_wz * wrench_outside_link_4_mz
+        + wrench_link_3_mx * screws.connection_joint_5_wx
+        - minus_wrench_link_3_my * screws.connection_joint_5_wy
+        - minus_wrench_link_3_mz * screws.connection_joint_5_wz
+        + wrench_link_3_fx * screws.connection_joint_5_vx
+        - minus_wrench_link_3_fy * screws.connection_joint_5_vy
+        - minus_wrench_link_3_fz * screws.connection_joint_5_vz;
+    curvature[2][3][4] = curvature_z_4_3 + 0.0;
+    let curvature_z_5_3 = reactions.reaction_joint_4_wx * curvature_z_5_0_1
+        + reactions.reaction_joint_4_wy * curvature_z_5_0_3
+        + reactions.reaction_joint_4_wz * wrench_outside_link_5_mz
+        + wrench_link_3_mx * screws.connection_joint_6_wx
+        - minus_wrench_link_3_my * screws.connection_joint_6_wy
+        - minus_wrench_link_3_mz * screws.connection_joint_6_wz
+        + wrench_link_3_fx * screws.connection_joint_6_vx
+        - minus_wrench_link_3_fy * screws.connection_joint_6_vy
+        - minus_wrench_link_3_fz * screws.connection_joint_6_vz;
+    curvature[2][3][5] = curvature_z_5_3 + 0.0;
+    let curvature_z_6_3 = reactions.reaction_joint_4_wx * curvature_z_6_0_1
+        + reactions.reaction_joint_4_wy * curvature_z_6_0_3
+        + reactions.reaction_joint_4_wz * wrench_outside_link_6_mz
+        + wrench_link_3_mx * screws.connection_joint_7_wx
+        - minus_wrench_link_3_my * screws.connection_joint_7_wy
+        - minus_wrench_link_3_mz * screws.connection_joint_7_wz
+        + wrench_link_3_fx * screws.connection_joint_7_vx
+        - minus_wrench_link_3_fy * screws.connection_joint_7_vy
+        - minus_wrench_link_3_fz * screws.connection_joint_7_vz;
+    curvature[2][3][6] = curvature_z_6_3 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_5
-    curvature[2][4][0] = curvature_z_4_0 + 0.0;
-    curvature[2][4][1] = curvature_z_4_1 + 0.0;
-    curvature[2][4][2] = curvature_z_4_2 + 0.0;
-    curvature[2][4][3] = curvature_z_4_3 + 0.0;
+    curvature[2][4][0] = 0.0 - curvature_z_4_0;
+    curvature[2][4][1] = 0.0 - curvature_z_4_1;
+    curvature[2][4][2] = 0.0 - curvature_z_4_2;
+    curvature[2][4][3] = 0.0 - curvature_z_4_3;
     curvature[2][4][4] = 0.0;
-    let curvature_z_5_4 = curvature_x_5_4_3_3
-        - (screws.connection_joint_5_wx * screws.connection_joint_6_wy
-            - screws.connection_joint_5_wy * screws.connection_joint_6_wx);
-    curvature[2][4][5] = 0.0 - curvature_z_5_4;
-    let curvature_z_6_4 = curvature_x_6_4_3_3
-        - (screws.connection_joint_5_wx * screws.connection_joint_7_wy
-            - screws.connection_joint_5_wy * screws.connection_joint_7_wx);
-    curvature[2][4][6] = 0.0 - curvature_z_6_4;
+    let minus_wrench_link_4_mz = common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0
+        * minus_wrench_base_mz_3 - minus_wrench_link_4_mz_2
+        + common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_link_4_mx = reactions.reaction_joint_5_wy
+        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let minus_wrench_link_4_my = reactions.reaction_joint_5_wx
+        + (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let wrench_link_4_fx = reactions.reaction_joint_5_vy * wrench_link_1_fx_1
+        + reactions.reaction_joint_5_vz * wrench_link_1_fx_3;
+    let wrench_link_4_fy = reactions.reaction_joint_5_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_5_vx * wrench_link_1_fx_1;
+    let minus_wrench_link_4_fz = minus_wrench_link_4_fz_0
+        + reactions.reaction_joint_5_vy * wrench_link_1_fy_1;
+    let curvature_z_5_4 = reactions.reaction_joint_5_wx * curvature_z_5_0_1
+        + reactions.reaction_joint_5_wy * curvature_z_5_0_3
+        + reactions.reaction_joint_5_wz * wrench_outside_link_5_mz
+        + wrench_link_4_mx * screws.connection_joint_6_wx
+        - minus_wrench_link_4_my * screws.connection_joint_6_wy
+        - minus_wrench_link_4_mz * screws.connection_joint_6_wz
+        + wrench_link_4_fx * screws.connection_joint_6_vx
+        + wrench_link_4_fy * screws.connection_joint_6_vy
+        - minus_wrench_link_4_fz * screws.connection_joint_6_vz;
+    curvature[2][4][5] = curvature_z_5_4 + 0.0;
+    let curvature_z_6_4 = reactions.reaction_joint_5_wx * curvature_z_6_0_1
+        + reactions.reaction_joint_5_wy * curvature_z_6_0_3
+        + reactions.reaction_joint_5_wz * wrench_outside_link_6_mz
+        + wrench_link_4_mx * screws.connection_joint_7_wx
+        - minus_wrench_link_4_my * screws.connection_joint_7_wy
+        - minus_wrench_link_4_mz * screws.connection_joint_7_wz
+        + wrench_link_4_fx * screws.connection_joint_7_vx
+        + wrench_link_4_fy * screws.connection_joint_7_vy
+        - minus_wrench_link_4_fz * screws.connection_joint_7_vz;
+    curvature[2][4][6] = curvature_z_6_4 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_6
-    curvature[2][5][0] = curvature_z_5_0 + 0.0;
-    curvature[2][5][1] = curvature_z_5_1 + 0.0;
-    curvature[2][5][2] = curvature_z_5_2 + 0.0;
-    curvature[2][5][3] = curvature_z_5_3 + 0.0;
-    curvature[2][5][4] = curvature_z_5_4 + 0.0;
+    curvature[2][5][0] = 0.0 - curvature_z_5_0;
+    curvature[2][5][1] = 0.0 - curvature_z_5_1;
+    curvature[2][5][2] = 0.0 - curvature_z_5_2;
+    curvature[2][5][3] = 0.0 - curvature_z_5_3;
+    curvature[2][5][4] = 0.0 - curvature_z_5_4;
     curvature[2][5][5] = 0.0;
-    let curvature_z_6_5 = curvature_x_6_5_3_3
-        - (screws.connection_joint_6_wx * screws.connection_joint_7_wy
-            - screws.connection_joint_6_wy * screws.connection_joint_7_wx);
-    curvature[2][5][6] = 0.0 - curvature_z_6_5;
+    let minus_wrench_link_5_mz = common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0
+        * minus_wrench_base_mz_3 - minus_wrench_link_5_mz_2
+        + common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0
+            * inertias.locked_inverse_pivot_z;
+    let wrench_link_5_mx = reactions.reaction_joint_6_wy
+        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let minus_wrench_link_5_my = reactions.reaction_joint_6_wx
+        + (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * minus_wrench_base_mz_3
+            - common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0 * wrench_base_mx_4
+            + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+                * inertias.locked_inverse_pivot_z);
+    let wrench_link_5_fx = reactions.reaction_joint_6_vy * wrench_link_1_fx_1
+        + reactions.reaction_joint_6_vz * wrench_link_1_fx_3;
+    let wrench_link_5_fy = reactions.reaction_joint_6_vz * wrench_link_1_fy_1
+        - reactions.reaction_joint_6_vx * wrench_link_1_fx_1;
+    let minus_wrench_link_5_fz = minus_wrench_link_5_fz_0
+        + reactions.reaction_joint_6_vy * wrench_link_1_fy_1;
+    let curvature_z_6_5 = reactions.reaction_joint_6_wx * curvature_z_6_0_1
+        + reactions.reaction_joint_6_wy * curvature_z_6_0_3
+        + reactions.reaction_joint_6_wz * wrench_outside_link_6_mz
+        + wrench_link_5_mx * screws.connection_joint_7_wx
+        - minus_wrench_link_5_my * screws.connection_joint_7_wy
+        - minus_wrench_link_5_mz * screws.connection_joint_7_wz
+        + wrench_link_5_fx * screws.connection_joint_7_vx
+        + wrench_link_5_fy * screws.connection_joint_7_vy
+        - minus_wrench_link_5_fz * screws.connection_joint_7_vz;
+    curvature[2][5][6] = curvature_z_6_5 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_7
-    curvature[2][6][0] = curvature_z_6_0 + 0.0;
-    curvature[2][6][1] = curvature_z_6_1 + 0.0;
-    curvature[2][6][2] = curvature_z_6_2 + 0.0;
-    curvature[2][6][3] = curvature_z_6_3 + 0.0;
-    curvature[2][6][4] = curvature_z_6_4 + 0.0;
-    curvature[2][6][5] = curvature_z_6_5 + 0.0;
+    curvature[2][6][0] = 0.0 - curvature_z_6_0;
+    curvature[2][6][1] = 0.0 - curvature_z_6_1;
+    curvature[2][6][2] = 0.0 - curvature_z_6_2;
+    curvature[2][6][3] = 0.0 - curvature_z_6_3;
+    curvature[2][6][4] = 0.0 - curvature_z_6_4;
+    curvature[2][6][5] = 0.0 - curvature_z_6_5;
     curvature[2][6][6] = 0.0;
     // c
     com[0] = poses.com_x + 0.0;
@@ -12975,7 +12727,7 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 772 operations: 347 + −, 422 ×, 3 ÷; 7 sin cos; about 9.3 KiB of code.
+/// 727 operations: 332 + −, 392 ×, 3 ÷; 7 sin cos; about 8.8 KiB of code.
 pub fn momentum(
     q: &[f64; 7],
     mu: &[f64; 6],
@@ -13018,7 +12770,7 @@ pub fn momentum(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 1247 operations: 566 + −, 678 ×, 3 ÷; 7 sin cos; about 14.9 KiB of code.
+/// 1359 operations: 620 + −, 736 ×, 3 ÷; 7 sin cos; about 16.2 KiB of code.
 pub fn base_twist(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -13027,7 +12779,8 @@ pub fn base_twist(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     // V₁
     base_twist[0] = mu[0] - velocities.minus_velocity_base_wx + 0.0;
@@ -13053,7 +12806,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 1703 operations: 763 + −, 937 ×, 3 ÷; 7 sin cos; about 20.2 KiB of code.
+/// 1815 operations: 817 + −, 995 ×, 3 ÷; 7 sin cos; about 21.5 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -13062,7 +12815,8 @@ pub fn kinetic_energy(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     let common_d_qdot_d_qdot_xi_kinetic_energy = common_d_qdot_d_qdot_xi_kinetic_energy(
         &inertias,
@@ -13249,7 +13003,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (7; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (13; rad/s², m/s²)
 ///
-/// 4610 operations: 2260 + −, 2334 ×, 16 ÷; 7 sin cos; about 54.3 KiB of code.
+/// 4722 operations: 2314 + −, 2392 ×, 16 ÷; 7 sin cos; about 55.6 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -13261,9 +13015,10 @@ pub fn forward_dynamics(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
     let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
         mu,
         qd,
@@ -13272,134 +13027,145 @@ pub fn forward_dynamics(
         &screws,
         &velocities,
     );
-    let xi_dot_0_3_3_2_0_2 = inertias.composite_base_xx * mu[0]
+    let xi_dot_0_3_3_4_0_2 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let xi_dot_0_3_3_2_2_0 = inertias.composite_base_xy * mu[0]
+    let xi_dot_0_3_3_4_3_0_0 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let xi_dot_0_3_3_2_2_2 = inertias.composite_base_xz * mu[0]
+    let xi_dot_0_3_3_4_3_0_2 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let xi_dot_0_3_3_2_0_6_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let xi_dot_0_3_3_2_2_4_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let xi_dot_0_3_3_2_2_6_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let xi_dot_0_3_3_2_0_6 = xi_dot_0_3_3_2_0_6_0 * 17.5;
-    let xi_dot_0_3_3_2_2_4 = xi_dot_0_3_3_2_2_4_0 * 17.5;
-    let xi_dot_0_3_3_2_2_6 = xi_dot_0_3_3_2_2_6_0 * 17.5;
-    let xi_dot_0_3_3_2_0_29 = screws.inside_joint_2_fx * qd[1]
+    let xi_dot_0_3_3_4_3_0_9 = inertias.composite_link_1_xy
+        + inertias.composite_link_1_xy;
+    let xi_dot_0_3_3_4_0_11_1 = inertias.composite_link_1_hx * poses.com_y;
+    let xi_dot_0_3_3_4_3_0_8_1 = inertias.composite_link_1_hy * poses.com_x;
+    let xi_dot_0_3_3_4_3_0_8 = xi_dot_0_3_3_4_3_0_8_1 + xi_dot_0_3_3_4_3_0_8_1;
+    let xi_dot_0_3_3_4_0_11 = xi_dot_0_3_3_4_0_11_1 + xi_dot_0_3_3_4_0_11_1;
+    let xi_dot_0_3_3_4_0_6_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
+    let xi_dot_0_3_3_4_3_0_4_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let xi_dot_0_3_3_4_3_0_6_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let xi_dot_0_3_3_4_0_6 = xi_dot_0_3_3_4_0_6_0 * 17.5;
+    let xi_dot_0_3_3_4_3_0_4 = xi_dot_0_3_3_4_3_0_4_0 * 17.5;
+    let xi_dot_0_3_3_4_3_0_6 = xi_dot_0_3_3_4_3_0_6_0 * 17.5;
+    let xi_dot_0_3_3_4_0_30 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
         + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
         + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let xi_dot_0_3_3_2_2_27 = screws.inside_joint_1_fy * qd[0]
+    let xi_dot_0_3_3_4_3_0_28 = screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
         + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
         + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let xi_dot_0_3_3_2_2_29 = screws.inside_joint_2_fz * qd[1]
+    let xi_dot_0_3_3_4_3_0_30 = screws.inside_joint_2_fz * qd[1]
         + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
         + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
         + screws.inside_joint_7_fz * qd[6];
-    let xi_dot_0_3_3_2_2_23 = common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * qd[0]
-        - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * qd[6];
-    let xi_dot_0_3_3_2_2_25 = common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * qd[1]
+    let xi_dot_0_3_3_4_3_0_24 = (inertias.composite_link_1_xx
+        - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
+        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
+    let xi_dot_0_3_3_4_3_0_26 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * qd[6];
-    let xi_dot_0_3_3_2_0_25 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * qd[6];
-    let xi_dot_0_3_3_2_0_1 = mu[0] - velocities.minus_velocity_base_wx;
-    let xi_dot_0_3_3_2_2_3 = mu[1] - velocities.minus_velocity_base_wy;
-    let xi_dot_0_3_3_2_2_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let xi_dot_0_3_3_2_0_5 = xi_dot_0_3_3_2_0_6_0 + velocities.velocity_base_vx;
-    let xi_dot_0_3_3_2_2_7 = xi_dot_0_3_3_2_2_4_0 - velocities.minus_velocity_base_vy;
-    let xi_dot_0_3_3_2_2_5 = xi_dot_0_3_3_2_2_6_0 - velocities.minus_velocity_base_vz;
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
+    let xi_dot_0_3_3_4_0_26 = screws.inside_joint_1_mx * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+    let xi_dot_0_3_3_4_0_1 = mu[0] - velocities.minus_velocity_base_wx;
+    let xi_dot_0_3_3_4_3_0_3 = mu[1] - velocities.minus_velocity_base_wy;
+    let xi_dot_0_3_3_4_3_0_1 = mu[2] - velocities.minus_velocity_base_wz;
+    let xi_dot_0_3_3_4_0_5 = xi_dot_0_3_3_4_0_6_0 + velocities.velocity_base_vx;
+    let xi_dot_0_3_3_4_3_0_7 = xi_dot_0_3_3_4_3_0_4_0
+        - velocities.minus_velocity_base_vy;
+    let xi_dot_0_3_3_4_3_0_5 = xi_dot_0_3_3_4_3_0_6_0
+        - velocities.minus_velocity_base_vz;
     let wrench_base_mx_14 = base_wrench[0]
         + (base_wrench[4] * poses.com_z - base_wrench[5] * poses.com_y);
     let wrench_base_my_14 = base_wrench[1]
         + (base_wrench[5] * poses.com_x - base_wrench[3] * poses.com_z);
     let wrench_base_mz_14 = base_wrench[2]
         + (base_wrench[3] * poses.com_y - base_wrench[4] * poses.com_x);
-    let xi_dot_0_3_3_2_2 = xi_dot_0_3_3_2_2_0 * xi_dot_0_3_3_2_2_1
-        - xi_dot_0_3_3_2_2_2 * xi_dot_0_3_3_2_2_3
-        + (xi_dot_0_3_3_2_2_4 * xi_dot_0_3_3_2_2_5
-            - xi_dot_0_3_3_2_2_6 * xi_dot_0_3_3_2_2_7)
-        - ((common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * qd[0]
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * qd[1]
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * qd[2]
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * qd[3]
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * qd[4]
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * qd[5]
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * qd[6]) * mu[0]
-            + xi_dot_0_3_3_2_2_23 * mu[1] + xi_dot_0_3_3_2_2_25 * mu[2]
-            + (xi_dot_0_3_3_2_2_27 * xi_dot_0_3_3_2_2_6_0
-                - xi_dot_0_3_3_2_2_29 * xi_dot_0_3_3_2_2_4_0)) + wrench_base_mx_14;
-    let xi_dot_0_3_3_2_0 = xi_dot_0_3_3_2_2_2 * xi_dot_0_3_3_2_0_1
-        - xi_dot_0_3_3_2_0_2 * xi_dot_0_3_3_2_2_1
-        + (xi_dot_0_3_3_2_2_6 * xi_dot_0_3_3_2_0_5
-            - xi_dot_0_3_3_2_0_6 * xi_dot_0_3_3_2_2_5)
-        - (xi_dot_0_3_3_2_2_23 * mu[0]
-            + (common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * qd[0]
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * qd[1]
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0 * qd[2]
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0 * qd[3]
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0 * qd[4]
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0 * qd[5]
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0 * qd[6]) * mu[1]
-            + xi_dot_0_3_3_2_0_25 * mu[2]
-            + (xi_dot_0_3_3_2_2_29 * xi_dot_0_3_3_2_0_6_0
-                - xi_dot_0_3_3_2_0_29 * xi_dot_0_3_3_2_2_6_0)) + wrench_base_my_14;
-    let xi_dot_0_3_3_2 = xi_dot_0_3_3_2_0
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_2_2;
-    let xi_dot_0_3_3_0 = xi_dot_0_3_3_2_0_2 * xi_dot_0_3_3_2_2_3
-        - xi_dot_0_3_3_2_2_0 * xi_dot_0_3_3_2_0_1
-        + (xi_dot_0_3_3_2_0_6 * xi_dot_0_3_3_2_2_7
-            - xi_dot_0_3_3_2_2_4 * xi_dot_0_3_3_2_0_5)
-        - (xi_dot_0_3_3_2_2_25 * mu[0] + xi_dot_0_3_3_2_0_25 * mu[1]
-            + (common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0 * qd[0]
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0 * qd[1]
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0 * qd[2]
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0 * qd[3]
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0 * qd[4]
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0 * qd[5]
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0 * qd[6]) * mu[2]
-            + (xi_dot_0_3_3_2_0_29 * xi_dot_0_3_3_2_2_4_0
-                - xi_dot_0_3_3_2_2_27 * xi_dot_0_3_3_2_0_6_0)) + wrench_base_mz_14
-        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_2_2;
+    let xi_dot_0_3_3_4_3_0 = xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_3_0_1
+        - xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_3_0_3
+        + (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_3_0_5
+            - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_3_0_7)
+        - (((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_3_0_9) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+            + xi_dot_0_3_3_4_3_0_24 * mu[1] + xi_dot_0_3_3_4_3_0_26 * mu[2]
+            + (xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_3_0_6_0
+                - xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_3_0_4_0));
+    let xi_dot_0_3_3_4_0 = xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_0_1
+        - xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_1
+        + (xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_5
+            - xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_5)
+        - (xi_dot_0_3_3_4_3_0_24 * mu[0]
+            + ((xi_dot_0_3_3_4_3_0_9 - xi_dot_0_3_3_4_0_11) * qd[0]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
+                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
+                + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
+                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
+                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
+                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+            + xi_dot_0_3_3_4_0_26 * mu[2]
+            + (xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_0_6_0
+                - xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_6_0));
+    let xi_dot_0_3_3_4_3 = xi_dot_0_3_3_4_3_0 + wrench_base_mx_14;
+    let xi_dot_0_3_3_0 = xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_3
+        - xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_0_1
+        + (xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_7
+            - xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_5)
+        - (xi_dot_0_3_3_4_3_0_26 * mu[0] + xi_dot_0_3_3_4_0_26 * mu[1]
+            + ((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_0_11) * qd[0]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
+                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
+                - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
+                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
+                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
+                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
+            + (xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_4_0
+                - xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_0_6_0)) + wrench_base_mz_14;
+    let xi_dot_0_3_3_4 = xi_dot_0_3_3_4_0 + wrench_base_my_14
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_4_3;
     let xi_dot_0_3_3 = (xi_dot_0_3_3_0
-        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_2)
+        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_4_3
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_4)
         * inertias.locked_inverse_pivot_z;
-    let xi_dot_0_3 = xi_dot_0_3_3_2 * inertias.locked_inverse_pivot_y
+    let xi_dot_0_3 = xi_dot_0_3_3_4 * inertias.locked_inverse_pivot_y
         - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
-    let xi_dot_0 = xi_dot_0_3_3_2_2 * inertias.locked_inverse_pivot_x
+    let xi_dot_0 = xi_dot_0_3_3_4_3 * inertias.locked_inverse_pivot_x
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
         - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
     // ξ\u{307} = [μ\u{307}; q\u{308}]
     xi_dot[0] = xi_dot_0 + 0.0;
     xi_dot[1] = xi_dot_0_3 + 0.0;
     xi_dot[2] = xi_dot_0_3_3 + 0.0;
-    xi_dot[3] = (xi_dot_0_3_3_2_2_4 * xi_dot_0_3_3_2_2_1
-        - xi_dot_0_3_3_2_2_6 * xi_dot_0_3_3_2_2_3
-        - (mu[1] * xi_dot_0_3_3_2_2_29 - mu[2] * xi_dot_0_3_3_2_2_27) + base_wrench[3])
-        * 0.05714285714285714 + (xi_dot_0_3_3 * poses.com_y - xi_dot_0_3 * poses.com_z)
-        + gravity[0] + 0.0;
-    xi_dot[4] = (xi_dot_0_3_3_2_2_6 * xi_dot_0_3_3_2_0_1
-        - xi_dot_0_3_3_2_0_6 * xi_dot_0_3_3_2_2_1
-        - (mu[2] * xi_dot_0_3_3_2_0_29 - mu[0] * xi_dot_0_3_3_2_2_29) + base_wrench[4])
+    xi_dot[3] = (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_3_0_1
+        - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_3_0_3
+        - (mu[1] * xi_dot_0_3_3_4_3_0_30 - mu[2] * xi_dot_0_3_3_4_3_0_28)
+        + base_wrench[3]) * 0.05714285714285714
+        + (xi_dot_0_3_3 * poses.com_y - xi_dot_0_3 * poses.com_z) + gravity[0] + 0.0;
+    xi_dot[4] = (xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_1
+        - xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_1
+        - (mu[2] * xi_dot_0_3_3_4_0_30 - mu[0] * xi_dot_0_3_3_4_3_0_30) + base_wrench[4])
         * 0.05714285714285714 + (xi_dot_0 * poses.com_z - xi_dot_0_3_3 * poses.com_x)
         + gravity[1] + 0.0;
-    xi_dot[5] = (xi_dot_0_3_3_2_0_6 * xi_dot_0_3_3_2_2_3
-        - xi_dot_0_3_3_2_2_4 * xi_dot_0_3_3_2_0_1
-        - (mu[0] * xi_dot_0_3_3_2_2_27 - mu[1] * xi_dot_0_3_3_2_0_29) + base_wrench[5])
+    xi_dot[5] = (xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_3
+        - xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_1
+        - (mu[0] * xi_dot_0_3_3_4_3_0_28 - mu[1] * xi_dot_0_3_3_4_0_30) + base_wrench[5])
         * 0.05714285714285714 + (xi_dot_0_3 * poses.com_x - xi_dot_0 * poses.com_y)
         + gravity[2] + 0.0;
     let inverse_pivot_joint_7_d = 1.0
@@ -15265,12 +15031,12 @@ pub fn inverse_dynamics(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let common_d_mu_and_6_more = common_d_mu_and_6_more(&poses, &inertias, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
     let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
         mu,
         qd,
@@ -15279,126 +15045,133 @@ pub fn inverse_dynamics(
         &screws,
         &velocities,
     );
-    let base_wrench_0_0_29 = inertias.composite_base_xy * mu[0]
+    let base_wrench_0_0_1 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let base_wrench_0_0_31 = inertias.composite_base_xz * mu[0]
+    let base_wrench_0_0_3 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let base_wrench_0_0_0_7 = inertias.composite_link_1_xy
+        + inertias.composite_link_1_xy;
+    let base_wrench_0_0_0_6_1 = inertias.composite_link_1_hy * poses.com_x;
+    let base_wrench_0_0_0_6 = base_wrench_0_0_0_6_1 + base_wrench_0_0_0_6_1;
     let base_wrench_0_3_13_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let base_wrench_0_0_33_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let base_wrench_0_0_35_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let base_wrench_0_0_5_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let base_wrench_0_0_7_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
     let base_wrench_0_3_13 = base_wrench_0_3_13_0 * 17.5;
-    let base_wrench_0_0_33 = base_wrench_0_0_33_0 * 17.5;
-    let base_wrench_0_0_35 = base_wrench_0_0_35_0 * 17.5;
+    let base_wrench_0_0_5 = base_wrench_0_0_5_0 * 17.5;
+    let base_wrench_0_0_7 = base_wrench_0_0_7_0 * 17.5;
     let base_wrench_0_3_8 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
         + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
         + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let base_wrench_0_0_25 = screws.inside_joint_1_fy * qd[0]
+    let base_wrench_0_0_0_26 = screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
         + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
         + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let base_wrench_0_0_27 = screws.inside_joint_2_fz * qd[1]
+    let base_wrench_0_0_0_28 = screws.inside_joint_2_fz * qd[1]
         + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
         + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
         + screws.inside_joint_7_fz * qd[6];
-    let base_wrench_0_0_21 = common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_1_0 * qd[0]
-        - common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_1_0 * qd[6];
-    let base_wrench_0_0_23 = common_d_mu_and_6_more.d_mu_7_0_0_0_0_1_0 * qd[1]
+    let base_wrench_0_0_0_22 = (inertias.composite_link_1_xx
+        - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
+        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
+    let base_wrench_0_0_0_24 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_6_more.d_mu_8_0_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_0_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_0_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_0_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_0_0_0_0_1_0 * qd[6];
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
     let base_wrench_0_3_12 = mu[0] - velocities.minus_velocity_base_wx;
-    let base_wrench_0_0_32 = mu[1] - velocities.minus_velocity_base_wy;
-    let base_wrench_0_0_30 = mu[2] - velocities.minus_velocity_base_wz;
-    let base_wrench_0_0_36 = base_wrench_0_0_33_0 - velocities.minus_velocity_base_vy;
-    let base_wrench_0_0_34 = base_wrench_0_0_35_0 - velocities.minus_velocity_base_vz;
-    let base_wrench_0_0 = inertias.composite_base_xx * xi_dot[0]
+    let base_wrench_0_0_4 = mu[1] - velocities.minus_velocity_base_wy;
+    let base_wrench_0_0_2 = mu[2] - velocities.minus_velocity_base_wz;
+    let base_wrench_0_0_8 = base_wrench_0_0_5_0 - velocities.minus_velocity_base_vy;
+    let base_wrench_0_0_6 = base_wrench_0_0_7_0 - velocities.minus_velocity_base_vz;
+    let base_wrench_0_0_0 = inertias.composite_base_xx * xi_dot[0]
         + inertias.composite_base_xy * xi_dot[1] + inertias.composite_base_xz * xi_dot[2]
-        + ((common_d_mu_and_6_more.d_mu_6_0_0_0_0_0_0_0 * qd[0]
-            + common_d_mu_and_6_more.d_mu_7_0_0_0_0_0_0_0 * qd[1]
-            + common_d_mu_and_6_more.d_mu_8_0_0_0_0_0_0_0 * qd[2]
-            + common_d_mu_and_6_more.d_mu_9_0_0_0_0_0_0_0 * qd[3]
-            + common_d_mu_and_6_more.d_mu_10_0_0_0_0_0_0_0 * qd[4]
-            + common_d_mu_and_6_more.d_mu_11_0_0_0_0_0_0_0 * qd[5]
-            + common_d_mu_and_6_more.d_mu_12_0_0_0_0_0_0_0 * qd[6]) * mu[0]
-            + base_wrench_0_0_21 * mu[1] + base_wrench_0_0_23 * mu[2]
-            + (base_wrench_0_0_25 * base_wrench_0_0_35_0
-                - base_wrench_0_0_27 * base_wrench_0_0_33_0))
-        - (base_wrench_0_0_29 * base_wrench_0_0_30
-            - base_wrench_0_0_31 * base_wrench_0_0_32
-            + (base_wrench_0_0_33 * base_wrench_0_0_34
-                - base_wrench_0_0_35 * base_wrench_0_0_36));
+        + (((base_wrench_0_0_0_6 - base_wrench_0_0_0_7) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+            + base_wrench_0_0_0_22 * mu[1] + base_wrench_0_0_0_24 * mu[2]
+            + (base_wrench_0_0_0_26 * base_wrench_0_0_7_0
+                - base_wrench_0_0_0_28 * base_wrench_0_0_5_0));
+    let base_wrench_0_0 = base_wrench_0_0_0
+        - (base_wrench_0_0_1 * base_wrench_0_0_2 - base_wrench_0_0_3 * base_wrench_0_0_4
+            + (base_wrench_0_0_5 * base_wrench_0_0_6
+                - base_wrench_0_0_7 * base_wrench_0_0_8));
     let base_wrench_0_3 = (xi_dot[4] - gravity[1]
         + (xi_dot[2] * poses.com_x - xi_dot[0] * poses.com_z)) * 17.5
-        + (mu[2] * base_wrench_0_3_8 - mu[0] * base_wrench_0_0_27)
-        - (base_wrench_0_0_35 * base_wrench_0_3_12
-            - base_wrench_0_3_13 * base_wrench_0_0_30);
+        + (mu[2] * base_wrench_0_3_8 - mu[0] * base_wrench_0_0_0_28)
+        - (base_wrench_0_0_7 * base_wrench_0_3_12
+            - base_wrench_0_3_13 * base_wrench_0_0_2);
     let base_wrench_0_1 = (xi_dot[5] - gravity[2]
         + (xi_dot[0] * poses.com_y - xi_dot[1] * poses.com_x)) * 17.5
-        + (mu[0] * base_wrench_0_0_25 - mu[1] * base_wrench_0_3_8)
-        - (base_wrench_0_3_13 * base_wrench_0_0_32
-            - base_wrench_0_0_33 * base_wrench_0_3_12);
+        + (mu[0] * base_wrench_0_0_0_26 - mu[1] * base_wrench_0_3_8)
+        - (base_wrench_0_3_13 * base_wrench_0_0_4
+            - base_wrench_0_0_5 * base_wrench_0_3_12);
     // F₁
     base_wrench[0] = base_wrench_0_0
         + (base_wrench_0_1 * poses.com_y - base_wrench_0_3 * poses.com_z) + 0.0;
-    let base_wrench_1_0_31 = inertias.composite_base_xx * mu[0]
+    let base_wrench_1_0_3 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let base_wrench_1_0_23 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_6_more.d_mu_7_1_0_0_0_1_0 * qd[1]
-        + common_d_mu_and_6_more.d_mu_8_1_0_0_0_1_0 * qd[2]
-        + common_d_mu_and_6_more.d_mu_9_1_0_0_0_1_0 * qd[3]
-        + common_d_mu_and_6_more.d_mu_10_1_0_0_0_1_0 * qd[4]
-        + common_d_mu_and_6_more.d_mu_11_1_0_0_0_1_0 * qd[5]
-        + common_d_mu_and_6_more.d_mu_12_1_0_0_0_1_0 * qd[6];
-    let base_wrench_1_0_34 = base_wrench_0_3_13_0 + velocities.velocity_base_vx;
-    let base_wrench_1_0 = inertias.composite_base_xy * xi_dot[0]
+    let base_wrench_1_0_0_9_1 = inertias.composite_link_1_hx * poses.com_y;
+    let base_wrench_1_0_0_9 = base_wrench_1_0_0_9_1 + base_wrench_1_0_0_9_1;
+    let base_wrench_1_0_0_24 = screws.inside_joint_1_mx * qd[0]
+        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
+        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
+        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
+        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
+        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
+        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+    let base_wrench_1_0_6 = base_wrench_0_3_13_0 + velocities.velocity_base_vx;
+    let base_wrench_1_0_0 = inertias.composite_base_xy * xi_dot[0]
         + inertias.composite_base_yy * xi_dot[1] + inertias.composite_base_yz * xi_dot[2]
-        + (base_wrench_0_0_21 * mu[0]
-            + (common_d_mu_and_6_more.d_mu_6_1_0_0_0_0_1_0 * qd[0]
-                + common_d_mu_and_6_more.d_mu_7_1_0_0_0_0_0_0 * qd[1]
-                + common_d_mu_and_6_more.d_mu_8_1_0_0_0_0_1_0 * qd[2]
-                + common_d_mu_and_6_more.d_mu_9_1_0_0_0_0_1_0 * qd[3]
-                + common_d_mu_and_6_more.d_mu_10_1_0_0_0_0_1_0 * qd[4]
-                + common_d_mu_and_6_more.d_mu_11_1_0_0_0_0_1_0 * qd[5]
-                + common_d_mu_and_6_more.d_mu_12_1_0_0_0_0_1_0 * qd[6]) * mu[1]
-            + base_wrench_1_0_23 * mu[2]
-            + (base_wrench_0_0_27 * base_wrench_0_3_13_0
-                - base_wrench_0_3_8 * base_wrench_0_0_35_0))
-        - (base_wrench_0_0_31 * base_wrench_0_3_12
-            - base_wrench_1_0_31 * base_wrench_0_0_30
-            + (base_wrench_0_0_35 * base_wrench_1_0_34
-                - base_wrench_0_3_13 * base_wrench_0_0_34));
+        + (base_wrench_0_0_0_22 * mu[0]
+            + ((base_wrench_0_0_0_7 - base_wrench_1_0_0_9) * qd[0]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
+                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
+                + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
+                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
+                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
+                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+            + base_wrench_1_0_0_24 * mu[2]
+            + (base_wrench_0_0_0_28 * base_wrench_0_3_13_0
+                - base_wrench_0_3_8 * base_wrench_0_0_7_0));
+    let base_wrench_1_0 = base_wrench_1_0_0
+        - (base_wrench_0_0_3 * base_wrench_0_3_12 - base_wrench_1_0_3 * base_wrench_0_0_2
+            + (base_wrench_0_0_7 * base_wrench_1_0_6
+                - base_wrench_0_3_13 * base_wrench_0_0_6));
     let base_wrench_1_1 = (xi_dot[3] - gravity[0]
         + (xi_dot[1] * poses.com_z - xi_dot[2] * poses.com_y)) * 17.5
-        + (mu[1] * base_wrench_0_0_27 - mu[2] * base_wrench_0_0_25)
-        - (base_wrench_0_0_33 * base_wrench_0_0_30
-            - base_wrench_0_0_35 * base_wrench_0_0_32);
+        + (mu[1] * base_wrench_0_0_0_28 - mu[2] * base_wrench_0_0_0_26)
+        - (base_wrench_0_0_5 * base_wrench_0_0_2
+            - base_wrench_0_0_7 * base_wrench_0_0_4);
     base_wrench[1] = base_wrench_1_0
         + (base_wrench_1_1 * poses.com_z - base_wrench_0_1 * poses.com_x) + 0.0;
     let base_wrench_2_0 = inertias.composite_base_xz * xi_dot[0]
         + inertias.composite_base_yz * xi_dot[1] + inertias.composite_base_zz * xi_dot[2]
-        + (base_wrench_0_0_23 * mu[0] + base_wrench_1_0_23 * mu[1]
-            + (common_d_mu_and_6_more.d_mu_6_2_0_0_0_1_0 * qd[0]
-                + common_d_mu_and_6_more.d_mu_7_2_0_0_0_1_0 * qd[1]
-                + common_d_mu_and_6_more.d_mu_8_2_0_0_0_1_0 * qd[2]
-                - common_d_mu_and_6_more.d_mu_9_2_0_0_0_1_0 * qd[3]
-                + common_d_mu_and_6_more.d_mu_10_2_0_0_0_1_0 * qd[4]
-                + common_d_mu_and_6_more.d_mu_11_2_0_0_0_1_0 * qd[5]
-                + common_d_mu_and_6_more.d_mu_12_2_0_0_0_1_0 * qd[6]) * mu[2]
-            + (base_wrench_0_3_8 * base_wrench_0_0_33_0
-                - base_wrench_0_0_25 * base_wrench_0_3_13_0))
-        - (base_wrench_1_0_31 * base_wrench_0_0_32
-            - base_wrench_0_0_29 * base_wrench_0_3_12
-            + (base_wrench_0_3_13 * base_wrench_0_0_36
-                - base_wrench_0_0_33 * base_wrench_1_0_34));
+        + (base_wrench_0_0_0_24 * mu[0] + base_wrench_1_0_0_24 * mu[1]
+            + ((base_wrench_0_0_0_6 - base_wrench_1_0_0_9) * qd[0]
+                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
+                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
+                - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
+                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
+                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
+                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
+            + (base_wrench_0_3_8 * base_wrench_0_0_5_0
+                - base_wrench_0_0_0_26 * base_wrench_0_3_13_0))
+        - (base_wrench_1_0_3 * base_wrench_0_0_4 - base_wrench_0_0_1 * base_wrench_0_3_12
+            + (base_wrench_0_3_13 * base_wrench_0_0_8
+                - base_wrench_0_0_5 * base_wrench_1_0_6));
     base_wrench[2] = base_wrench_2_0
         + (base_wrench_0_3 * poses.com_x - base_wrench_1_1 * poses.com_y) + 0.0;
     base_wrench[3] = base_wrench_1_1 + 0.0;
@@ -16011,8 +15784,8 @@ pub fn kinematics_link_7(
 ) {
     let poses = poses(q);
     let inertias = inertias(&poses);
-    let complements = complements(&inertias);
-    let screws = screws(&poses, &inertias);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
     let outside = outside(&poses, &inertias, &complements, &screws);
     let reactions = reactions(&inertias, &outside);
     // g_k = [R p] column 0

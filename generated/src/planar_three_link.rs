@@ -664,16 +664,16 @@ fn d_mu_itself(
     d_mu[0][3] = 0.0 - d_mu_2_0_4;
     d_mu[0][4] = d_mu_2_0_2 + 0.0;
     d_mu[0][5] = 0.0;
-    let d_mu_6_0_9_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_2_0_1);
-    let d_mu_6_0_9 = d_mu_6_0_9_0 * 3.75;
-    let d_mu_6_0_11_0 = mu[0] * 0.5;
-    let d_mu_6_0_11_2 = mu[1] * 0.5;
-    let d_mu_6_0_6 = d_mu_6_0_9_0 * 0.5;
     let d_mu_6_0_2 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let d_mu_6_0_3_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
     let d_mu_6_0_3 = d_mu_6_0_3_1 + d_mu_6_0_3_1;
     let d_mu_6_0_0 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0);
+    let d_mu_6_0_9_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_2_0_1);
+    let d_mu_6_0_9 = d_mu_6_0_9_0 * 3.75;
+    let d_mu_6_0_11_0 = mu[0] * 0.5;
+    let d_mu_6_0_11_2 = mu[1] * 0.5;
+    let d_mu_6_0_6 = d_mu_6_0_9_0 * 0.5;
     let d_mu_6_0_11 = d_mu_6_0_11_0 * screws.inside_joint_1_fy
         + d_mu_6_0_11_2 * screws.minus_inside_joint_1_fx;
     let d_mu_6_0 = d_mu_6_0_0 * d_mu_6_0_11_2 - (d_mu_6_0_2 + d_mu_6_0_3) * d_mu_6_0_11_0
@@ -750,16 +750,17 @@ fn d_mu_itself(
                 + screws.inside_joint_1_fy * d_mu_6_2_10))
         - (d_mu_6_2_11 * poses.com_y + d_mu_6_2_13 * d_mu_2_0_1);
     d_mu[2][6] = d_mu_6_2 + 0.0;
-    let d_mu_7_2_13 = d_mu_6_2_11_0 * screws.connection_joint_2_wz
+    let wrench_outside_link_1_mz_0 = d_mu_7_1_3 - d_mu_7_0_3;
+    let d_mu_7_2_12 = d_mu_6_2_11_0 * screws.connection_joint_2_wz
         - d_mu_6_2_11_2 * screws.inside_joint_2_fy;
-    let d_mu_7_2_11 = d_mu_6_2_11_2 * screws.inside_joint_2_fx
+    let d_mu_7_2_10 = d_mu_6_2_11_2 * screws.inside_joint_2_fx
         - d_mu_6_2_13_2 * screws.connection_joint_2_wz;
-    let d_mu_7_2 = (d_mu_7_1_3 - d_mu_7_0_3) * d_mu_6_2_11_2
+    let d_mu_7_2 = wrench_outside_link_1_mz_0 * d_mu_6_2_11_2
         + (screws.inside_joint_2_fx * d_mu_6_2_8
             - screws.inside_joint_2_fy * d_mu_6_2_10)
         + (d_mu_6_2_13_2 * screws.connection_joint_2_vy
             - d_mu_6_2_11_0 * screws.connection_joint_2_vx)
-        + (d_mu_7_2_11 * d_mu_2_0_1 - d_mu_7_2_13 * poses.com_y);
+        + (d_mu_7_2_10 * d_mu_2_0_1 - d_mu_7_2_12 * poses.com_y);
     d_mu[2][7] = d_mu_7_2 + 0.0;
     // D_μ column 3
     d_mu[3][0] = d_mu_2_0_4 + 0.0;
@@ -769,7 +770,7 @@ fn d_mu_itself(
     d_mu[3][4] = 0.0 - d_mu_2_2_3_0;
     d_mu[3][5] = d_mu_2_0_4_0 + 0.0;
     d_mu[3][6] = d_mu_6_2_11 + 0.0;
-    d_mu[3][7] = d_mu_7_2_13 + 0.0;
+    d_mu[3][7] = d_mu_7_2_12 + 0.0;
     // D_μ column 4
     d_mu[4][0] = 0.0 - d_mu_2_0_2;
     d_mu[4][1] = d_mu_2_1_2 + 0.0;
@@ -778,7 +779,7 @@ fn d_mu_itself(
     d_mu[4][4] = 0.0;
     d_mu[4][5] = 0.0 - d_mu_2_0_2_0;
     d_mu[4][6] = 0.0 - d_mu_6_2_13;
-    d_mu[4][7] = d_mu_7_2_11 + 0.0;
+    d_mu[4][7] = d_mu_7_2_10 + 0.0;
     // D_μ column 5
     d_mu[5][0] = 0.0;
     d_mu[5][1] = 0.0;
@@ -796,38 +797,22 @@ fn d_mu_itself(
     d_mu[6][4] = d_mu_6_2_13 + 0.0;
     d_mu[6][5] = 0.0 - d_mu_6_0_11;
     d_mu[6][6] = 0.0;
-    let minus_wrench_base_mz_1 = mu[2] * reactions.minus_reaction_joint_1_vy;
-    let minus_wrench_base_mz_5 = mu[2] * screws.connection_joint_1_vy;
-    let minus_wrench_base_mz_3 = mu[2] * screws.minus_connection_joint_1_vx;
-    let minus_wrench_base_mz = inertias.composite_link_1_hy * minus_wrench_base_mz_1
-        + (inertias.minus_inertia_base_hx * minus_wrench_base_mz_3
-            - inertias.minus_inertia_base_hy * minus_wrench_base_mz_5);
-    let wrench_base_fx = minus_wrench_base_mz_1 * 1.75
-        - mu[2] * (inertias.composite_link_1_hx * reactions.reaction_joint_1_wz)
-        - (mu[2] * (inertias.minus_inertia_base_hx * screws.connection_joint_1_wz)
-            - minus_wrench_base_mz_5 * 2.0);
-    let minus_wrench_base_fy = mu[2]
-        * (inertias.composite_link_1_hy * reactions.reaction_joint_1_wz)
-        + (mu[2] * (inertias.minus_inertia_base_hy * screws.connection_joint_1_wz)
-            - minus_wrench_base_mz_3 * 2.0);
-    let wrench_outside_link_1_mz_1 = mu[2] * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz = inertias.inertia_link_2_hx
-        * wrench_outside_link_1_mz_1
-        - inertias.inertia_link_2_hy * (mu[2] * poses.origin_link_2_x);
-    let six_joint_2_fy = wrench_outside_link_1_mz_1 * 0.75
-        - mu[2] * inertias.inertia_link_2_hy;
-    let d_mu_7_6 = (reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - reactions.minus_reaction_joint_1_vy * six_joint_2_fy
+    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
+        + inertias.minus_inertia_base_xy
+        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3)) * mu[2];
+    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
+    let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0 * mu[2];
+    let d_mu_7_6 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
         - minus_wrench_base_mz * screws.connection_joint_2_wz
-        + wrench_base_fx * screws.connection_joint_2_vx
-        - minus_wrench_base_fy * screws.connection_joint_2_vy) * 2.0;
+        - minus_wrench_base_fx * screws.connection_joint_2_vx;
     d_mu[6][7] = d_mu_7_6 + 0.0;
     // D_μ column joint_2
     d_mu[7][0] = 0.0 - d_mu_7_0;
     d_mu[7][1] = 0.0 - d_mu_7_1;
     d_mu[7][2] = 0.0 - d_mu_7_2;
-    d_mu[7][3] = 0.0 - d_mu_7_2_13;
-    d_mu[7][4] = 0.0 - d_mu_7_2_11;
+    d_mu[7][3] = 0.0 - d_mu_7_2_12;
+    d_mu[7][4] = 0.0 - d_mu_7_2_10;
     d_mu[7][5] = 0.0 - d_mu_7_0_11;
     d_mu[7][6] = 0.0 - d_mu_7_6;
     d_mu[7][7] = 0.0;
@@ -843,31 +828,19 @@ fn b2_itself(
 ) {
     // B_2(μ) column joint_1
     b2[0][0] = 0.0;
-    let minus_wrench_base_mz_1 = mu[2] * reactions.minus_reaction_joint_1_vy;
-    let minus_wrench_base_mz_5 = mu[2] * screws.connection_joint_1_vy;
-    let minus_wrench_base_mz_3 = mu[2] * screws.minus_connection_joint_1_vx;
-    let minus_wrench_base_mz = inertias.composite_link_1_hy * minus_wrench_base_mz_1
-        + (inertias.minus_inertia_base_hx * minus_wrench_base_mz_3
-            - inertias.minus_inertia_base_hy * minus_wrench_base_mz_5);
-    let wrench_base_fx = minus_wrench_base_mz_1 * 1.75
-        - mu[2] * (inertias.composite_link_1_hx * reactions.reaction_joint_1_wz)
-        - (mu[2] * (inertias.minus_inertia_base_hx * screws.connection_joint_1_wz)
-            - minus_wrench_base_mz_5 * 2.0);
-    let minus_wrench_base_fy = mu[2]
-        * (inertias.composite_link_1_hy * reactions.reaction_joint_1_wz)
-        + (mu[2] * (inertias.minus_inertia_base_hy * screws.connection_joint_1_wz)
-            - minus_wrench_base_mz_3 * 2.0);
-    let wrench_outside_link_1_mz_1 = mu[2] * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz = inertias.inertia_link_2_hx
-        * wrench_outside_link_1_mz_1
-        - inertias.inertia_link_2_hy * (mu[2] * poses.origin_link_2_x);
-    let six_joint_2_fy = wrench_outside_link_1_mz_1 * 0.75
-        - mu[2] * inertias.inertia_link_2_hy;
-    let b2_1_0 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - reactions.minus_reaction_joint_1_vy * six_joint_2_fy
+    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
+        + inertias.minus_inertia_base_xy
+        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3)) * mu[2];
+    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
+    let wrench_outside_link_1_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let wrench_outside_link_1_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let wrench_outside_link_1_mz = (wrench_outside_link_1_mz_1
+        + wrench_outside_link_1_mz_1
+        - (wrench_outside_link_1_mz_3 + wrench_outside_link_1_mz_3)) * mu[2];
+    let b2_1_0 = (reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
         - minus_wrench_base_mz * screws.connection_joint_2_wz
-        + wrench_base_fx * screws.connection_joint_2_vx
-        - minus_wrench_base_fy * screws.connection_joint_2_vy;
+        - minus_wrench_base_fx * screws.connection_joint_2_vx) * 0.5;
     b2[0][1] = 0.0 - b2_1_0;
     // B_2(μ) column joint_2
     b2[1][0] = b2_1_0 + 0.0;
@@ -908,7 +881,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (8×8, by columns; Λ's · 1/s)
 ///
-/// 355 operations: 156 + −, 196 ×, 3 ÷; 2 sin cos; about 4.2 KiB of code.
+/// 326 operations: 148 + −, 175 ×, 3 ÷; 2 sin cos; about 3.9 KiB of code.
 pub fn d_mu(q: &[f64; 2], mu: &[f64; 6], d_mu: &mut [[f64; 8]; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -924,7 +897,7 @@ pub fn d_mu(q: &[f64; 2], mu: &[f64; 6], d_mu: &mut [[f64; 8]; 8]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (2×2, by columns; kg·m²/s)
 ///
-/// 185 operations: 80 + −, 102 ×, 3 ÷; 2 sin cos; about 2.2 KiB of code.
+/// 163 operations: 75 + −, 85 ×, 3 ÷; 2 sin cos; about 2.0 KiB of code.
 pub fn b2(q: &[f64; 2], mu: &[f64; 6], b2: &mut [[f64; 2]; 2]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -944,7 +917,7 @@ pub fn b2(q: &[f64; 2], mu: &[f64; 6], b2: &mut [[f64; 2]; 2]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (8×8, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (2×2, by columns; kg·m²/s)
 ///
-/// 426 operations: 183 + −, 240 ×, 3 ÷; 2 sin cos; about 5.1 KiB of code.
+/// 375 operations: 170 + −, 202 ×, 3 ÷; 2 sin cos; about 4.5 KiB of code.
 pub fn matrices(
     q: &[f64; 2],
     mu: &[f64; 6],
@@ -1273,18 +1246,18 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
     let d_mu_xi_0_0 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1];
     let d_mu_xi_0_2 = inertias.composite_base_zz * mu[2];
-    let d_mu_xi_0_20_0_0 = mu[3] - mu[2] * poses.com_y;
-    let d_mu_xi_0_20_2_0 = mu[4] + mu[2] * d_mu_xi_0_20_2_0_2;
-    let d_mu_xi_0_6_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_xi_0_20_2_0_2);
-    let d_mu_xi_0_20_0 = d_mu_xi_0_20_0_0 * 3.75;
-    let d_mu_xi_0_20_2 = d_mu_xi_0_20_2_0 * 3.75;
-    let d_mu_xi_0_6 = d_mu_xi_0_6_0 * 3.75;
     let d_mu_xi_0_10 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let d_mu_xi_0_11_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
     let d_mu_xi_0_11 = d_mu_xi_0_11_1 + d_mu_xi_0_11_1;
     let d_mu_xi_0_13 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let d_mu_xi_0_14_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_mu_xi_0_14 = d_mu_xi_0_14_1 + d_mu_xi_0_14_1;
+    let d_mu_xi_0_20_0_0 = mu[3] - mu[2] * poses.com_y;
+    let d_mu_xi_0_20_2_0 = mu[4] + mu[2] * d_mu_xi_0_20_2_0_2;
+    let d_mu_xi_0_6_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_xi_0_20_2_0_2);
+    let d_mu_xi_0_20_0 = d_mu_xi_0_20_0_0 * 3.75;
+    let d_mu_xi_0_20_2 = d_mu_xi_0_20_2_0 * 3.75;
+    let d_mu_xi_0_6 = d_mu_xi_0_6_0 * 3.75;
     let d_mu_xi_0_20_7 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0];
     let d_mu_xi_0_20_5 = screws.inside_joint_1_fy * qd[0]
@@ -1453,13 +1426,13 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
     let d_qdot_xi_0_10_4 = poses.com_x + 0.25;
-    let d_qdot_xi_0_10 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_qdot_xi_0_10_4);
     let d_qdot_xi_0_2 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let d_qdot_xi_0_3_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
     let d_qdot_xi_0_3 = d_qdot_xi_0_3_1 + d_qdot_xi_0_3_1;
     let d_qdot_xi_0_5 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let d_qdot_xi_0_6_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_qdot_xi_0_6 = d_qdot_xi_0_6_1 + d_qdot_xi_0_6_1;
+    let d_qdot_xi_0_10 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_qdot_xi_0_10_4);
     let d_qdot_xi_0_12_3 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0];
     let d_qdot_xi_0_12_1 = screws.inside_joint_1_fy * qd[0]
@@ -1779,7 +1752,7 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 2×2, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 169 operations: 80 + −, 86 ×, 3 ÷; 2 sin cos; about 2.1 KiB of code.
+/// 163 operations: 76 + −, 84 ×, 3 ÷; 2 sin cos; about 2.0 KiB of code.
 pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1801,27 +1774,25 @@ pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f6
     curvature[1][1][1] = 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
-    let minus_inertia_rate_base_zz_1 = inertias.composite_link_1_hx * poses.com_y;
-    let minus_inertia_rate_base_zz_3 = inertias.composite_link_1_hy
-        * poses.origin_link_1_x;
-    let minus_inertia_rate_base_zz = minus_inertia_rate_base_zz_1
-        + minus_inertia_rate_base_zz_1
-        + (minus_inertia_rate_base_zz_3 + minus_inertia_rate_base_zz_3);
-    let inertia_rate_link_1_zz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let inertia_rate_link_1_zz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let inertia_rate_link_1_zz = inertia_rate_link_1_zz_1 + inertia_rate_link_1_zz_1
-        - (inertia_rate_link_1_zz_3 + inertia_rate_link_1_zz_3);
-    let curvature_z_1_0 = (minus_inertia_rate_base_zz * screws.connection_joint_2_wz
-        + (screws.minus_inside_joint_1_fx * screws.connection_joint_2_vy
-            + screws.inside_joint_1_fy * screws.connection_joint_2_vx)
-        - (screws.inside_joint_2_fy * poses.com_y
-            - screws.inside_joint_2_fx * poses.origin_link_1_x)
-        - (inertia_rate_link_1_zz * reactions.reaction_joint_1_wz
-            - screws.inside_joint_2_fx * reactions.minus_reaction_joint_1_vy))
+    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let wrench_outside_link_1_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let wrench_outside_link_1_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
+        + inertias.minus_inertia_base_xy
+        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3))
         * inertias.locked_inverse_pivot_z;
-    curvature[2][0][1] = 0.0 - curvature_z_1_0;
+    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy
+        * (inertias.locked_inverse_pivot_z * 7.5);
+    let wrench_outside_link_1_mz = (wrench_outside_link_1_mz_1
+        + wrench_outside_link_1_mz_1
+        - (wrench_outside_link_1_mz_3 + wrench_outside_link_1_mz_3))
+        * inertias.locked_inverse_pivot_z;
+    let curvature_z_1_0 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
+        - minus_wrench_base_mz * screws.connection_joint_2_wz
+        - minus_wrench_base_fx * screws.connection_joint_2_vx;
+    curvature[2][0][1] = curvature_z_1_0 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_2
-    curvature[2][1][0] = curvature_z_1_0 + 0.0;
+    curvature[2][1][0] = 0.0 - curvature_z_1_0;
     curvature[2][1][1] = 0.0;
     // c
     com[0] = poses.com_x + 0.25 + 0.0;
@@ -1994,13 +1965,6 @@ pub fn forward_dynamics(
     let xi_dot_0_3_23_0 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1];
     let xi_dot_0_3_23_2 = inertias.composite_base_zz * mu[2];
-    let xi_dot_0_3_6_0 = mu[3] - mu[2] * poses.com_y;
-    let xi_dot_0_3_23_4_0 = mu[4] + mu[2] * xi_dot_0_3_23_4_0_2;
-    let minus_wrench_link_2_mz_12 = mu[5]
-        + (mu[0] * poses.com_y - mu[1] * xi_dot_0_3_23_4_0_2);
-    let xi_dot_0_3_6 = xi_dot_0_3_6_0 * 3.75;
-    let xi_dot_0_3_23_4 = xi_dot_0_3_23_4_0 * 3.75;
-    let xi_dot_0_3_23_6 = minus_wrench_link_2_mz_12 * 3.75;
     let xi_dot_0_3_23_10 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
     let xi_dot_0_3_11_1 = inertias.composite_link_1_hx * poses.com_y;
     let xi_dot_0_3_23_11_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
@@ -2011,6 +1975,13 @@ pub fn forward_dynamics(
     let xi_dot_0_3_23_14_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let xi_dot_0_3_23_14 = xi_dot_0_3_23_14_1 + xi_dot_0_3_23_14_1;
     let xi_dot_0_3_14 = xi_dot_0_3_14_1 + xi_dot_0_3_14_1;
+    let xi_dot_0_3_6_0 = mu[3] - mu[2] * poses.com_y;
+    let xi_dot_0_3_23_4_0 = mu[4] + mu[2] * xi_dot_0_3_23_4_0_2;
+    let minus_wrench_link_2_mz_12 = mu[5]
+        + (mu[0] * poses.com_y - mu[1] * xi_dot_0_3_23_4_0_2);
+    let xi_dot_0_3_6 = xi_dot_0_3_6_0 * 3.75;
+    let xi_dot_0_3_23_4 = xi_dot_0_3_23_4_0 * 3.75;
+    let xi_dot_0_3_23_6 = minus_wrench_link_2_mz_12 * 3.75;
     let xi_dot_0_3_17 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0];
     let xi_dot_0_3_23_17 = screws.inside_joint_1_fy * qd[0]
@@ -2284,6 +2255,12 @@ pub fn inverse_dynamics(
     let base_wrench_0_15 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1];
     let base_wrench_0_17 = inertias.composite_base_zz * mu[2];
+    let base_wrench_0_6 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let base_wrench_0_7_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
+    let base_wrench_0_7 = base_wrench_0_7_1 + base_wrench_0_7_1;
+    let base_wrench_0_9 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
+    let base_wrench_0_10_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let base_wrench_0_10 = base_wrench_0_10_1 + base_wrench_0_10_1;
     let base_wrench_0_23_11_0 = mu[3] - mu[2] * poses.com_y;
     let base_wrench_0_23_13_0 = mu[4] + mu[2] * base_wrench_0_23_13_0_2;
     let wrench_outside_link_1_mz_18 = mu[5]
@@ -2291,12 +2268,6 @@ pub fn inverse_dynamics(
     let base_wrench_0_23_11 = base_wrench_0_23_11_0 * 3.75;
     let base_wrench_0_23_13 = base_wrench_0_23_13_0 * 3.75;
     let base_wrench_0_21 = wrench_outside_link_1_mz_18 * 3.75;
-    let base_wrench_0_6 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let base_wrench_0_7_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
-    let base_wrench_0_7 = base_wrench_0_7_1 + base_wrench_0_7_1;
-    let base_wrench_0_9 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
-    let base_wrench_0_10_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let base_wrench_0_10 = base_wrench_0_10_1 + base_wrench_0_10_1;
     let base_wrench_0_23_10 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0];
     let base_wrench_0_23_8 = screws.inside_joint_1_fy * qd[0]

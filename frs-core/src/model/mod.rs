@@ -228,6 +228,20 @@ impl<T: Real> Model<T> {
             warnings: self.warnings.clone(),
         }
     }
+
+    /// The same robot with rotations that are orthonormal to this scalar's digits, not only to those of a double.
+    ///
+    /// For scalars wider than `f64`, after [`Model::cast`]: one Newton step `R ← R + ½R(1 − RᵀR)`, which doubles the digits.
+    pub fn orthonormalised(mut self) -> Self {
+        let half = T::from_f64(0.5);
+        let step = |pose: &mut Pose<T>| {
+            let rotation = pose.rotation;
+            pose.rotation += rotation * (Matrix3::identity() - rotation.transpose() * rotation) * half;
+        };
+        self.bodies.iter_mut().for_each(|body| step(&mut body.placement));
+        self.links.iter_mut().for_each(|link| step(&mut link.placement));
+        self
+    }
 }
 
 impl Model<f64> {

@@ -23,7 +23,9 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` is not n×n.
     pub fn b2(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
-        self.curvature_coupling(mu, T::one(), Square::new(self.model, out, 0));
+        let momentum = self.locked_momentum(mu).moment;
+        let block = Square::new(self.model, out, 0);
+        self.curvature_of_momentum(mu.angular, momentum, -T::from_f64(0.5), block);
     }
 
     /// `D_μ(q, μ)` ((6+n)×(6+n), skew): the part of the Coriolis terms that is linear in the locked velocity,
@@ -34,8 +36,9 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` is not (6+n)×(6+n).
     pub fn d_mu(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
+        let momentum = self.locked_momentum(mu).moment;
         let block = Square::new(self.model, out, 6);
-        self.curvature_coupling(mu, T::from_f64(-2.0), block);
+        self.curvature_of_momentum(mu.angular, momentum, T::one(), block);
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&-self.locked_coriolis(mu));
 
         let (com, mu) = (self.com(), mu.at(self.com()));
@@ -54,34 +57,6 @@ impl<T: Real> Shape<'_, '_, T> {
                 left[(6 + c, r)] = -column[r];
             }
         }
-    }
-
-    /// `factor·B_2(μ)` into a block.
-    fn curvature_coupling(&mut self, mu: Twist<T>, factor: T, mut out: Square<'_, '_, T>) {
-        let data = &mut *self.data;
-        let (omega, locked) = (mu.angular, data.composite[0]);
-        let joints = self.model.joints();
-        let (below, beside) = (&mut data.wrench, &mut data.wrench_outside);
-        for j in 0..joints {
-            let (composite, complement) = (&data.composite[j + 1], &data.complement[j + 1]);
-            let (connection, reaction) = (data.connection[j], data.reaction[j]);
-            let f = composite.coriolis(omega, data.screw[j]);
-            below[j] = composite.coriolis(omega, reaction) - complement.coriolis(omega, connection);
-            beside[j] = f - locked.coriolis_central(omega, connection);
-            data.six_rows.set(j, f.to_array());
-        }
-        let row = &mut data.row;
-        for i in 0..joints {
-            let end = self.model.bodies()[i + 1].end - 1;
-            let (connection, reaction) = (-data.connection[i], data.reaction[i]);
-            let (below, beside) = (below[i].to_array(), beside[i].to_array());
-            data.six_rows.dot_both(reaction.to_array(), &data.connection_rows, below, i..end, row);
-            data.six_rows.dot_both(connection.to_array(), &data.connection_rows, beside, end..joints, row);
-            row[i] = T::zero();
-            row[i + 1..].iter_mut().for_each(|entry| *entry = -(*entry * factor));
-            out.lower(i, -T::one(), row);
-        }
-        out.mirror(-T::one());
     }
 }
 

@@ -33,43 +33,55 @@ impl<T: Real> Curvature<T> {
 impl<T: Real> Shape<'_, '_, T> {
     /// The local curvature tensor, all pairs.
     ///
-    /// For i above j, `Λ_c 𝓑 = −ad_{s_i}ᵀ h_j − P_i A_j − P_j ŝ_i`; where neither is above the other `−P_i A_j + P_j A_i`;
-    /// minus `ad_{A_i} A_j` of the centroidal frame. Source: docs/mathematics.md §3.
+    /// Component by component, `𝓑_x = ⟨e_x, 𝓑_ω⟩ = ⟨Λ_c μ, 𝓑⟩` with `μ = Λ_c⁻¹ e_x`. Source: docs/mathematics.md §3.4.
     ///
     /// # Panics
     /// If `out` was not made for n coordinates.
     pub fn curvature(&mut self, out: &mut Curvature<T>) {
-        for j in 0..self.model.joints() {
-            self.data.inertia_rate[j] = self.data.inertia_rate(j);
-        }
         out.com = self.com();
-        let (model, data) = (self.model, &mut *self.data);
-        let joints = model.joints();
-        let mut out = out.angular.each_mut().map(|component| Square::new(model, component, 0));
-        for i in 0..joints {
-            let end = model.bodies()[i + 1].end - 1;
-            let screw = data.screw[i];
-            let [a_i, reaction] = [data.connection[i], data.reaction[i]];
-            data.turn[i] = Vector3::zeros();
-            for j in i + 1..joints {
-                let a_j = data.connection[j];
-                let (rate_i, rate_j) = (data.inertia_rate[i], data.inertia_rate[j]);
-                let momentum = if j < end {
-                    let carried = screw.ad_transpose(data.inside[j]);
-                    -carried.moment - (rate_i * a_j).moment - (rate_j * reaction).moment
-                } else {
-                    (rate_j * a_i).moment - (rate_i * a_j).moment
-                };
-                let turn = data.locked.solve(momentum) - a_i.angular.cross(&a_j.angular);
-                data.turn[j] = turn;
-            }
-            for (component, out) in out.iter_mut().enumerate() {
-                let turns = data.turn[i..joints].iter();
-                data.row[i..].iter_mut().zip(turns).for_each(|(entry, turn)| *entry = -turn[component]);
-                out.lower(i, -T::one(), &data.row);
-            }
+        for (axis, component) in out.angular.iter_mut().enumerate() {
+            let unit = Vector3::from_fn(|row, _| if row == axis { T::one() } else { T::zero() });
+            let omega = self.data.locked.solve(unit);
+            self.curvature_of_momentum(omega, unit, T::one(), Square::new(self.model, component, 0));
         }
-        out.iter_mut().for_each(|out| out.mirror(-T::one()));
+    }
+
+    /// `factor·⟨m, 𝓑_ω(e_i, e_j)⟩` into a block, for an angular momentum `m = Jω` about the centre of mass.
+    ///
+    /// Where joint i is above j, `(m×ω̂_i + J̇ᵒ_i ω)·A_j + 2m(ω×v̂_i)·A_v,j − ω̂_i·(J̇_j ω)`; where neither is above the other,
+    /// the same with `−A_i` for `ŝ_i` and `−J̇_i` for `J̇ᵒ_i`. Source: docs/mathematics.md §3.4.
+    pub(super) fn curvature_of_momentum(
+        &mut self,
+        omega: Vector3<T>,
+        momentum: Vector3<T>,
+        factor: T,
+        mut out: Square<'_, '_, T>,
+    ) {
+        let data = &mut *self.data;
+        let joints = self.model.joints();
+        let twice = omega * (data.composite[0].mass + data.composite[0].mass);
+        let (below, beside) = (&mut data.wrench, &mut data.wrench_outside);
+        for j in 0..joints {
+            let (screw, connection, reaction) = (data.screw[j], data.connection[j], data.reaction[j]);
+            let rate = data.composite[j + 1].rate(screw).rotational * omega;
+            let rate_outside = data.complement[j + 1].rate(screw).rotational * omega;
+            below[j] = Wrench::new(reaction.angular.cross(&momentum) - rate_outside, reaction.linear.cross(&twice));
+            beside[j] = Wrench::new(momentum.cross(&connection.angular) + rate, twice.cross(&connection.linear));
+            data.three_rows.set(j, rate.into());
+        }
+        let row = &mut data.row;
+        for i in 0..joints {
+            let end = self.model.bodies()[i + 1].end - 1;
+            let (connection, reaction): ([T; 3], [T; 3]) =
+                ((-data.connection[i].angular).into(), data.reaction[i].angular.into());
+            let (below, beside) = (below[i].to_array(), beside[i].to_array());
+            data.three_rows.dot_both(reaction, &data.connection_rows, below, i..end, row);
+            data.three_rows.dot_both(connection, &data.connection_rows, beside, end..joints, row);
+            row[i] = T::zero();
+            row[i + 1..].iter_mut().for_each(|entry| *entry *= factor);
+            out.lower(i, -T::one(), row);
+        }
+        out.mirror(-T::one());
     }
 
     /// The curvature `𝓑(x, y)` on two shape directions (length n), a twist in the base frame, in O(n).

@@ -95,12 +95,6 @@ impl<T: Real> Inertia<T> {
         )
     }
 
-    /// `C(I; X) V` in a frame whose origin is the centre of mass: [`coriolis`](Self::coriolis) with h = 0.
-    #[inline(always)]
-    pub fn coriolis_central(&self, omega: Vector3<T>, twist: Twist<T>) -> Wrench<T> {
-        Wrench::new(self.sigma(omega).cross(&twist.angular), omega.cross(&twist.linear) * self.mass)
-    }
-
     /// `Σω = ½ tr(J) ω − J ω`.
     #[inline(always)]
     pub fn sigma(&self, omega: Vector3<T>) -> Vector3<T> {

@@ -28,8 +28,9 @@ fn assert_own_parameters_change_nothing(model: &Model) {
 #[test]
 fn robots_with_their_own_parameters_are_the_same_bit_for_bit() {
     let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
-    for file in fs::read_dir(robots).unwrap() {
-        let urdf = fs::read_to_string(file.unwrap().path()).unwrap();
+    let files = [robots.clone(), robots.join("oracles")].map(|folder| fs::read_dir(folder).unwrap());
+    for path in files.into_iter().flatten().map(|file| file.unwrap().path()).filter(|path| path.is_file()) {
+        let urdf = fs::read_to_string(path).unwrap();
         assert_own_parameters_change_nothing(&Model::from_urdf(&urdf).unwrap());
     }
 }
