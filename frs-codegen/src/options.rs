@@ -74,7 +74,8 @@ impl Options {
                 | Quantity::Matrices
                 | Quantity::CouplingTorque
                 | Quantity::DMuXi
-                | Quantity::Momentum,
+                | Quantity::Momentum
+                | Quantity::VelocityOfMomentum,
             ) => Err("it vanishes with the momentum"),
             (Momentum::Zero | Momentum::Conserved, Quantity::InverseDynamics) => {
                 Err("it asks for the wrench that changes the momentum")

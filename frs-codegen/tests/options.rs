@@ -51,6 +51,7 @@ fn state(random: &mut fastrand::Rng, n: usize, zero: &[&str]) -> impl Fn(&str) -
         ("qd", n),
         ("mu", 6),
         ("base_twist", 6),
+        ("body_momentum", 6),
         ("gravity", 3),
         ("base_wrench", 6),
         ("tau", n),

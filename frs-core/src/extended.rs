@@ -84,6 +84,13 @@ impl From<f64> for DoubleDouble {
     }
 }
 
+impl From<DoubleDouble> for f64 {
+    /// The double nearest to the number.
+    fn from(number: DoubleDouble) -> Self {
+        number.high()
+    }
+}
+
 impl Real for DoubleDouble {
     fn from_f64(value: f64) -> Self {
         value.into()

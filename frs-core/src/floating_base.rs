@@ -137,12 +137,12 @@ impl<T: Real> FloatingBase<T> for Evaluator<'_, T> {
                 out.put(&shape.body_momentum(twist(inputs[1])).to_array());
                 out.put(&shape.centroidal_momentum(twist(inputs[1])).to_array());
             }
+            Quantity::VelocityOfMomentum => out.put(&shape.velocity_of_momentum(wrench(inputs[1])).to_array()),
             Quantity::BaseTwist => out.put(&shape.moving(inputs[1]).base_twist(twist(inputs[2])).to_array()),
             Quantity::KineticEnergy => out.put(&[shape.moving(inputs[1]).kinetic_energy(twist(inputs[2]))]),
             Quantity::ForwardDynamics => {
                 let (mu, gravity) = (twist(inputs[2]), inputs[3]);
-                let wrench = Wrench::from_array(std::array::from_fn(|i| inputs[4][i]));
-                shape.moving(inputs[1]).forward_dynamics_articulated(mu, wrench, inputs[5], vector);
+                shape.moving(inputs[1]).forward_dynamics_articulated(mu, wrench(inputs[4]), inputs[5], vector);
                 (0..3).for_each(|i| vector[3 + i] += gravity[i]);
                 out.put(vector);
             }
@@ -168,6 +168,10 @@ const SIZES: &str = "inputs and outputs must be those that the quantity lists, e
 
 fn twist<T: Real>(numbers: &[T]) -> Twist<T> {
     Twist::from_array(std::array::from_fn(|i| numbers[i]))
+}
+
+fn wrench<T: Real>(numbers: &[T]) -> Wrench<T> {
+    Wrench::from_array(std::array::from_fn(|i| numbers[i]))
 }
 
 fn put_inertia<T: Real>(

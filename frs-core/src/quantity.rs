@@ -35,6 +35,8 @@ pub enum Quantity {
     Curvature,
     /// The momentum of the body and about the centre of mass.
     Momentum,
+    /// μ = Λ_b⁻¹ p, the locked velocity that a momentum gives.
+    VelocityOfMomentum,
     /// V₁ = μ − A_l q̇, which reconstructs the base's motion.
     BaseTwist,
     /// ½ ξᵀ Λ ξ.
@@ -153,7 +155,7 @@ impl Argument {
 
 impl Quantity {
     /// Every quantity of a robot as a whole; [`Kinematics`](Self::Kinematics) is asked link by link.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Inertia,
         Self::DMu,
         Self::B2,
@@ -165,6 +167,7 @@ impl Quantity {
         Self::HamelBias,
         Self::Curvature,
         Self::Momentum,
+        Self::VelocityOfMomentum,
         Self::BaseTwist,
         Self::KineticEnergy,
         Self::ForwardDynamics,
@@ -185,6 +188,7 @@ impl Quantity {
             Self::HamelBias => "hamel_bias",
             Self::Curvature => "curvature",
             Self::Momentum => "momentum",
+            Self::VelocityOfMomentum => "velocity_of_momentum",
             Self::BaseTwist => "base_twist",
             Self::KineticEnergy => "kinetic_energy",
             Self::ForwardDynamics => "forward_dynamics",
@@ -207,6 +211,9 @@ impl Quantity {
             Self::HamelBias => "C(q, V) V in M V̇ + C V = [F₁; τ], V = [V₁; q̇], by one Newton-Euler sweep.",
             Self::Curvature => "𝓑(e_i, e_j) = ∂_i A_j − ∂_j A_i − ad_{A_i} A_j for all pairs of coordinates.",
             Self::Momentum => "The momentum Λ_b μ, in the base frame and about the centre of mass.",
+            Self::VelocityOfMomentum => {
+                "μ = Λ_b⁻¹ p: in free flight, where the momentum is known, μ need not be integrated."
+            }
             Self::BaseTwist => "V₁ = μ − A_l q̇, which reconstructs the pose of the base: ġ₁ = g₁ V₁^.",
             Self::KineticEnergy => "½ μᵀ Λ_b μ + ½ q̇ᵀ Λ_q q̇.",
             Self::ForwardDynamics => {
@@ -222,6 +229,7 @@ impl Quantity {
         let inputs: &[Argument] = match self {
             Self::Inertia | Self::Curvature | Self::Kinematics(_) => &[Q],
             Self::DMu | Self::B2 | Self::Matrices | Self::CouplingTorque | Self::Momentum => &[Q, MU],
+            Self::VelocityOfMomentum => &[Q, MOMENTUM],
             Self::DQdot => &[Q, QD],
             Self::DMuXi | Self::DQdotXi | Self::BaseTwist | Self::KineticEnergy => &[Q, QD, MU],
             Self::HamelBias => &[Q, QD, BASE],
@@ -245,6 +253,7 @@ impl Quantity {
             Self::HamelBias => &[HAMEL_BIAS],
             Self::Curvature => &[CURVATURE, COM],
             Self::Momentum => &[MOMENTUM, CENTROIDAL],
+            Self::VelocityOfMomentum => &[MU],
             Self::BaseTwist => &[BASE],
             Self::KineticEnergy => &[ENERGY],
             Self::ForwardDynamics => &[XI_DOT],

@@ -25,8 +25,8 @@ impl FloatingBase<f64> for Chaser {
             quantity, Quantity::Inertia | Quantity::DMu | Quantity::B2 |
             Quantity::Matrices | Quantity::DQdot | Quantity::CouplingTorque |
             Quantity::DMuXi | Quantity::DQdotXi | Quantity::HamelBias |
-            Quantity::Curvature | Quantity::Momentum | Quantity::BaseTwist |
-            Quantity::KineticEnergy | Quantity::ForwardDynamics |
+            Quantity::Curvature | Quantity::Momentum | Quantity::VelocityOfMomentum |
+            Quantity::BaseTwist | Quantity::KineticEnergy | Quantity::ForwardDynamics |
             Quantity::InverseDynamics | Quantity::Kinematics(4)
         )
     }
@@ -103,6 +103,9 @@ impl FloatingBase<f64> for Chaser {
                     array_mut(body_momentum),
                     array_mut(centroidal_momentum),
                 )
+            }
+            (Quantity::VelocityOfMomentum, [q, body_momentum], [mu]) => {
+                self::velocity_of_momentum(array(q), array(body_momentum), array_mut(mu))
             }
             (Quantity::BaseTwist, [q, qd, mu], [base_twist]) => {
                 self::base_twist(array(q), array(qd), array(mu), array_mut(base_twist))
@@ -5101,6 +5104,43 @@ pub fn momentum(
     centroidal_momentum[3] = body_momentum_1_1 + 0.0;
     centroidal_momentum[4] = body_momentum_0_1 + 0.0;
     centroidal_momentum[5] = body_momentum_0_3 + 0.0;
+}
+/// μ = Λ_b⁻¹ p: in free flight, where the momentum is known, μ need not be integrated.
+///
+/// - `q`: shape (3; rad, m)
+/// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
+/// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
+///
+/// 285 operations: 124 + −, 158 ×, 3 ÷; 3 sin cos; about 3.5 KiB of code.
+pub fn velocity_of_momentum(q: &[f64; 3], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
+    let poses = poses(q);
+    let inertias = inertias(&poses);
+    let mu_0_3_3_8_6_2 = poses.com_z + 0.023809523809523808;
+    let mu_0_3_3_8_6 = body_momentum[0]
+        + (body_momentum[4] * mu_0_3_3_8_6_2 + body_momentum[5] * poses.origin_base_y);
+    let mu_0_3_3_8 = body_momentum[1]
+        + (body_momentum[5] * poses.com_x - body_momentum[3] * mu_0_3_3_8_6_2)
+        - inertias.locked_inverse_pivot_y_2 * mu_0_3_3_8_6;
+    let mu_0_3_3 = (body_momentum[2]
+        - (body_momentum[3] * poses.origin_base_y + body_momentum[4] * poses.com_x)
+        - inertias.locked_inverse_pivot_z_2 * mu_0_3_3_8_6
+        - inertias.locked_inverse_pivot_z_4 * mu_0_3_3_8)
+        * inertias.locked_inverse_pivot_z;
+    let mu_0_3 = mu_0_3_3_8 * inertias.locked_inverse_pivot_y
+        - inertias.locked_inverse_pivot_z_4 * mu_0_3_3;
+    let mu_0 = mu_0_3_3_8_6 * inertias.locked_inverse_pivot_x
+        - inertias.locked_inverse_pivot_y_2 * mu_0_3
+        - inertias.locked_inverse_pivot_z_2 * mu_0_3_3;
+    // μ
+    mu[0] = mu_0 + 0.0;
+    mu[1] = mu_0_3 + 0.0;
+    mu[2] = mu_0_3_3 + 0.0;
+    mu[3] = body_momentum[3] * 0.007692307692307693
+        - (mu_0_3 * mu_0_3_3_8_6_2 + mu_0_3_3 * poses.origin_base_y) + 0.0;
+    mu[4] = body_momentum[4] * 0.007692307692307693
+        + (mu_0 * mu_0_3_3_8_6_2 - mu_0_3_3 * poses.com_x) + 0.0;
+    mu[5] = body_momentum[5] * 0.007692307692307693
+        + (mu_0 * poses.origin_base_y + mu_0_3 * poses.com_x) + 0.0;
 }
 /// V₁ = μ − A_l q̇, which reconstructs the pose of the base: ġ₁ = g₁ V₁^.
 ///

@@ -53,7 +53,8 @@ impl FloatingBase<f64> for Humanoid {
     }
     fn answers(&self, quantity: Quantity) -> bool {
         matches!(
-            quantity, Quantity::Inertia | Quantity::Momentum | Quantity::BaseTwist |
+            quantity, Quantity::Inertia | Quantity::Momentum |
+            Quantity::VelocityOfMomentum | Quantity::BaseTwist |
             Quantity::ForwardDynamics
         )
     }
@@ -79,6 +80,9 @@ impl FloatingBase<f64> for Humanoid {
                     array_mut(body_momentum),
                     array_mut(centroidal_momentum),
                 )
+            }
+            (Quantity::VelocityOfMomentum, [q, body_momentum], [mu]) => {
+                self::velocity_of_momentum(array(q), array(body_momentum), array_mut(mu))
             }
             (Quantity::BaseTwist, [q, qd, mu], [base_twist]) => {
                 self::base_twist(array(q), array(qd), array(mu), array_mut(base_twist))
@@ -40343,6 +40347,47 @@ pub fn momentum(
     centroidal_momentum[3] = body_momentum_1_1 + 0.0;
     centroidal_momentum[4] = body_momentum_0_3 + 0.0;
     centroidal_momentum[5] = body_momentum_0_1 + 0.0;
+}
+/// μ = Λ_b⁻¹ p: in free flight, where the momentum is known, μ need not be integrated.
+///
+/// - `q`: shape (30; rad, m)
+/// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
+/// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
+///
+/// 3920 operations: 1822 + −, 2095 ×, 3 ÷; 30 sin cos; about 47.1 KiB of code.
+pub fn velocity_of_momentum(q: &[f64; 30], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
+    let poses = poses(q);
+    let inertias = inertias(&poses);
+    let mu_0_3_3_8_2 = poses.com_x - 0.010211180123890747;
+    let mu_0_3_3_8_6_2 = poses.com_z + 0.030267080745341613;
+    let mu_0_3_3_8_6 = body_momentum[0]
+        + (body_momentum[4] * mu_0_3_3_8_6_2
+            - body_momentum[5] * poses.minus_origin_waist_bracket_y);
+    let mu_0_3_3_8 = body_momentum[1]
+        + (body_momentum[5] * mu_0_3_3_8_2 - body_momentum[3] * mu_0_3_3_8_6_2)
+        - inertias.locked_inverse_pivot_y_2 * mu_0_3_3_8_6;
+    let mu_0_3_3 = (body_momentum[2]
+        + (body_momentum[3] * poses.minus_origin_waist_bracket_y
+            - body_momentum[4] * mu_0_3_3_8_2)
+        - inertias.locked_inverse_pivot_z_2 * mu_0_3_3_8_6
+        - inertias.locked_inverse_pivot_z_4 * mu_0_3_3_8)
+        * inertias.locked_inverse_pivot_z;
+    let mu_0_3 = mu_0_3_3_8 * inertias.locked_inverse_pivot_y
+        - inertias.locked_inverse_pivot_z_4 * mu_0_3_3;
+    let mu_0 = mu_0_3_3_8_6 * inertias.locked_inverse_pivot_x
+        - inertias.locked_inverse_pivot_y_2 * mu_0_3
+        - inertias.locked_inverse_pivot_z_2 * mu_0_3_3;
+    // μ
+    mu[0] = mu_0 + 0.0;
+    mu[1] = mu_0_3 + 0.0;
+    mu[2] = mu_0_3_3 + 0.0;
+    mu[3] = body_momentum[3] * 0.016570008285004136
+        + (mu_0_3_3 * poses.minus_origin_waist_bracket_y - mu_0_3 * mu_0_3_3_8_6_2)
+        + 0.0;
+    mu[4] = body_momentum[4] * 0.016570008285004136
+        + (mu_0 * mu_0_3_3_8_6_2 - mu_0_3_3 * mu_0_3_3_8_2) + 0.0;
+    mu[5] = body_momentum[5] * 0.016570008285004136
+        + (mu_0_3 * mu_0_3_3_8_2 - mu_0 * poses.minus_origin_waist_bracket_y) + 0.0;
 }
 /// V₁ = μ − A_l q̇, which reconstructs the pose of the base: ġ₁ = g₁ V₁^.
 ///

@@ -37,11 +37,20 @@ pub struct Generate {
 /// A robot whose code is checked in, and its quantities; `None` for all.
 type CheckedIn = (&'static str, Option<&'static [Quantity]>);
 
-/// The robots of robots/. Of the humanoid what a simulation needs: all of it would be ten megabytes.
+/// Of the humanoid what a simulation needs: all of it would be ten megabytes.
+const SIMULATED: [Quantity; 5] = [
+    Quantity::Inertia,
+    Quantity::Momentum,
+    Quantity::VelocityOfMomentum,
+    Quantity::BaseTwist,
+    Quantity::ForwardDynamics,
+];
+
+/// The robots of robots/.
 const CHECKED_IN: [CheckedIn; 6] = [
     ("chaser", None),
     ("dual_arm_satellite", None),
-    ("humanoid", Some(&[Quantity::Inertia, Quantity::Momentum, Quantity::BaseTwist, Quantity::ForwardDynamics])),
+    ("humanoid", Some(&SIMULATED)),
     ("lwr_satellite", None),
     ("planar_three_link", None),
     ("quadruped", None),

@@ -3,10 +3,12 @@
 //! Exit codes: 0 ok, 1 a check failed, 2 bad input.
 
 mod answer;
+mod curvature;
 mod diff;
 mod eval;
 mod generate;
 mod options;
+mod oracle;
 mod overview;
 mod state;
 mod table;
@@ -36,6 +38,8 @@ enum Command {
     Generate(generate::Generate),
     Verify(verify::Verify),
     Diff(diff::Diff),
+    Curvature(curvature::Curvature),
+    Oracle(oracle::Oracle),
 }
 
 /// The robot, and how to read it.
@@ -99,6 +103,8 @@ pub fn run() -> ExitCode {
         Some(Command::Generate(generate)) => generate.run(),
         Some(Command::Verify(verify)) => verify.run(),
         Some(Command::Diff(diff)) => diff.run(),
+        Some(Command::Curvature(curvature)) => curvature.run(),
+        Some(Command::Oracle(oracle)) => oracle.run(),
     };
     match result {
         Ok(()) | Err(Failure::OutputClosed) => ExitCode::SUCCESS,

@@ -10,6 +10,11 @@ impl<T: Real> Shape<'_, '_, T> {
         self.centroidal_momentum(mu).at(-self.com())
     }
 
+    /// `μ = Λ_b⁻¹ p`, the locked velocity with the body momentum `p` (both base frame): [`body_momentum`](Self::body_momentum) undone.
+    pub fn velocity_of_momentum(&self, momentum: Wrench<T>) -> Twist<T> {
+        self.locked_solve(momentum.at(self.com())).at(-self.com())
+    }
+
     /// The momentum about the centre of mass, in base axes.
     pub fn centroidal_momentum(&self, mu: Twist<T>) -> Wrench<T> {
         self.locked_momentum(mu.at(self.com()))

@@ -180,6 +180,14 @@ proptest! {
         })?;
     }
 
+    #[test]
+    fn velocity_of_momentum_undoes_body_momentum(case in case()) {
+        case.ask(|robot| {
+            let there_and_back = robot.velocity_of_momentum(robot.body_momentum(twist(&case.mu))).to_vector();
+            close(&there_and_back, &case.mu, ROUNDING)
+        })?;
+    }
+
     /// The columns that matrices act on are those of unit vectors: P is linear and P(e_j) gives S.
     #[test]
     fn s_is_made_of_p_of_unit_vectors(case in case()) {

@@ -1,0 +1,127 @@
+//! The implicit midpoint method, for stiff forces.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{IntegrationError, State, System, Tangent};
+
+/// The implicit midpoint method, order 2, symmetric: `(V, ẋ) = f(t + ½h, g exp(½hV), x + ½hẋ)`, then a step of `h(V, ẋ)`.
+///
+/// Stable for every stiff linear force, and it conserves quadratic invariants. Solved by Newton's method with differences.
+#[derive(Clone, Debug)]
+pub struct ImplicitMidpoint {
+    slope: Tangent,
+    rate: Tangent,
+    step: Tangent,
+    middle: State,
+    displaced: State,
+    jacobian: DMatrix<f64>,
+    residual: DVector<f64>,
+}
+
+/// Newton's method converges in a few rounds, or not.
+const ROUNDS: usize = 12;
+
+/// Corrections below this, relative to the slope, are rounding.
+const ROUNDING: f64 = 1e-14;
+
+/// A correction that is not smaller than this is no convergence when it stops decreasing.
+const CONVERGED: f64 = 1e-9;
+
+/// Displacement for differences, relative: the square root of a double's resolution.
+const DISPLACEMENT: f64 = 1.5e-8;
+
+impl ImplicitMidpoint {
+    /// Memory for states of `dimension` numbers.
+    pub fn new(dimension: usize) -> Self {
+        Self {
+            slope: Tangent::zero(dimension),
+            rate: Tangent::zero(dimension),
+            step: Tangent::zero(dimension),
+            middle: State::origin(dimension),
+            displaced: State::origin(dimension),
+            jacobian: DMatrix::zeros(6 + dimension, 6 + dimension),
+            residual: DVector::zeros(6 + dimension),
+        }
+    }
+
+    /// One step of length `h` (s) from `from` at `time`, into `to`.
+    ///
+    /// # Errors
+    /// If the equations of the step are not solved, or a rate is not finite.
+    pub fn step(
+        &mut self,
+        system: &mut impl System,
+        time: f64,
+        h: f64,
+        from: &State,
+        to: &mut State,
+    ) -> Result<(), IntegrationError> {
+        let half = 0.5 * h;
+        system.rate(time, from, &mut self.slope);
+        let mut before = f64::INFINITY;
+        for round in 0..ROUNDS {
+            self.step.set_sum(half, &[1.0], std::slice::from_ref(&self.slope));
+            self.middle.set_moved(from, &self.step);
+            system.rate(time + half, &self.middle, &mut self.rate);
+            for i in 0..self.residual.len() {
+                self.residual[i] = entry(&self.rate, i) - entry(&self.slope, i);
+            }
+            if round == 0 {
+                self.differentiate(system, time + half, half);
+            }
+            let Some(correction) = self.jacobian.clone().lu().solve(&self.residual) else {
+                return Err(IntegrationError::NotSolved { time, step: h });
+            };
+            let size = (0..correction.len()).map(|i| entry(&self.rate, i).powi(2)).sum::<f64>().sqrt();
+            let change = correction.norm() / size.max(f64::MIN_POSITIVE);
+            if !correction.norm().is_finite() {
+                return Err(IntegrationError::NotFinite { time });
+            }
+            (0..correction.len()).for_each(|i| *entry_mut(&mut self.slope, i) += correction[i]);
+            if correction.norm() == 0.0 || change < ROUNDING || (change >= before && before < CONVERGED) {
+                self.step.set_sum(h, &[1.0], std::slice::from_ref(&self.slope));
+                to.set_moved(from, &self.step);
+                return Ok(());
+            }
+            if change >= before {
+                // The differences of the first round do not fit any more.
+                self.differentiate(system, time + half, half);
+            }
+            before = change;
+        }
+        Err(IntegrationError::NotSolved { time, step: h })
+    }
+
+    /// `1 − ½h ∂f/∂(ζ, x)` at the middle, where `rate` is f.
+    fn differentiate(&mut self, system: &mut impl System, time: f64, half: f64) {
+        let mut displaced_rate = Tangent::zero(self.middle.flat.len());
+        for column in 0..self.residual.len() {
+            self.step.set_sum(0.0, &[], &[]);
+            let size = column.checked_sub(6).map_or(1.0, |i| self.middle.flat[i].abs().max(1.0));
+            let displacement = DISPLACEMENT * size;
+            *entry_mut(&mut self.step, column) = displacement;
+            self.displaced.set_moved(&self.middle, &self.step);
+            system.rate(time, &self.displaced, &mut displaced_rate);
+            for row in 0..self.residual.len() {
+                let slope = (entry(&displaced_rate, row) - entry(&self.rate, row)) / displacement;
+                self.jacobian[(row, column)] = f64::from(row == column) - half * slope;
+            }
+        }
+    }
+}
+
+fn entry(tangent: &Tangent, i: usize) -> f64 {
+    match i {
+        0..3 => tangent.twist.angular[i],
+        3..6 => tangent.twist.linear[i - 3],
+        _ => tangent.flat[i - 6],
+    }
+}
+
+fn entry_mut(tangent: &mut Tangent, i: usize) -> &mut f64 {
+    match i {
+        0..3 => &mut tangent.twist.angular[i],
+        3..6 => &mut tangent.twist.linear[i - 3],
+        _ => &mut tangent.flat[i - 6],
+    }
+}

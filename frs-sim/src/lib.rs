@@ -1,0 +1,7 @@
+//! Motions of floating-base robots.
+//!
+//! The configuration space is SE(3)×Rⁿ, so [`integrate`] moves base poses by exponentials: a rotation stays one, whatever the
+//! step. [`motion`] says what is integrated: with the momentum zero, conserved or driven, only what that case needs.
+
+pub mod integrate;
+pub mod motion;
