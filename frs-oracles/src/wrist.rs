@@ -1,10 +1,11 @@
 //! Two axisymmetric bodies joined by a z-y-z wrist on both axes.
 
 use frs_core::Real;
-use frs_core::model::InertialDescription;
+use frs_core::model::{InertialDescription, JointKind, RobotDescription};
 use nalgebra::Vector3;
 
 use crate::Values;
+use crate::description::at;
 use crate::plane::{InPlane, PlaneInertia};
 use crate::reduced_mass::reduced_mass;
 use crate::rotation::{about_z, quarter_turn};
@@ -20,6 +21,20 @@ pub struct Wrist {
 }
 
 impl Wrist {
+    /// The robot, with two links without mass between the bodies.
+    pub fn robot(&self, name: &str) -> RobotDescription {
+        let mut robot = RobotDescription::new(name);
+        robot.link("base", self.base);
+        robot.link("wrist_1", InertialDescription::NONE);
+        robot.link("wrist_2", InertialDescription::NONE);
+        robot.link("tail", self.tail);
+        let origin = at([0.0, 0.0, self.height]);
+        robot.joint("joint_1", JointKind::Continuous, "base", "wrist_1").origin(origin).axis(0.0, 0.0, 1.0);
+        robot.joint("joint_2", JointKind::Continuous, "wrist_1", "wrist_2").axis(0.0, 1.0, 0.0);
+        robot.joint("joint_3", JointKind::Continuous, "wrist_2", "tail").axis(0.0, 0.0, 1.0);
+        robot
+    }
+
     /// With K the locked inertia in the plane of both axes, b the tail's axis, j₁ and j₂ the axial inertias:
     /// `A_ω = R_z(q₁)[z − j₁K⁻¹z, η y, j₂K⁻¹b]`, `𝓑_ω,12 = j₁R_z(q₁)(u′ − ηw, 0, w′ + ηu)` with (u, w) = K⁻¹z,
     /// `𝓑_ω,23` the same with j₂ and K⁻¹b, and `𝓑_ω,13 = (j₁j₂ sin q₂/Δ) R_z(q₁) y`.

@@ -3,11 +3,11 @@
 //! Source: the project's own.
 
 use frs_core::Real;
-use frs_core::model::{InertialDescription, JointKind, RobotDescription};
+use frs_core::model::{InertialDescription, RobotDescription};
 
 use super::Formula;
 use crate::Values;
-use crate::description::{at, solid};
+use crate::description::solid;
 use crate::wrist::Wrist;
 
 pub const FORMULA: Formula = Formula {
@@ -19,19 +19,13 @@ pub const FORMULA: Formula = Formula {
 const BASE: InertialDescription = solid(2.0, [0.0, 0.0, -0.125], [0.5, 0.5, 0.25], [0.0, 0.0, 0.0]);
 const TAIL: InertialDescription = solid(1.5, [0.0, 0.0, 0.25], [0.375, 0.375, 0.125], [0.0, 0.0, 0.0]);
 
+const WRIST: Wrist = Wrist { base: BASE, tail: TAIL, height: 0.5 };
+
 pub fn values<T: Real>(q: &[T]) -> Values<T> {
-    Wrist { base: BASE, tail: TAIL, height: 0.5 }.values(q)
+    WRIST.values(q)
 }
 
 /// The robot of `robots/oracles/c1.urdf`, built in code.
 pub fn robot() -> RobotDescription {
-    let mut robot = RobotDescription::new("c1");
-    robot.link("base", BASE);
-    robot.link("wrist_1", InertialDescription::NONE);
-    robot.link("wrist_2", InertialDescription::NONE);
-    robot.link("tail", TAIL);
-    robot.joint("joint_1", JointKind::Continuous, "base", "wrist_1").origin(at([0.0, 0.0, 0.5])).axis(0.0, 0.0, 1.0);
-    robot.joint("joint_2", JointKind::Continuous, "wrist_1", "wrist_2").axis(0.0, 1.0, 0.0);
-    robot.joint("joint_3", JointKind::Continuous, "wrist_2", "tail").axis(0.0, 0.0, 1.0);
-    robot
+    WRIST.robot("c1")
 }

@@ -4,12 +4,12 @@
 //! gauge theory in Montgomery (1993). The closed form is the project's own.
 
 use frs_core::Real;
-use frs_core::model::{InertialDescription, JointKind, RobotDescription};
+use frs_core::model::{InertialDescription, RobotDescription};
 use nalgebra::Vector3;
 
 use super::Formula;
 use crate::Values;
-use crate::description::{at, solid};
+use crate::description::solid;
 use crate::wrist::Wrist;
 
 pub const FORMULA: Formula = Formula {
@@ -21,8 +21,10 @@ pub const FORMULA: Formula = Formula {
 const BASE: InertialDescription = solid(2.0, [0.0, 0.0, 0.0], [0.5, 0.5, 0.125], [0.0, 0.0, 0.0]);
 const TAIL: InertialDescription = solid(2.0, [0.0, 0.0, 0.5], [0.5, 0.5, 0.125], [0.0, 0.0, 0.0]);
 
+const WRIST: Wrist = Wrist { base: BASE, tail: TAIL, height: 0.5 };
+
 pub fn values<T: Real>(q: &[T]) -> Values<T> {
-    Wrist { base: BASE, tail: TAIL, height: 0.5 }.values(q)
+    WRIST.values(q)
 }
 
 /// 𝓑_ω(∂α, ∂β) of the falling cat, [`Case::C2`](crate::Case::C2), on the surface q = (α, β, −α) where its halves do not twist.
@@ -39,13 +41,5 @@ pub fn no_twist_curvature<T: Real>(alpha: T, beta: T) -> Vector3<T> {
 
 /// The robot of `robots/oracles/c2.urdf`, built in code.
 pub fn robot() -> RobotDescription {
-    let mut robot = RobotDescription::new("c2");
-    robot.link("base", BASE);
-    robot.link("wrist_1", InertialDescription::NONE);
-    robot.link("wrist_2", InertialDescription::NONE);
-    robot.link("tail", TAIL);
-    robot.joint("joint_1", JointKind::Continuous, "base", "wrist_1").origin(at([0.0, 0.0, 0.5])).axis(0.0, 0.0, 1.0);
-    robot.joint("joint_2", JointKind::Continuous, "wrist_1", "wrist_2").axis(0.0, 1.0, 0.0);
-    robot.joint("joint_3", JointKind::Continuous, "wrist_2", "tail").axis(0.0, 0.0, 1.0);
-    robot
+    WRIST.robot("c2")
 }

@@ -4,12 +4,12 @@
 //! Reinsch (1997); with it, the project's own.
 
 use frs_core::Real;
-use frs_core::model::{InertialDescription, JointKind, RobotDescription};
+use frs_core::model::{InertialDescription, RobotDescription};
 use nalgebra::Vector3;
 
 use super::Formula;
 use crate::Values;
-use crate::description::{RAIL, at, solid};
+use crate::description::{gantry, solid};
 use crate::monopole::Monopole;
 use crate::rotation::lifted;
 
@@ -36,15 +36,6 @@ pub fn values<T: Real>(q: &[T]) -> Values<T> {
 pub fn robot() -> RobotDescription {
     let mut robot = RobotDescription::new("d1");
     robot.link("base", BASE);
-    robot.link("rail_x", InertialDescription::NONE);
-    robot.link("rail_y", InertialDescription::NONE);
-    robot.link("mass", MASS);
-    robot
-        .joint("slide_x", JointKind::Prismatic, "base", "rail_x")
-        .origin(at([0.25, -0.5, 0.125]))
-        .axis(1.0, 0.0, 0.0)
-        .limits(RAIL);
-    robot.joint("slide_y", JointKind::Prismatic, "rail_x", "rail_y").axis(0.0, 1.0, 0.0).limits(RAIL);
-    robot.joint("slide_z", JointKind::Prismatic, "rail_y", "mass").axis(0.0, 0.0, 1.0).limits(RAIL);
+    gantry(&mut robot, "", PLACE, MASS);
     robot
 }

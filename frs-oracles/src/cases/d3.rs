@@ -4,12 +4,12 @@
 //! (1997); the closed form is the project's own.
 
 use frs_core::Real;
-use frs_core::model::{InertialDescription, JointKind, RobotDescription};
+use frs_core::model::{InertialDescription, RobotDescription};
 use nalgebra::Vector3;
 
 use super::Formula;
 use crate::Values;
-use crate::description::{RAIL, at, solid};
+use crate::description::{gantry, solid};
 use crate::point_masses::PointMasses;
 use crate::reduced_mass::reduced_masses;
 use crate::rotation::lifted;
@@ -46,25 +46,7 @@ pub fn values<T: Real>(q: &[T]) -> Values<T> {
 pub fn robot() -> RobotDescription {
     let mut robot = RobotDescription::new("d3");
     robot.link("base", BASE);
-    robot.link("rail_a_x", InertialDescription::NONE);
-    robot.link("rail_a_y", InertialDescription::NONE);
-    robot.link("mass_a", MASS_A);
-    robot.link("rail_b_x", InertialDescription::NONE);
-    robot.link("rail_b_y", InertialDescription::NONE);
-    robot.link("mass_b", MASS_B);
-    robot
-        .joint("slide_a_x", JointKind::Prismatic, "base", "rail_a_x")
-        .origin(at([0.25, -0.5, 0.125]))
-        .axis(1.0, 0.0, 0.0)
-        .limits(RAIL);
-    robot.joint("slide_a_y", JointKind::Prismatic, "rail_a_x", "rail_a_y").axis(0.0, 1.0, 0.0).limits(RAIL);
-    robot.joint("slide_a_z", JointKind::Prismatic, "rail_a_y", "mass_a").axis(0.0, 0.0, 1.0).limits(RAIL);
-    robot
-        .joint("slide_b_x", JointKind::Prismatic, "base", "rail_b_x")
-        .origin(at([-0.5, 0.25, 0.75]))
-        .axis(1.0, 0.0, 0.0)
-        .limits(RAIL);
-    robot.joint("slide_b_y", JointKind::Prismatic, "rail_b_x", "rail_b_y").axis(0.0, 1.0, 0.0).limits(RAIL);
-    robot.joint("slide_b_z", JointKind::Prismatic, "rail_b_y", "mass_b").axis(0.0, 0.0, 1.0).limits(RAIL);
+    gantry(&mut robot, "_a", PLACES[0], MASS_A);
+    gantry(&mut robot, "_b", PLACES[1], MASS_B);
     robot
 }
