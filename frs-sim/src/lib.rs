@@ -1,7 +1,11 @@
 //! Motions of floating-base robots.
 //!
 //! The configuration space is SE(3)×Rⁿ, so [`integrate`] moves base poses by exponentials: a rotation stays one, whatever the
-//! step. [`motion`] says what is integrated: with the momentum zero, conserved or driven, only what that case needs.
+//! step. [`motion`] says what is integrated: with the momentum zero, conserved or driven, only what that case needs. A [`scene`]
+//! names what acts ([`effects`]), and [`run`] computes it.
 
+pub mod effects;
 pub mod integrate;
 pub mod motion;
+pub mod run;
+pub mod scene;

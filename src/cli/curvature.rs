@@ -6,12 +6,11 @@ mod plane;
 mod report;
 mod scale;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use frs::nalgebra::{DMatrix, Vector3};
 use frs::{Evaluator, Model};
-use frs_codegen::fresh;
 use frs_gait::{CurvatureField, Gait, Grid, MinimumPerturbation, Target, best_gait};
 use indicatif::ProgressBar;
 
@@ -144,7 +143,7 @@ impl Curvature {
         let overall = layers.iter().map(largest).fold(0.0, f64::max);
         let mut files = Vec::new();
         let mut write = |name: String, text: &str| {
-            write_file(&self.out.join(&name), text)?;
+            super::write(&self.out.join(&name), text)?;
             files.push(name);
             Ok::<(), Failure>(())
         };
@@ -178,7 +177,9 @@ fn sample(model: &Model, axes: &Axes<'_>, grid: Grid) -> (CurvatureField, Option
     progress.finish_and_clear();
     let singular = field.components[0].iter().filter(|value| !value.is_finite()).count();
     if singular > 0 {
-        eprintln!("warning: the robot is singular at {singular} points of the map; they are crossed out, and NaN in fields.csv");
+        eprintln!(
+            "warning: the robot is singular at {singular} points of the map; they are crossed out, and NaN in fields.csv"
+        );
     }
     let progress = ProgressBar::new_spinner().with_message("minimum-perturbation coordinates");
     progress.tick();
@@ -209,11 +210,4 @@ fn table(axes: &Axes<'_>, grid: Grid, layers: &[DMatrix<f64>]) -> String {
         text += &(numbers.map(|number| number.to_string()).collect::<Vec<_>>().join(",") + "\n");
     }
     text
-}
-
-/// Writes beside and renames: an interrupted run leaves no half of a file.
-fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
-    fresh::write(path, text).map(drop).map_err(|error| {
-        Failure::Input(format!("{}: cannot be written: {error}; --out takes a folder that can be made", path.display()))
-    })
 }

@@ -6,11 +6,15 @@ mod answer;
 mod curvature;
 mod diff;
 mod eval;
+mod explain;
 mod generate;
 mod options;
 mod oracle;
 mod overview;
+mod scene;
+mod simulate;
 mod state;
+mod svg;
 mod table;
 mod verify;
 
@@ -20,6 +24,7 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 use frs::Model;
 use frs::urdf::Options;
+use frs_codegen::fresh;
 
 /// Reduced Euler-Lagrange dynamics of floating-base robots.
 ///
@@ -40,6 +45,8 @@ enum Command {
     Diff(diff::Diff),
     Curvature(curvature::Curvature),
     Oracle(oracle::Oracle),
+    Simulate(simulate::Simulate),
+    Explain(explain::Explain),
 }
 
 /// The robot, and how to read it.
@@ -95,6 +102,13 @@ fn read(path: &Path) -> Result<String, Failure> {
     })
 }
 
+/// Writes beside and renames: an interrupted run leaves no half of a file.
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    fresh::write(path, text).map(drop).map_err(|error| {
+        Failure::Input(format!("{}: cannot be written: {error}; --out takes a folder that can be made", path.display()))
+    })
+}
+
 /// Runs the command line and says how it ended.
 pub fn run() -> ExitCode {
     let result = match Cli::parse().command {
@@ -105,6 +119,8 @@ pub fn run() -> ExitCode {
         Some(Command::Diff(diff)) => diff.run(),
         Some(Command::Curvature(curvature)) => curvature.run(),
         Some(Command::Oracle(oracle)) => oracle.run(),
+        Some(Command::Simulate(simulate)) => simulate.run(),
+        Some(Command::Explain(explain)) => explain.run(),
     };
     match result {
         Ok(()) | Err(Failure::OutputClosed) => ExitCode::SUCCESS,

@@ -77,6 +77,16 @@ impl<R: FloatingBase<T>, M: Momentum<T>, L: Loads<T>, T: Real> Motion<R, M, L, T
         State { pose, flat }
     }
 
+    /// The forces at the state whose rate was asked for last.
+    pub fn last_load(&self) -> &Load<T> {
+        &self.load
+    }
+
+    /// What exerts the forces, to be changed at an event.
+    pub fn loads_mut(&mut self) -> &mut L {
+        &mut self.loads
+    }
+
     /// The locked velocity μ of a state.
     pub fn locked_velocity(&mut self, state: &State<T>) -> Twist<T> {
         let (q, rest) = state.flat.split_at(self.robot.dof());

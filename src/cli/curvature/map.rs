@@ -6,7 +6,8 @@ use contour::ContourBuilder;
 use frs::nalgebra::DMatrix;
 use frs_gait::Grid;
 
-use super::scale::{Scale, ticks};
+use super::scale::Scale;
+use crate::cli::svg::{escaped, text, ticks};
 
 /// What a picture shows.
 pub struct Map<'a> {
@@ -236,14 +237,6 @@ impl Map<'_> {
         }
         text(out, [x - 2.0, ORIGIN[1] - 12.0], "start", self.unit);
     }
-}
-
-fn text(out: &mut String, [x, y]: [f64; 2], anchor: &str, words: &str) {
-    let _ = writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{}</text>", escaped(words));
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
-//! Round numbers along an axis, and a field's values as colours.
+//! A field's values as colours.
 
 use frs::nalgebra::DMatrix;
+
+use crate::cli::svg::{number, round_step};
 
 /// Borders on the way from 0 to the largest value, about.
 const BANDS: f64 = 10.0;
@@ -46,27 +48,4 @@ impl Scale {
     pub fn label(&self, border: i32) -> String {
         number(f64::from(border) * self.step, self.step)
     }
-}
-
-/// 1, 2 or 5 times a power of ten, at least `least`.
-fn round_step(least: f64) -> f64 {
-    let power = 10.0_f64.powf(least.log10().floor());
-    [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power).into_iter().find(|step| *step >= least * 0.999).unwrap_or(least)
-}
-
-/// Round values within a range, with their labels.
-pub fn ticks([low, high]: [f64; 2]) -> Vec<(f64, String)> {
-    let step = round_step((high - low) / 7.0);
-    let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
-    (first..=last).map(|k| k as f64 * step).map(|value| (value, number(value, step))).collect()
-}
-
-/// A multiple of a step, with no digit that the step has not; with a true minus sign.
-fn number(value: f64, step: f64) -> String {
-    let text = match step {
-        _ if value == 0.0 => "0".into(),
-        step if !(1e-4..1e5).contains(&step) => format!("{value:.0e}"),
-        step => format!("{value:.0$}", (-step.log10().floor()).max(0.0) as usize),
-    };
-    text.replace('-', "−")
 }

@@ -1,0 +1,151 @@
+//! Scenes: a robot, how it starts, what acts on it, and for how long; TOML texts.
+//!
+//! All keys: docs/scenes.md. What is known about the momentum is not said in a scene; it follows from what is.
+
+mod forces;
+mod problem;
+mod reader;
+mod start;
+
+use frs_core::model::Place;
+use frs_core::spatial::Twist;
+use frs_core::{Evaluator, Model, Real};
+
+use crate::effects::{Effect, Effects, Regulator};
+use reader::{Reader, Table};
+
+pub use forces::{EFFECTS, Force, Named};
+pub use problem::{Problem, SceneError};
+pub use start::Start;
+
+/// What is known about the momentum of a motion; each case is a type in [`motion`](crate::motion).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Case {
+    /// It is zero and stays so: [`Zero`](crate::motion::Zero).
+    Zero,
+    /// It stays what it is: [`Conserved`](crate::motion::Conserved).
+    Conserved,
+    /// Something changes it: [`Driven`](crate::motion::Driven).
+    Driven,
+}
+
+impl Case {
+    /// In one word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Zero => "zero",
+            Self::Conserved => "conserved",
+            Self::Driven => "driven",
+        }
+    }
+
+    /// How many numbers are integrated for it.
+    pub fn numbers(self) -> usize {
+        if self == Self::Driven { 6 } else { 0 }
+    }
+}
+
+/// A motion to be computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// How long it lasts, s.
+    pub duration: f64,
+    /// Allowed error of a step ([`Adaptive`](crate::integrate::Adaptive)).
+    pub accuracy: f64,
+    /// How often the motion is written down, 1/s.
+    pub samples_per_second: f64,
+    /// Where it starts.
+    pub start: Start,
+    /// What acts on it.
+    pub forces: Vec<Named>,
+}
+
+/// Keys of a scene that are no effects.
+const KEYS: [&str; 5] = ["robot", "duration", "accuracy", "samples_per_second", "start"];
+
+/// Accuracy of a scene that does not say.
+const ACCURACY: f64 = 1e-8;
+
+/// Samples per second of a scene that does not say.
+const SAMPLES_PER_SECOND: f64 = 100.0;
+
+/// The most samples of a scene, beyond which the number is a slip.
+const MOST_SAMPLES: f64 = 1e7;
+
+impl Scene {
+    /// The path of the robot that `text` names, and where it does; `file` names the text in messages.
+    ///
+    /// # Errors
+    /// If the text is not TOML or names no robot.
+    pub fn robot(file: &str, text: &str) -> Result<(String, Place), SceneError> {
+        let reader = Reader::new(file, text);
+        let entries = reader.parse()?;
+        let item = Table::root(&reader, &entries).required("robot", "the path of a URDF, from the scene's folder");
+        let path = item.and_then(|item| Some((item.text("the path of a URDF")?.to_owned(), item.place())));
+        reader.finish(path)
+    }
+
+    /// Reads a scene of `model`; `file` names the text in messages.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, with line and column.
+    pub fn parse(file: &str, text: &str, model: &Model) -> Result<Self, SceneError> {
+        let reader = Reader::new(file, text);
+        let entries = reader.parse()?;
+        let root = Table::root(&reader, &entries);
+        root.only(&[&KEYS[..], &forces::EFFECTS].concat());
+
+        let duration = root.required("duration", "how long the motion lasts, s").and_then(|item| item.positive());
+        let accuracy = root.get("accuracy").map_or(Some(ACCURACY), |item| {
+            item.positive().and_then(|accuracy| {
+                if (1e-14..=1e-2).contains(&accuracy) {
+                    return Some(accuracy);
+                }
+                item.refuse(format!("found {accuracy:e}; expected a number from 1e-14 to 1e-2"))
+            })
+        });
+        let samples_per_second = root.get("samples_per_second").map_or(Some(SAMPLES_PER_SECOND), |item| {
+            let samples = item.positive()?;
+            if samples * duration? <= MOST_SAMPLES {
+                return Some(samples);
+            }
+            item.refuse(format!("found {samples}; expected at most {MOST_SAMPLES:e} samples in all"))
+        });
+        let start = start::read(&root, model);
+        let forces = forces::read(&root, model, duration.unwrap_or(f64::INFINITY));
+        let scene = (|| {
+            Some(Self {
+                duration: duration?,
+                accuracy: accuracy?,
+                samples_per_second: samples_per_second?,
+                start: start?,
+                forces,
+            })
+        })();
+        reader.finish(scene)
+    }
+
+    /// What is known about the momentum: driven if a force can change it, else what it is at the start.
+    pub fn case(&self) -> Case {
+        if self.forces.iter().any(|named| named.force.drives_momentum()) {
+            Case::Driven
+        } else if self.start.mu == Twist::zero() {
+            Case::Zero
+        } else {
+            Case::Conserved
+        }
+    }
+
+    /// The forces as effects over any scalar, for a robot over that scalar.
+    pub fn effects<'m, T: Real>(&self, model: &'m Model<T>) -> Effects<'m, T> {
+        let each = self.forces.iter().map(|named| match &named.force {
+            Force::Gravity(gravity) => Box::new(*gravity) as Box<dyn Effect<T>>,
+            Force::BaseWrench(wrench) => Box::new(wrench.clone()),
+            Force::JointTorque(torque) => Box::new(torque.clone()),
+            Force::Friction(friction) => Box::new(friction.clone()),
+            Force::Spring(spring) => Box::new(spring.clone()),
+            Force::Regulator(gains) => Box::new(Regulator::new(Evaluator::new(model), gains.clone())),
+        });
+        Effects(each.collect())
+    }
+}

@@ -1,0 +1,69 @@
+//! `[start]`: pose, shape and motion at time 0.
+
+use frs_core::spatial::{Pose, Twist, Wrench};
+use frs_core::{Model, Workspace};
+
+use super::reader::Table;
+
+/// A motion at time 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// Pose g₁ of the base in the world.
+    pub pose: Pose<f64>,
+    /// Shape (rad, m).
+    pub q: Vec<f64>,
+    /// Shape velocity (rad/s, m/s).
+    pub qd: Vec<f64>,
+    /// Locked velocity, base frame.
+    pub mu: Twist<f64>,
+    /// Momentum about the world's origin.
+    pub momentum: Wrench<f64>,
+}
+
+/// How the motion of the whole can be given.
+const WAYS: [&str; 3] = ["mu", "base_twist", "momentum"];
+
+const SIX: &str = "six numbers, angular part first";
+
+pub fn read(root: &Table<'_, '_>, model: &Model) -> Option<Start> {
+    let zeros = || Some(vec![0.0; model.dof()]);
+    let Some(item) = root.get("start") else {
+        let (pose, q) = (Pose::identity(), vec![0.0; model.dof()]);
+        return Some(Start { pose, qd: q.clone(), q, mu: Twist::zero(), momentum: Wrench::zero() });
+    };
+    let table = item.table()?;
+    table.only(&["pose", "q", "qd", "mu", "base_twist", "momentum"]);
+    let pose = table.get("pose").map_or(Some(Pose::identity()), |item| read_pose(&item.table()?));
+    let q = table.get("q").map_or_else(zeros, |item| item.coordinates(model));
+    let qd = table.get("qd").map_or_else(zeros, |item| item.coordinates(model));
+    let given: Vec<_> = WAYS.iter().filter_map(|way| Some((*way, table.get(way)?))).collect();
+    if let [_, (second, item), ..] = given.as_slice() {
+        let first = given[0].0;
+        return item.refuse(format!("{first} is given, too; expected {first} or {second}: one follows from the other"));
+    }
+    let motion = given.first().map_or(Some(("mu", [0.0; 6])), |(way, item)| Some((*way, item.numbers(SIX)?)));
+    let (pose, q, qd, (way, motion)) = (pose?, q?, qd?, motion?);
+
+    let mut work = Workspace::new(model);
+    let mut shape = work.shape(&q);
+    let mu = match way {
+        "base_twist" => shape.moving(&qd).locked_velocity(Twist::from_array(motion)),
+        "momentum" => shape.velocity_of_momentum(pose.inverse().act_wrench(Wrench::from_array(motion))),
+        _ => Twist::from_array(motion),
+    };
+    let momentum = pose.act_wrench(shape.body_momentum(mu));
+    if mu.to_array().iter().chain(&momentum.to_array()).any(|x| !x.is_finite()) {
+        return item.refuse(
+            "the momentum here is not finite; expected a shape in which the robot is not singular; move the joints off it",
+        );
+    }
+    Some(Start { pose, q, qd, mu, momentum })
+}
+
+fn read_pose(table: &Table<'_, '_>) -> Option<Pose<f64>> {
+    table.only(&["position", "rpy"]);
+    let three = |key: &str, what: &str| table.get(key).map_or(Some([0.0; 3]), |item| item.numbers(what));
+    let position = three("position", "x, y, z in m");
+    let rpy = three("rpy", "roll, pitch, yaw in rad");
+    Some(Pose::from_rpy(position?.into(), rpy?))
+}

@@ -1,0 +1,285 @@
+//! Scenes: those of `scenes/` run, wrong ones are refused in place, and what a scene does not name costs nothing.
+
+use std::ops::ControlFlow;
+
+use frs_codegen::Counts;
+use frs_codegen::record::{Recorded, record};
+use frs_core::{Model, urdf};
+use frs_sim::integrate::{State, Tangent};
+use frs_sim::run::{End, Record, rate, run};
+use frs_sim::scene::{Case, Scene};
+
+fn model() -> Model {
+    Model::from_urdf(urdf::LWR_SATELLITE).unwrap()
+}
+
+const HEAD: &str = "robot = 'lwr_satellite.urdf'\nduration = 0.5\n";
+
+fn scene(rest: &str) -> Scene {
+    Scene::parse("scene.toml", &format!("{HEAD}{rest}"), &model()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn flown(scene: &Scene) -> Record {
+    run(scene, &model(), |_| ControlFlow::Continue(()))
+}
+
+#[test]
+fn every_scene_of_the_project_keeps_its_invariants() {
+    /// Errors of steps add up over a motion of seconds.
+    const ACCUMULATION: f64 = 1e3;
+    /// Rounding of the momentum of an evaluation, relative.
+    const ROUNDING: f64 = 1e-13;
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes");
+    let mut cases = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let (name, text) = (path.display().to_string(), std::fs::read_to_string(&path).unwrap());
+        let (robot, _) = Scene::robot(&name, &text).unwrap();
+        let urdf = std::fs::read_to_string(path.parent().unwrap().join(robot)).unwrap();
+        let model = Model::from_urdf(&urdf).unwrap();
+        let scene = Scene::parse(&name, &text, &model).unwrap_or_else(|error| panic!("{error}"));
+        let record = run(&scene, &model, |_| ControlFlow::Continue(()));
+        assert_eq!(record.end, End::Whole, "{name}");
+        let (first, last) = (&record.samples[0], record.samples.last().unwrap());
+        assert_eq!(last.time, scene.duration, "{name}");
+        let moved = (last.q.iter().zip(&first.q)).any(|(a, b)| a != b);
+        assert!(moved, "{name}: something happens");
+        for sample in &record.samples {
+            let gained = sample.kinetic_energy - first.kinetic_energy;
+            let size = sample.kinetic_energy.max(1.0);
+            assert!((gained - sample.work).abs() < ACCUMULATION * scene.accuracy * size, "{name} at {}", sample.time);
+            if scene.case() != Case::Driven {
+                let size = first.momentum.to_array().iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+                let drift = (sample.momentum - first.momentum).to_array();
+                assert!(drift.iter().all(|drift| drift.abs() <= ROUNDING * size), "{name} at {}", sample.time);
+            }
+        }
+        cases.push(scene.case());
+    }
+    assert!([Case::Zero, Case::Conserved, Case::Driven].iter().all(|case| cases.contains(case)));
+}
+
+/// What the momentum does follows from what acts and from the start.
+#[test]
+fn the_momentum_case_is_derived() {
+    let cases = [
+        ("", Case::Zero),
+        ("[start]\nq = { joint_2 = 1 }\nqd = { joint_1 = 1 }", Case::Zero),
+        ("[start]\nmomentum = [0, 0, 0, 0, 0, 0]", Case::Zero),
+        ("[spring]\nstiffness = 1\n[friction]\nviscous = 1", Case::Zero),
+        ("[start]\nmu = [0, 0.1, 0, 0, 0, 0]", Case::Conserved),
+        ("[start]\nbase_twist = [0, 0, 0, 0, 0, 0]\nqd = { joint_2 = 1 }", Case::Conserved),
+        ("[gravity]\nacceleration = [0, 0, -9.81]", Case::Driven),
+        ("[[base_wrench]]\nforce = [1, 0, 0]\nstart = 0.1\nend = 0.2", Case::Driven),
+    ];
+    for (text, case) in cases {
+        assert_eq!(scene(text).case(), case, "{text}");
+    }
+}
+
+#[test]
+fn three_ways_to_give_the_start_are_one_motion() {
+    /// Rounding of a locked velocity of size 1.
+    const ROUNDING: f64 = 1e-13;
+    let shape = "[start]\npose = { position = [1, 2, 3], rpy = [0.1, 0.2, 0.3] }\nq = { joint_2 = 1 }\nqd = { joint_1 = 0.5 }\n";
+    let start = scene(&format!("{shape}mu = [0.1, -0.2, 0.3, 0.4, 0.5, -0.6]")).start;
+    let mut work = frs_core::Workspace::new(&model()).shape(&start.q).moving(&start.qd).base_twist(start.mu).to_array();
+    for (way, six) in [("base_twist", work), ("momentum", start.momentum.to_array())] {
+        let mu = scene(&format!("{shape}{way} = {six:?}")).start.mu;
+        let apart = (mu - start.mu).to_array();
+        assert!(apart.iter().all(|apart| apart.abs() < ROUNDING), "{way}: {apart:?}");
+    }
+    work[0] += 1.0;
+    assert_ne!(scene(&format!("{shape}base_twist = {work:?}")).start.mu, start.mu);
+}
+
+/// Wrong scenes, and the beginning of what is said about them; line 3 is the first after the head.
+#[test]
+fn what_is_wrong_is_told_in_place() {
+    let cases = [
+        (
+            "[regulator]\nset_point = {}\nstifness = 1\ndamping = 1",
+            "scene.toml:3:1: regulator.stiffness: missing; expected",
+        ),
+        (
+            "[regulator]\nset_point = {}\nstifness = 1\ndamping = 1",
+            "scene.toml:5:1: regulator.stifness: unknown key; did you mean 'stiffness'? expected one of set_point",
+        ),
+        ("gravty = 1", "scene.toml:3:1: gravty: unknown key; did you mean 'gravity'?"),
+        ("samples_per_second = 'many'", "scene.toml:3:22: samples_per_second: found string; expected a number"),
+        ("samples_per_second = 1e9", "scene.toml:3:22: samples_per_second: found 1000000000; expected at most"),
+        ("accuracy = 0", "scene.toml:3:12: accuracy: found 0; expected a number above 0"),
+        ("accuracy = 1", "scene.toml:3:12: accuracy: found 1e0; expected a number from 1e-14"),
+        ("start = 3", "scene.toml:3:9: start: found integer; expected a table"),
+        ("[start]\nq = { joint_9 = 1 }", "scene.toml:4:7: start.q.joint_9: unknown key; did you mean 'joint_"),
+        (
+            "[start]\nq = [1, 2]",
+            "scene.toml:4:5: start.q: found 2 numbers; expected 7, one for each of joint_1, joint_2",
+        ),
+        ("[start]\nq = { joint_1 = nan }", "scene.toml:4:17: start.q.joint_1: found nan; expected a finite number"),
+        ("[start]\nqd = [0, 0, 0, inf, 0, 0, 0]", "scene.toml:4:16: start.qd: found inf; expected a finite number"),
+        ("[start]\nmu = [1, 2]", "scene.toml:4:6: start.mu: found 2 numbers; expected 6"),
+        (
+            "[start]\nmu = [0,0,0,0,0,0]\nmomentum = [0,0,0,0,0,0]",
+            "scene.toml:5:12: start.momentum: mu is given, too; expected mu or momentum",
+        ),
+        ("[gravity]", "scene.toml:3:1: gravity.acceleration: missing; expected three numbers"),
+        ("[friction]\nviscous = -1", "scene.toml:4:11: friction.viscous: found -1; expected no negative number"),
+        ("[base_wrench]", "scene.toml:3:1: base_wrench: no wrench; expected moment, force, or both"),
+        (
+            "[[base_wrench]]\nforce = [1, 0, 0]\nend = 0.1\n[[base_wrench]]\nforce = [1, 0, 0]\nstart = 0.2\nend = 0.1",
+            "scene.toml:6:1: base_wrench: it acts from 0.2 s to 0.1 s; expected a start before the end",
+        ),
+        (
+            "[base_wrench]\nforce = [1, 0, 0]\nstart = 0.5",
+            "scene.toml:3:1: base_wrench: it acts from 0.5 s to inf s; expected",
+        ),
+        (
+            "[base_wrench]\nforce = [1, 0, 0]\nframe = 'wrld'",
+            "scene.toml:5:9: base_wrench.frame: found 'wrld'; did you mean 'world'?",
+        ),
+        (
+            "[joint_torque]\ntau = { joint_1 = 'a' }",
+            "scene.toml:4:19: joint_torque.tau.joint_1: found string; expected a number",
+        ),
+        (
+            "[spring]\nstiffness = 1\nrest = 2",
+            "scene.toml:5:8: spring.rest: found integer; expected a list of numbers, or a table",
+        ),
+        ("duration = 1", "scene.toml:3:1: this is not TOML: duplicate key"),
+        ("x = [1", "scene.toml:3:7: this is not TOML: "),
+    ];
+    for (text, expected) in cases {
+        let error = Scene::parse("scene.toml", &format!("{HEAD}{text}"), &model()).expect_err(text).to_string();
+        assert!(error.lines().any(|line| line.starts_with(expected)), "expected {expected}\nfound {error}");
+    }
+    for (text, expected) in [
+        ("robot = 'x'", "scene.toml:1:1: duration: missing; expected how long"),
+        ("robot = 'x'\nduration = -1", "scene.toml:2:12: duration: found -1; expected a number above 0"),
+        ("robot = 'x'\nduration = nan", "scene.toml:2:12: duration: found nan; expected a finite number"),
+    ] {
+        assert!(
+            Scene::parse("scene.toml", text, &model()).expect_err(text).to_string().starts_with(expected),
+            "{text}"
+        );
+    }
+    assert!(
+        Scene::robot("scene.toml", "duration = 1")
+            .unwrap_err()
+            .to_string()
+            .starts_with("scene.toml:1:1: robot: missing")
+    );
+}
+
+#[test]
+fn all_problems_are_told_at_once_in_the_order_of_the_file() {
+    let text = "robot = 'x'\nduration = 0\nacuracy = 1\n[start]\nq = { a = 1, b = 2 }\n[friction]\nviscous = true";
+    let error = Scene::parse("scene.toml", text, &model()).unwrap_err();
+    let lines: Vec<usize> = error.problems.iter().map(|problem| problem.place.line).collect();
+    assert_eq!(lines, [2, 3, 5, 5, 7], "{error}");
+}
+
+/// Operations of one evaluation of a scene's equations.
+fn operations(scene: &Scene) -> usize {
+    let model = model();
+    let (start, tape) = record(|| {
+        let model: Model<Recorded> = model.cast();
+        let mut state = State::origin(2 * model.dof() + scene.case().numbers());
+        state.flat.iter_mut().zip(0..).for_each(|(number, i)| *number = Recorded::input(i));
+        let mut out = Tangent::zero(state.flat.len());
+        let mut rate = rate(scene, &model, 0.0);
+        let time = Recorded::input(100);
+        rate(time, &state, &mut out);
+        time.0
+    });
+    let mut counts = Counts::default();
+    tape[start as usize..].iter().for_each(|operation| counts.count(*operation));
+    counts.flops()
+}
+
+#[test]
+fn an_effect_costs_its_own_operations_and_an_absent_one_none() {
+    let n = 7;
+    let none = operations(&scene(""));
+    for (text, cost) in [
+        ("[friction]\nviscous = 1", 2 * n),
+        ("[spring]\nstiffness = 1", 3 * n),
+        ("[joint_torque]\ntau = [1, 1, 1, 1, 1, 1, 1]", n),
+        ("[regulator]\nset_point = {}\nstiffness = 1\ndamping = 1", 5 * n),
+    ] {
+        assert_eq!(operations(&scene(text)), none + cost, "{text}");
+    }
+    let pulse = "[base_wrench]\nforce = [1, 0, 0]\nstart = 0.2\nend = 0.3";
+    let always = "[base_wrench]\nforce = [1, 0, 0]";
+    assert_eq!(operations(&scene(always)), operations(&scene(pulse)) + 6, "a pulse costs nothing before it begins");
+    // Momentum that is conserved is one solve more than momentum that is zero.
+    let conserved = operations(&scene("[start]\nmomentum = [1, 0, 0, 0, 0, 0]"));
+    assert!(conserved > none, "{conserved} > {none}");
+}
+
+const SWING: &str = "[start]\nq = { joint_2 = 0.5 }\nqd = { joint_3 = 1 }\nmomentum = [0.3, 0.2, 0.1, 0, 0, 0]\n";
+
+#[test]
+fn joint_effects_of_size_zero_change_no_bit() {
+    let without = flown(&scene(SWING));
+    assert!(without.samples.last().unwrap().q.iter().all(|q| *q != 0.0));
+    for zero in [
+        "[friction]\nviscous = 0",
+        "[spring]\nstiffness = 0",
+        "[joint_torque]\ntau = {}",
+        "[regulator]\nset_point = {}\nstiffness = 0\ndamping = 0",
+    ] {
+        assert_eq!(flown(&scene(&format!("{SWING}{zero}"))), without, "{zero}");
+    }
+}
+
+/// Here μ is integrated instead of computed, with steps of other lengths: equal to the accuracy.
+#[test]
+fn effects_on_the_momentum_of_size_zero_change_the_motion_by_its_accuracy() {
+    const ACCURACY: f64 = 1e-6;
+    let without = flown(&scene(SWING));
+    for zero in ["[gravity]\nacceleration = [0, 0, 0]", "[base_wrench]\nforce = [0, 0, 0]\nstart = 0.1\nend = 0.3"] {
+        let with = flown(&scene(&format!("{SWING}{zero}")));
+        for (one, other) in with.samples.iter().zip(&without.samples) {
+            let apart = one.q.iter().zip(&other.q).fold(0.0, |apart: f64, (a, b)| apart.max((a - b).abs()));
+            assert!(apart < ACCURACY, "{zero} at {}: {apart:e}", one.time);
+        }
+    }
+}
+
+/// A wrench of the world and the same in base axes are one at the start; a pulse acts between its times and nowhere else.
+#[test]
+fn a_pulse_changes_the_momentum_by_force_times_time() {
+    /// Sums of a few hundred rounded steps.
+    const ROUNDING: f64 = 1e-9;
+    let record =
+        flown(&scene(&format!("{SWING}[base_wrench]\nforce = [3, 0, 4]\nframe = 'world'\nstart = 0.123\nend = 0.321")));
+    let change = |time: f64| {
+        let sample = record.samples.iter().rfind(|sample| sample.time <= time).unwrap();
+        (sample.momentum - record.samples[0].momentum).force
+    };
+    assert!(change(0.123).norm() < ROUNDING);
+    for (time, expected) in [(0.2, 0.2 - 0.123), (0.4, 0.321 - 0.123), (0.5, 0.321 - 0.123)] {
+        let error = (change(time) - nalgebra::Vector3::new(3.0, 0.0, 4.0) * expected).norm();
+        assert!(error < ROUNDING, "{time}: {error:e}");
+    }
+}
+
+#[test]
+fn a_run_that_fails_or_is_stopped_keeps_what_it_has() {
+    // The square of such a rate is no number.
+    let wild = flown(&scene("[start]\nqd = { joint_2 = 1e200 }"));
+    assert!(matches!(wild.end, End::Failed(_)), "{:?}", wild.end);
+    assert_eq!(wild.samples[0].time, 0.0);
+
+    let mut left = 2;
+    let stopped = run(&scene(SWING), &model(), |_| {
+        left -= 1;
+        if left == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    let whole = flown(&scene(SWING));
+    let (last, kept) = stopped.samples.split_last().unwrap();
+    assert_eq!((stopped.end, stopped.steps), (End::Stopped, 2));
+    assert!(last.time < 0.5 && !kept.is_empty(), "{} samples until {} s", kept.len() + 1, last.time);
+    assert_eq!(kept, &whole.samples[..kept.len()]);
+}

@@ -1,0 +1,124 @@
+//! `frs explain`: what a scene computes, and why.
+
+mod count;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use comfy_table::{Table, presets};
+use frs::Model;
+use frs_sim::scene::{Case, Force, Scene};
+
+use self::count::Costs;
+use super::table;
+use super::{Failure, scene};
+
+/// Tell what a scene computes: its effects, what is known about the momentum, the equations that remain, and their cost.
+#[derive(Args)]
+#[command(after_help = "Exit codes: 0 ok, 2 bad input.")]
+pub struct Explain {
+    /// The scene (docs/scenes.md).
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+}
+
+impl Explain {
+    pub fn run(self) -> Result<(), Failure> {
+        let (scene, model) = scene::load(&self.scene)?;
+        let mut out = io::stdout().lock();
+        table::robot(&mut out, &model)?;
+        let costs = Costs::of(&scene, &model);
+        effects(&mut out, &scene, &costs)?;
+        momentum(&mut out, &scene)?;
+        state(&mut out, &scene, &model)?;
+        writeln!(out, "\nEquations\n{}", equations(scene.case()))?;
+        writeln!(
+            out,
+            "\nOne evaluation of them\n  as the simulator computes them: {}\n  without what is constant here or not used: {}",
+            costs.whole, costs.needed
+        )?;
+        Ok(left_out(&mut out, &scene)?)
+    }
+}
+
+fn effects(out: &mut impl Write, scene: &Scene, costs: &Costs) -> io::Result<()> {
+    if scene.forces.is_empty() {
+        return writeln!(out, "Effects\n  none: the robot floats, and nothing acts on its joints");
+    }
+    let mut rows = Table::new();
+    rows.load_preset(presets::NOTHING);
+    for (named, cost) in scene.forces.iter().zip(&costs.effects) {
+        let (key, line) = (named.force.key(), named.line);
+        rows.add_row([&format!("  [{key}], line {line}"), named.force.equation(), &cost.to_string()]);
+    }
+    writeln!(out, "Effects\n{rows}")?;
+    for named in &scene.forces {
+        if let Force::BaseWrench(wrench) = &named.force {
+            let until =
+                if wrench.during().end.is_finite() { format!("{} s", wrench.during().end) } else { "the end".into() };
+            writeln!(
+                out,
+                "  [base_wrench], line {}: from {} s to {until}; the steps meet these times exactly",
+                named.line,
+                wrench.during().start
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn momentum(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
+    let case = scene.case();
+    let driving: Vec<_> = scene.forces.iter().filter(|named| named.force.drives_momentum()).collect();
+    let why = match case {
+        Case::Driven => {
+            let named: Vec<_> = driving.iter().map(|n| format!("[{}] in line {}", n.force.key(), n.line)).collect();
+            format!("{} can change it", named.join(", "))
+        }
+        Case::Conserved => "no effect can change it, and at the start it is not zero".into(),
+        Case::Zero => "no effect can change it, and at the start it is zero".into(),
+    };
+    writeln!(out, "\nMomentum: {}\n  {why}", case.name())
+}
+
+fn state(out: &mut impl Write, scene: &Scene, model: &Model) -> io::Result<()> {
+    let (n, case) = (model.dof(), scene.case());
+    let mu = match case {
+        Case::Driven => "6 for μ, ".to_owned(),
+        Case::Conserved => "none for μ, which follows from the momentum, ".to_owned(),
+        Case::Zero => "none for μ, which is 0, ".to_owned(),
+    };
+    let numbers = 2 * n + case.numbers();
+    writeln!(
+        out,
+        "\nState: the pose of the base and {numbers} numbers\n  {n} for q, {n} for q̇, {mu}and 1 more to measure the work of all forces"
+    )
+}
+
+/// The equations of motion that are left in a case.
+fn equations(case: Case) -> &'static str {
+    match case {
+        Case::Zero => "  Λ_q q̈ = τ − Γ'_q(q̇) q̇\n  ġ₁ = g₁ (−A_l q̇)^",
+        Case::Conserved => {
+            "  Λ_q q̈ = τ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇\n  μ = Λ_b⁻¹ Ad_{g₁}ᵀ J,  J constant\n  ġ₁ = g₁ (μ − A_l q̇)^"
+        }
+        Case::Driven => {
+            "  Λ_q q̈ = τ − A_lᵀ F₁ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇\n  Λ_b μ̇ = F₁ + ad_{V₁}ᵀ Λ_b μ − P(q̇) μ\n  ġ₁ = g₁ V₁^,  V₁ = μ − A_l q̇"
+        }
+    }
+}
+
+fn left_out(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
+    writeln!(out, "\nLeft out")?;
+    let named: Vec<&str> = scene.forces.iter().map(|named| named.force.key()).collect();
+    let absent: Vec<&str> = frs_sim::scene::EFFECTS.into_iter().filter(|key| !named.contains(key)).collect();
+    if !absent.is_empty() {
+        writeln!(out, "  effects that the scene does not name: {}", absent.join(", "))?;
+    }
+    match scene.case() {
+        Case::Zero => writeln!(out, "  all terms with μ, and the equation of μ"),
+        Case::Conserved => writeln!(out, "  the equation of μ"),
+        Case::Driven => writeln!(out, "  nothing of the equations"),
+    }
+}

@@ -1,0 +1,108 @@
+//! Operations, counted by recording them.
+
+use frs::Model;
+use frs::nalgebra::{Matrix3, Vector3};
+use frs::spatial::{Pose, Twist, Wrench};
+use frs_codegen::record::{Operation, Place, Recorded, record};
+use frs_codegen::{Counts, Graph, Precision};
+use frs_sim::effects::Effect;
+use frs_sim::integrate::{State, Tangent};
+use frs_sim::motion::{Instant, Load, Loads};
+use frs_sim::run::rate;
+use frs_sim::scene::Scene;
+
+/// What one evaluation of a scene's equations performs.
+pub struct Costs {
+    /// Each effect, in the scene's order.
+    pub effects: Vec<Counts>,
+    /// Everything.
+    pub whole: Counts,
+    /// What is left when constants are folded, equal terms shared, and unused ones dropped.
+    pub needed: Counts,
+}
+
+impl Costs {
+    pub fn of(scene: &Scene, model: &Model) -> Self {
+        let events = scene.effects::<f64>(model).events();
+        // Between two events the same forces act.
+        let phases = events.into_iter().chain([0.0]).filter(|time| (0.0..scene.duration).contains(time));
+        let each = phases.map(|time| of_phase(scene, model, time));
+        let [whole, needed] = each.max_by_key(|[whole, _]| whole.flops()).unwrap_or_default();
+        Self { effects: (0..scene.forces.len()).map(|i| of_effect(scene, model, i)).collect(), whole, needed }
+    }
+}
+
+/// What one evaluation performs with the forces that act from `time` on: all of it, and what is needed.
+fn of_phase(scene: &Scene, model: &Model, time: f64) -> [Counts; 2] {
+    let ((start, outputs), tape) = record(|| {
+        let model: Model<Recorded> = model.cast();
+        let mut inputs = Inputs::default();
+        let state = inputs.state(2 * model.dof() + scene.case().numbers());
+        let mut out = Tangent::zero(state.flat.len());
+        let mut rate = rate(scene, &model, time);
+        let time = inputs.next();
+        rate(time, &state, &mut out);
+        let outputs = out.twist.to_array().into_iter().chain(out.flat).map(|number| number.0);
+        (time.0, outputs.collect::<Vec<_>>())
+    });
+    [counted(tape[start as usize..].iter()), needed(&tape, &outputs)]
+}
+
+/// What an effect performs by itself, while it acts.
+fn of_effect(scene: &Scene, model: &Model, number: usize) -> Counts {
+    let alone = Scene { forces: vec![scene.forces[number].clone()], ..scene.clone() };
+    let (start, tape) = record(|| {
+        let model: Model<Recorded> = model.cast();
+        let n = model.dof();
+        let mut inputs = Inputs::default();
+        let state = inputs.state(2 * n);
+        let mu = Twist::from_array(std::array::from_fn(|_| inputs.next()));
+        let (q, qd) = state.flat.split_at(n);
+        let mut effects = alone.effects(&model);
+        let start = effects.events().first().copied();
+        effects.enter(start.unwrap_or(0.0));
+        let base_wrench = Wrench::zero();
+        let time = inputs.next();
+        let mut load = Load { base_wrench, gravity: [time; 3], tau: vec![time; n] };
+        effects.add(&Instant { time, pose: &state.pose, q, qd, mu }, &mut load);
+        time.0
+    });
+    counted(tape[start as usize..].iter())
+}
+
+fn counted<'a>(operations: impl Iterator<Item = &'a Operation>) -> Counts {
+    let mut counts = Counts::default();
+    operations.for_each(|operation| counts.count(*operation));
+    counts
+}
+
+fn needed(tape: &[Operation], outputs: &[Place]) -> Counts {
+    let mut graph = Graph::new(Precision::Double);
+    let places = graph.absorb(tape);
+    let mut used = vec![false; graph.operations().len()];
+    outputs.iter().for_each(|&output| used[places[output as usize] as usize] = true);
+    // Operands come first.
+    for place in (0..used.len()).rev() {
+        if used[place] {
+            graph.operation(place as Place).operands().for_each(|operand| used[operand as usize] = true);
+        }
+    }
+    counted(graph.operations().iter().zip(&used).filter(|(_, used)| **used).map(|(operation, _)| operation))
+}
+
+/// Numbers that are not known before the evaluation.
+#[derive(Default)]
+struct Inputs(u32);
+
+impl Inputs {
+    fn next(&mut self) -> Recorded {
+        self.0 += 1;
+        Recorded::input(self.0 - 1)
+    }
+
+    fn state(&mut self, numbers: usize) -> State<Recorded> {
+        let rotation = Matrix3::from_fn(|_, _| self.next());
+        let translation = Vector3::from_fn(|_, _| self.next());
+        State { pose: Pose::new(rotation, translation), flat: (0..numbers).map(|_| self.next()).collect() }
+    }
+}

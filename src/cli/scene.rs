@@ -1,0 +1,30 @@
+//! A scene file and its robot.
+
+use std::path::Path;
+
+use frs::Model;
+use frs::urdf::Options;
+use frs_sim::scene::Scene;
+
+use super::{Failure, read};
+
+/// Reads a scene and the robot that it names; the robot's path is relative to the scene's folder.
+pub fn load(path: &Path) -> Result<(Scene, Model), Failure> {
+    let (file, text) = (path.display().to_string(), read(path)?);
+    let told = |error: frs_sim::scene::SceneError| Failure::Input(error.to_string());
+    let (robot, place) = Scene::robot(&file, &text).map_err(told)?;
+    let robot = path.parent().unwrap_or(Path::new("")).join(robot);
+    let urdf = std::fs::read_to_string(&robot).map_err(|error| {
+        let (line, column, robot) = (place.line, place.column, robot.display());
+        Failure::Input(format!(
+            "{file}:{line}:{column}: robot: {robot} cannot be read: {error}; expected the path of a URDF, from the scene's folder"
+        ))
+    })?;
+    let options = Options { file: &robot.display().to_string(), root: None, lenient: false };
+    let model = Model::from_urdf_with(&urdf, &options).map_err(|error| Failure::Input(error.to_string()))?;
+    for warning in model.warnings() {
+        eprintln!("warning: {warning}");
+    }
+    let scene = Scene::parse(&file, &text, &model).map_err(told)?;
+    Ok((scene, model))
+}

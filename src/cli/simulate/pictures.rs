@@ -1,0 +1,68 @@
+//! Which pictures are drawn of a motion.
+
+use frs::Model;
+use frs::model::Motion;
+use frs_sim::run::Sample;
+
+use super::chart::{Chart, Panel};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names of files and their texts.
+pub fn all(model: &Model, samples: &[Sample]) -> Vec<(&'static str, String)> {
+    let chart = |title, panels| {
+        let times = samples.iter().map(|sample| sample.time).collect();
+        Chart { title, caption: model.name().to_owned(), times, panels }.svg()
+    };
+    let three = |label: &str, of: &dyn Fn(&Sample) -> [f64; 3]| Panel {
+        label: label.to_owned(),
+        lines: AXES.iter().enumerate().map(|(i, axis)| ((*axis).to_owned(), each(samples, |s| of(s)[i]))).collect(),
+    };
+    let joints = |symbol: &str, units: [&str; 2], of: &dyn Fn(&Sample) -> &[f64]| -> Vec<Panel> {
+        let kinds = [(false, units[0]), (true, units[1])];
+        let panel = |(slides, unit): (bool, &str)| {
+            let own = model.coordinates().iter().enumerate();
+            let own = own.filter(|(_, c)| matches!(model.bodies()[c.body].motion, Motion::Prismatic) == slides);
+            let lines = own.map(|(j, c)| (c.name.clone(), each(samples, |s| of(s)[j]))).collect();
+            Panel { label: format!("{symbol} / {unit}"), lines }
+        };
+        kinds.map(panel).into_iter().filter(|panel| !panel.lines.is_empty()).collect()
+    };
+    let Some(first) = samples.first() else { return Vec::new() };
+    let energy = Panel {
+        label: "energy / J".into(),
+        lines: vec![
+            ("kinetic energy".into(), each(samples, |s| s.kinetic_energy)),
+            ("work of all forces".into(), each(samples, |s| s.work)),
+        ],
+    };
+    let balance = Panel {
+        label: "difference / J".into(),
+        lines: vec![("E − E(0) − W".into(), each(samples, |s| s.kinetic_energy - first.kinetic_energy - s.work))],
+    };
+    let pictures = [
+        ("shape.svg", "Shape", joints("q", ["rad", "m"], &|s| &s.q)),
+        ("shape_rates.svg", "Shape velocity", joints("dq/dt", ["rad/s", "m/s"], &|s| &s.qd)),
+        (
+            "locked_velocity.svg",
+            "Locked velocity, base frame",
+            vec![three("angular / rad/s", &|s| s.mu.angular.into()), three("linear / m/s", &|s| s.mu.linear.into())],
+        ),
+        ("torques.svg", "Joint torques", joints("τ", ["N·m", "N"], &|s| &s.tau)),
+        ("energy.svg", "Kinetic energy and the work of all forces", vec![energy, balance]),
+        (
+            "momentum.svg",
+            "Change of the momentum about the world's origin",
+            vec![
+                three("angular / kg·m²/s", &|s| (s.momentum - first.momentum).moment.into()),
+                three("linear / kg·m/s", &|s| (s.momentum - first.momentum).force.into()),
+            ],
+        ),
+    ];
+    let drawn = pictures.into_iter().filter(|(_, _, panels)| !panels.is_empty());
+    drawn.map(|(name, title, panels)| (name, chart(title, panels))).collect()
+}
+
+fn each(samples: &[Sample], of: impl Fn(&Sample) -> f64) -> Vec<f64> {
+    samples.iter().map(of).collect()
+}
