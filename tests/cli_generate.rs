@@ -6,8 +6,8 @@ use serde_json::Value;
 
 const PLANAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/robots/planar_three_link.urdf");
 
-/// Functions of the planar robot: fifteen quantities, and the kinematics of the link at its end.
-const FUNCTIONS: usize = 16;
+/// Functions of the planar robot: sixteen quantities, and the kinematics of the link at its end.
+const FUNCTIONS: usize = 17;
 
 fn frs(arguments: &[&str]) -> Command {
     let mut frs = Command::new(env!("CARGO_BIN_EXE_frs"));
