@@ -107,6 +107,7 @@ impl Emitter<'_> {
         let blocks = &self.schedule.blocks;
         let mut codes: Vec<Code> = Vec::with_capacity(blocks.len());
         let mut foreign = Foreign::new();
+        let mut structures = BTreeSet::new();
         let mut start = 0;
         for one_purpose in blocks.chunk_by(|a, b| a.purpose == b.purpose) {
             let purpose = &one_purpose[0].purpose;
@@ -115,7 +116,15 @@ impl Emitter<'_> {
             let names = names(&scope, self.parts, &lines);
             let mut around = foreign.clone();
             for (number, block) in (start..).zip(one_purpose) {
-                let code = self.lines(&scope, block, &names, &around);
+                let mut code = self.lines(&scope, block, &names, &around);
+                // Names that differ by an underscore alone are one as a structure's.
+                let plain = code.name.clone();
+                for more in 2.. {
+                    if structures.insert(structure(&code.name)) {
+                        break;
+                    }
+                    code.name = format_ident!("{plain}_{more}");
+                }
                 let holder = &code.name;
                 for (&place, field) in block.exports.iter().zip(&code.fields) {
                     around.insert(place, (number, quote!(#holder.#field)));
@@ -515,6 +524,7 @@ fn module(name: &Ident, blocks: TokenStream) -> TokenStream {
     quote! {
         use #name::*;
         mod #name {
+            #[allow(unused_imports, reason = "not every block stands on others")]
             use super::*;
             #blocks
         }

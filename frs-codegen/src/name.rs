@@ -82,15 +82,25 @@ pub fn snake_case(text: &str) -> String {
     if words.is_empty() { "unnamed".to_owned() } else { words.join("_") }
 }
 
-/// A robot's name as a type's: `lwr_satellite` → `LwrSatellite`.
+/// A robot's name as a type's.
+///
+/// ```
+/// use frs_codegen::camel_case;
+/// assert_eq!(camel_case("lwr_satellite"), "LwrSatellite");
+/// assert_eq!([camel_case("b_2_11"), camel_case("b_21_1")], ["B2_11", "B21_1"]); // numbers stay apart
+/// ```
 pub fn camel_case(text: &str) -> String {
-    let name: String = snake_case(text)
-        .split('_')
-        .map(|word| {
-            let mut letters = word.chars();
-            letters.next().map_or_else(String::new, |first| first.to_ascii_uppercase().to_string() + letters.as_str())
-        })
-        .collect();
+    let mut name = String::new();
+    for word in snake_case(text).split('_') {
+        let mut letters = word.chars();
+        if let Some(first) = letters.next() {
+            if first.is_ascii_digit() && name.ends_with(|last: char| last.is_ascii_digit()) {
+                name.push('_');
+            }
+            name.push(first.to_ascii_uppercase());
+            name.push_str(letters.as_str());
+        }
+    }
     match name.chars().next() {
         Some(first) if first.is_ascii_alphabetic() && name != "Self" => name,
         _ => format!("Robot{name}"),

@@ -698,8 +698,6 @@ struct Screws {
     inside_joint_2_my_3: f64,
     inside_joint_2_mz_2: f64,
     inside_joint_2_mz_3: f64,
-    inside_joint_2_mx: f64,
-    inside_joint_2_my: f64,
     inside_joint_2_fx: f64,
     inside_joint_2_fy: f64,
     inside_joint_2_fz: f64,
@@ -870,8 +868,6 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
         inside_joint_2_my_3,
         inside_joint_2_mz_2,
         inside_joint_2_mz_3,
-        inside_joint_2_mx,
-        inside_joint_2_my,
         inside_joint_2_fx,
         inside_joint_2_fy,
         inside_joint_2_fz,
@@ -2598,7 +2594,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (3; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (9×9, by columns; Λ's · 1/s)
 ///
-/// 1677 operations: 834 + −, 840 ×, 3 ÷; 3 sin cos; about 19.8 KiB of code.
+/// 1810 operations: 903 + −, 904 ×, 3 ÷; 3 sin cos; about 21.3 KiB of code.
 pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2749,13 +2745,13 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     d_qdot[6][3] = 0.0;
     d_qdot[6][4] = 0.0;
     d_qdot[6][5] = 0.0;
-    let factor_outside_link_1_yz_5_1 = (inertias.inertia_base_xx
+    let factor_outside_link_1_yz_3_1 = (inertias.inertia_base_xx
         + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
-    let factor_outside_link_1_yz_0 = inertias.inertia_base_xy
+    let factor_outside_link_1_yz_3_5 = inertias.inertia_base_xy
         * velocities.minus_velocity_base_wy;
     let factor_outside_link_1_zy_0 = inertias.minus_inertia_base_xz
         * velocities.minus_velocity_base_wz;
-    let factor_outside_link_1_xz_2 = inertias.inertia_base_xy
+    let factor_outside_link_1_xz_3_0 = inertias.inertia_base_xy
         * velocities.minus_velocity_base_wx;
     let factor_outside_link_1_zx_0 = inertias.inertia_base_yz
         * velocities.minus_velocity_base_wz;
@@ -2763,27 +2759,27 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         * velocities.minus_velocity_base_wx;
     let factor_outside_link_1_yx_2 = inertias.inertia_base_yz
         * velocities.minus_velocity_base_wy;
-    let factor_outside_link_1_yz_5 = velocities.minus_velocity_base_wx
-        * factor_outside_link_1_yz_5_1
+    let factor_outside_link_1_yz_3 = velocities.minus_velocity_base_wx
+        * factor_outside_link_1_yz_3_1
         + (factor_outside_link_1_zy_0
             - (inertias.inertia_base_xx * velocities.minus_velocity_base_wx
-                + factor_outside_link_1_yz_0));
-    let factor_outside_link_1_xz_5 = factor_outside_link_1_xz_2
+                + factor_outside_link_1_yz_3_5));
+    let factor_outside_link_1_xz_3 = factor_outside_link_1_xz_3_0
         + inertias.inertia_base_yy * velocities.minus_velocity_base_wy
         + factor_outside_link_1_zx_0
-        - velocities.minus_velocity_base_wy * factor_outside_link_1_yz_5_1;
+        - velocities.minus_velocity_base_wy * factor_outside_link_1_yz_3_1;
     let factor_outside_link_1_xy_5 = velocities.minus_velocity_base_wz
-        * factor_outside_link_1_yz_5_1
+        * factor_outside_link_1_yz_3_1
         + (factor_outside_link_1_xy_4 - factor_outside_link_1_yx_2
             - inertias.inertia_base_zz * velocities.minus_velocity_base_wz);
     let factor_outside_link_1_xx_2 = inertias.minus_inertia_base_hx
         * velocities.minus_velocity_base_vx;
     let factor_outside_link_1_yy_2 = inertias.inertia_base_hy
         * velocities.minus_velocity_base_vy;
-    let factor_outside_link_1_zz_3 = inertias.minus_inertia_base_hz
+    let factor_outside_link_1_zz_2 = inertias.minus_inertia_base_hz
         * velocities.minus_velocity_base_vz;
     let factor_outside_link_1_xx_3 = factor_outside_link_1_xx_2
-        - factor_outside_link_1_yy_2 + factor_outside_link_1_zz_3;
+        - factor_outside_link_1_yy_2 + factor_outside_link_1_zz_2;
     let factor_outside_link_1_xx_0 = velocities.minus_velocity_base_wy
         * inertias.minus_inertia_base_xz;
     let factor_outside_link_1_xx_1 = velocities.minus_velocity_base_wz
@@ -2795,10 +2791,11 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
         * inertias.inertia_base_hy
         - (velocities.minus_velocity_base_wz * inertias.inertia_base_xx
             + factor_outside_link_1_xy_4) + factor_outside_link_1_xy_5;
-    let factor_outside_link_1_xz = velocities.minus_velocity_base_wy
-        * inertias.inertia_base_xx - factor_outside_link_1_xz_2
+    let factor_outside_link_1_xz_0 = velocities.minus_velocity_base_wy
+        * inertias.inertia_base_xx - factor_outside_link_1_xz_3_0;
+    let factor_outside_link_1_xz = factor_outside_link_1_xz_0
         - velocities.minus_velocity_base_vx * inertias.minus_inertia_base_hz
-        + factor_outside_link_1_xz_5;
+        + factor_outside_link_1_xz_3;
     let factor_outside_link_1_yx = velocities.minus_velocity_base_wz
         * inertias.inertia_base_yy - factor_outside_link_1_yx_2
         - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
@@ -2808,28 +2805,32 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_outside_link_1_yy = factor_outside_link_1_yy_0
         - factor_outside_link_1_xx_1 + factor_outside_link_1_yy_2
         + factor_outside_link_1_xx_3;
+    let factor_outside_link_1_yz_0 = factor_outside_link_1_yz_3_5
+        - velocities.minus_velocity_base_wx * inertias.inertia_base_yy;
     let factor_outside_link_1_yz = factor_outside_link_1_yz_0
-        - velocities.minus_velocity_base_wx * inertias.inertia_base_yy
         - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz
-        + factor_outside_link_1_yz_5;
+        + factor_outside_link_1_yz_3;
     let factor_outside_link_1_zx = factor_outside_link_1_zx_0
         - velocities.minus_velocity_base_wy * inertias.inertia_base_zz
         - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx
-        - factor_outside_link_1_xz_5;
+        - factor_outside_link_1_xz_3;
     let factor_outside_link_1_zy = factor_outside_link_1_zy_0
         + velocities.minus_velocity_base_wx * inertias.inertia_base_zz
         + velocities.minus_velocity_base_vz * inertias.inertia_base_hy
-        - factor_outside_link_1_yz_5;
+        - factor_outside_link_1_yz_3;
+    let factor_outside_link_1_zz_1 = factor_outside_link_1_yy_0
+        + factor_outside_link_1_xx_0;
     let factor_outside_link_1_zz = factor_outside_link_1_xx_3
-        - (factor_outside_link_1_yy_0 + factor_outside_link_1_xx_0
-            + factor_outside_link_1_zz_3);
-    let factor_outside_link_1_px = velocities.minus_velocity_base_wy
-        * inertias.minus_inertia_base_hz
+        - (factor_outside_link_1_zz_1 + factor_outside_link_1_zz_2);
+    let factor_outside_link_1_px_0 = velocities.minus_velocity_base_wy
+        * inertias.minus_inertia_base_hz;
+    let factor_outside_link_1_py_2 = velocities.minus_velocity_base_wx
+        * inertias.minus_inertia_base_hz;
+    let factor_outside_link_1_px = factor_outside_link_1_px_0
         + velocities.minus_velocity_base_wz * inertias.inertia_base_hy
         - velocities.minus_velocity_base_vx * 105.0;
     let factor_outside_link_1_py = velocities.minus_velocity_base_wz
-        * inertias.minus_inertia_base_hx
-        - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz
+        * inertias.minus_inertia_base_hx - factor_outside_link_1_py_2
         - velocities.minus_velocity_base_vy * 105.0;
     let minus_factor_outside_link_1_pz = velocities.minus_velocity_base_vz * 105.0
         + (velocities.minus_velocity_base_wx * inertias.inertia_base_hy
@@ -3042,49 +3043,50 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_1_xz = factor_link_1_xz_0 + factor_link_2_xz;
     let factor_link_1_yz = factor_link_1_yz_0 + factor_link_2_yz;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
-    let twist_base_vz = velocities.minus_velocity_base_wy * poses.origin_base_y
+    let wrench_base_mx_6 = velocities.minus_velocity_base_wy * poses.origin_base_y
         - velocities.minus_velocity_base_wx * poses.com_x;
-    let twist_base_vx = velocities.velocity_link_1_vy
+    let wrench_base_my_6 = velocities.velocity_link_1_vy
         - velocities.velocity_link_1_wz * poses.com_x;
-    let twist_base_vy = velocities.velocity_link_1_wz * poses.origin_base_y
+    let wrench_base_mx_8 = velocities.velocity_link_1_wz * poses.origin_base_y
         - velocities.velocity_link_1_vx;
     let wrench_base_mx = factor_link_1_xz
         + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hy * twist_base_vz
-                - inertias.composite_link_1_hz * twist_base_vy));
+            + (inertias.composite_link_1_hy * wrench_base_mx_6
+                - inertias.composite_link_1_hz * wrench_base_mx_8));
     let wrench_base_my = factor_link_1_yz
         + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hz * twist_base_vx
-                - inertias.composite_link_1_hx * twist_base_vz));
+            + (inertias.composite_link_1_hz * wrench_base_my_6
+                - inertias.composite_link_1_hx * wrench_base_mx_6));
     let wrench_base_mz = factor_link_1_zz
         + (inertias.composite_link_1_yz * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hx * twist_base_vy
-                - inertias.composite_link_1_hy * twist_base_vx));
-    let turn_joint_1_x = factor_outside_link_1_xx * screws.connection_joint_1_wx
+            + (inertias.composite_link_1_hx * wrench_base_mx_8
+                - inertias.composite_link_1_hy * wrench_base_my_6));
+    let turn_joint_1_x_0 = factor_outside_link_1_xx * screws.connection_joint_1_wx;
+    let turn_joint_1_y_2 = factor_outside_link_1_yy * screws.connection_joint_1_wy;
+    let turn_joint_1_z_4 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
+    let turn_joint_1_x_7 = factor_link_1_xx * reactions.reaction_joint_1_wx;
+    let turn_joint_1_y_9 = factor_link_1_yy * reactions.reaction_joint_1_wy;
+    let turn_joint_1_z_13 = factor_link_1_zz * reactions.reaction_joint_1_wz;
+    let turn_joint_1_x = turn_joint_1_x_0
         + factor_outside_link_1_yx * screws.connection_joint_1_wy
         + factor_outside_link_1_zx * screws.connection_joint_1_wz
         + minus_factor_outside_link_1_pz * screws.connection_joint_1_vy
-        - (factor_link_1_xx * reactions.reaction_joint_1_wx
-            + factor_link_1_yx * reactions.reaction_joint_1_wy
+        - (turn_joint_1_x_7 + factor_link_1_yx * reactions.reaction_joint_1_wy
             + factor_link_1_zx * reactions.reaction_joint_1_wz);
     let turn_joint_1_y = factor_outside_link_1_xy * screws.connection_joint_1_wx
-        + factor_outside_link_1_yy * screws.connection_joint_1_wy
-        + factor_outside_link_1_zy * screws.connection_joint_1_wz
+        + turn_joint_1_y_2 + factor_outside_link_1_zy * screws.connection_joint_1_wz
         - minus_factor_outside_link_1_pz * screws.connection_joint_1_vx
-        - (factor_link_1_xy * reactions.reaction_joint_1_wx
-            + factor_link_1_yy * reactions.reaction_joint_1_wy
+        - (factor_link_1_xy * reactions.reaction_joint_1_wx + turn_joint_1_y_9
             + factor_link_1_zy * reactions.reaction_joint_1_wz);
     let turn_joint_1_z = factor_outside_link_1_xz * screws.connection_joint_1_wx
-        + factor_outside_link_1_yz * screws.connection_joint_1_wy
-        + factor_outside_link_1_zz * screws.connection_joint_1_wz
+        + factor_outside_link_1_yz * screws.connection_joint_1_wy + turn_joint_1_z_4
         + (factor_outside_link_1_px * screws.connection_joint_1_vy
             - factor_outside_link_1_py * screws.connection_joint_1_vx)
         - (factor_link_1_xz * reactions.reaction_joint_1_wx
-            + factor_link_1_yz * reactions.reaction_joint_1_wy
-            + factor_link_1_zz * reactions.reaction_joint_1_wz);
+            + factor_link_1_yz * reactions.reaction_joint_1_wy + turn_joint_1_z_13);
     d_qdot[6][6] = reactions.reaction_joint_1_wx * wrench_base_mx
         + reactions.reaction_joint_1_wy * wrench_base_my
         + reactions.reaction_joint_1_wz * wrench_base_mz
@@ -3097,6 +3099,9 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_1_py_0 = velocities.velocity_link_1_vy * 5.0
         + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
             - velocities.velocity_link_1_wz * inertias.minus_inertia_link_1_hx);
+    let factor_link_1_pz_1 = velocities.minus_velocity_base_vz * 5.0
+        + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
+            + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx);
     let factor_link_2_px_0 = velocities.velocity_link_2_vx * 10.0
         + (velocities.velocity_link_2_wy * inertias.inertia_link_2_hz
             - velocities.velocity_link_1_wz * inertias.inertia_link_2_hy);
@@ -3120,6 +3125,136 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_2_pz = factor_link_2_pz_0 + factor_link_3_pz;
     let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
     let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
+    let factor_link_1_pz = factor_link_2_pz - factor_link_1_pz_1;
+    let wrench_outside_base_mx = factor_outside_link_1_xz * screws.connection_joint_1_wz
+        + (factor_outside_link_1_xy * screws.connection_joint_1_wy + turn_joint_1_x_0)
+        - (factor_link_1_xz * reactions.reaction_joint_1_wz
+            + (factor_link_1_xy * reactions.reaction_joint_1_wy + turn_joint_1_x_7))
+        + (inertias.inertia_base_hy * wrench_base_mx_6
+            + inertias.minus_inertia_base_hz * wrench_base_mx_8
+            - factor_outside_link_1_xz_0);
+    let wrench_outside_base_my = factor_outside_link_1_yz * screws.connection_joint_1_wz
+        + (turn_joint_1_y_2 + factor_outside_link_1_yx * screws.connection_joint_1_wx)
+        - (factor_link_1_yz * reactions.reaction_joint_1_wz
+            + (turn_joint_1_y_9 + factor_link_1_yx * reactions.reaction_joint_1_wx))
+        + (inertias.minus_inertia_base_hx * wrench_base_mx_6
+            - inertias.minus_inertia_base_hz * wrench_base_my_6
+            - factor_outside_link_1_yz_0);
+    let wrench_outside_base_mz = turn_joint_1_z_4
+        + (factor_outside_link_1_zy * screws.connection_joint_1_wy
+            + factor_outside_link_1_zx * screws.connection_joint_1_wx)
+        - (turn_joint_1_z_13
+            + (factor_link_1_zy * reactions.reaction_joint_1_wy
+                + factor_link_1_zx * reactions.reaction_joint_1_wx))
+        + (factor_outside_link_1_zz_1
+            - (inertias.minus_inertia_base_hx * wrench_base_mx_8
+                + inertias.inertia_base_hy * wrench_base_my_6));
+    let wrench_outside_base_fx = wrench_base_my_6 * 105.0 - factor_outside_link_1_py_2
+        - (screws.connection_joint_1_wy * minus_factor_outside_link_1_pz
+            + screws.connection_joint_1_wz * factor_outside_link_1_py
+            + (reactions.reaction_joint_1_wy * factor_link_1_pz
+                - reactions.reaction_joint_1_wz * factor_link_1_py));
+    let wrench_outside_base_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
+        + screws.connection_joint_1_wx * minus_factor_outside_link_1_pz
+        - (reactions.reaction_joint_1_wz * factor_link_1_px
+            - reactions.reaction_joint_1_wx * factor_link_1_pz)
+        + (wrench_base_mx_8 * 105.0 - factor_outside_link_1_px_0);
+    let wrench_outside_base_fz = screws.connection_joint_1_wx * factor_outside_link_1_py
+        - screws.connection_joint_1_wy * factor_outside_link_1_px
+        - (reactions.reaction_joint_1_wx * factor_link_1_py
+            - reactions.reaction_joint_1_wy * factor_link_1_px)
+        + (wrench_base_mx_6 * 105.0
+            + (velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hx
+                - velocities.minus_velocity_base_wy * inertias.inertia_base_hy));
+    let three_joint_2_x_0 = factor_link_2_xx * poses.cos_joint_1;
+    let three_joint_2_y_2 = factor_link_2_yy * poses.sin_joint_1;
+    let three_joint_2_x = three_joint_2_x_0 + factor_link_2_yx * poses.sin_joint_1
+        - (factor_link_2_py * screws.minus_screw_joint_2_vz
+            + factor_link_2_pz * screws.screw_joint_2_vy);
+    let three_joint_2_y = factor_link_2_xy * poses.cos_joint_1 + three_joint_2_y_2
+        + (factor_link_2_px * screws.minus_screw_joint_2_vz
+            - factor_link_2_pz * screws.minus_screw_joint_2_vx);
+    let three_joint_2_z = factor_link_2_xz * poses.cos_joint_1
+        + factor_link_2_yz * poses.sin_joint_1
+        + (factor_link_2_px * screws.screw_joint_2_vy
+            + factor_link_2_py * screws.minus_screw_joint_2_vx);
+    d_qdot[6][7] = wrench_outside_base_mx * screws.connection_joint_2_wx
+        + wrench_outside_base_my * screws.connection_joint_2_wy
+        + wrench_outside_base_mz * screws.connection_joint_2_wz
+        + wrench_outside_base_fx * screws.connection_joint_2_vx
+        + wrench_outside_base_fy * screws.connection_joint_2_vy
+        + wrench_outside_base_fz * screws.connection_joint_2_vz
+        + reactions.reaction_joint_1_wx * three_joint_2_x
+        + reactions.reaction_joint_1_wy * three_joint_2_y
+        + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
+    let three_joint_3_x_0 = factor_link_3_xx * poses.cos_joint_1;
+    let three_joint_3_y_2 = factor_link_3_yy * poses.sin_joint_1;
+    let three_joint_3_x = three_joint_3_x_0 + factor_link_3_yx * poses.sin_joint_1
+        + (factor_link_3_py * screws.screw_joint_3_vz
+            - factor_link_3_pz * screws.screw_joint_3_vy);
+    let three_joint_3_y = factor_link_3_xy * poses.cos_joint_1 + three_joint_3_y_2
+        - (factor_link_3_pz * screws.minus_screw_joint_3_vx
+            + factor_link_3_px * screws.screw_joint_3_vz);
+    let three_joint_3_z = factor_link_3_xz * poses.cos_joint_1
+        + factor_link_3_yz * poses.sin_joint_1
+        + (factor_link_3_px * screws.screw_joint_3_vy
+            + factor_link_3_py * screws.minus_screw_joint_3_vx);
+    d_qdot[6][8] = wrench_outside_base_mx * screws.connection_joint_3_wx
+        + wrench_outside_base_my * screws.connection_joint_3_wy
+        + wrench_outside_base_mz * screws.connection_joint_3_wz
+        + wrench_outside_base_fx * screws.connection_joint_3_vx
+        + wrench_outside_base_fy * screws.connection_joint_3_vy
+        + wrench_outside_base_fz * screws.connection_joint_3_vz
+        + reactions.reaction_joint_1_wx * three_joint_3_x
+        + reactions.reaction_joint_1_wy * three_joint_3_y
+        + reactions.reaction_joint_1_wz * three_joint_3_z + 0.0;
+    // D_q\u{307} column joint_2
+    d_qdot[7][0] = 0.0;
+    d_qdot[7][1] = 0.0;
+    d_qdot[7][2] = 0.0;
+    d_qdot[7][3] = 0.0;
+    d_qdot[7][4] = 0.0;
+    d_qdot[7][5] = 0.0;
+    let wrench_link_1_mx_6 = velocities.velocity_link_1_wz * poses.sin_joint_1;
+    let wrench_link_1_mx_4 = velocities.velocity_link_1_wz * poses.cos_joint_1;
+    let wrench_link_1_mx_8 = velocities.velocity_link_2_wx * poses.sin_joint_1
+        - velocities.velocity_link_2_wy * poses.cos_joint_1;
+    let wrench_link_1_my_10 = velocities.minus_velocity_link_2_vz * poses.sin_joint_1
+        - (velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vz
+            + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
+    let wrench_link_1_mx_12 = velocities.velocity_link_2_wx
+        * screws.minus_screw_joint_2_vz
+        - velocities.velocity_link_1_wz * screws.minus_screw_joint_2_vx
+        - velocities.minus_velocity_link_2_vz * poses.cos_joint_1;
+    let wrench_link_1_mx_10 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
+        + velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vx
+        + (velocities.velocity_link_2_vx * poses.sin_joint_1
+            - velocities.velocity_link_2_vy * poses.cos_joint_1);
+    let wrench_link_1_mx = factor_link_2_xy * poses.sin_joint_1 + three_joint_2_x_0
+        + (inertias.composite_link_2_xy * wrench_link_1_mx_4
+            - inertias.composite_link_2_xx * wrench_link_1_mx_6
+            + inertias.composite_link_2_xz * wrench_link_1_mx_8
+            + (inertias.composite_link_2_hy * wrench_link_1_mx_10
+                - inertias.composite_link_2_hz * wrench_link_1_mx_12));
+    let wrench_link_1_my = three_joint_2_y_2 + factor_link_2_yx * poses.cos_joint_1
+        + (inertias.composite_link_2_yy * wrench_link_1_mx_4
+            - inertias.composite_link_2_xy * wrench_link_1_mx_6
+            + inertias.composite_link_2_yz * wrench_link_1_mx_8
+            + (inertias.composite_link_2_hz * wrench_link_1_my_10
+                - inertias.composite_link_2_hx * wrench_link_1_mx_10));
+    let wrench_link_1_mz = factor_link_2_zy * poses.sin_joint_1
+        + factor_link_2_zx * poses.cos_joint_1
+        + (inertias.composite_link_2_yz * wrench_link_1_mx_4
+            - inertias.composite_link_2_xz * wrench_link_1_mx_6
+            + inertias.composite_link_2_zz * wrench_link_1_mx_8
+            + (inertias.composite_link_2_hx * wrench_link_1_mx_12
+                - inertias.composite_link_2_hy * wrench_link_1_my_10));
+    d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
+        + reactions.reaction_joint_1_wy * wrench_link_1_my
+        + reactions.reaction_joint_1_wz * wrench_link_1_mz
+        + turn_joint_1_x * screws.connection_joint_2_wx
+        + turn_joint_1_y * screws.connection_joint_2_wy
+        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
     let factor_outside_link_2_xx = factor_link_1_xx_0 + factor_outside_link_1_xx;
     let factor_outside_link_2_yx = factor_link_1_yx_0 + factor_outside_link_1_yx;
     let factor_outside_link_2_zx = factor_link_1_zx_0 + factor_outside_link_1_zx;
@@ -3131,67 +3266,190 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_outside_link_2_zz = factor_link_1_zz_0 + factor_outside_link_1_zz;
     let factor_outside_link_2_px = factor_link_1_px_0 + factor_outside_link_1_px;
     let factor_outside_link_2_py = factor_link_1_py_0 + factor_outside_link_1_py;
-    let minus_factor_outside_link_2_pz = velocities.minus_velocity_base_vz * 5.0
-        + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
-            + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx)
+    let minus_factor_outside_link_2_pz = factor_link_1_pz_1
         + minus_factor_outside_link_1_pz;
-    let wrench_base_fz = twist_base_vz * 25.0
-        - (velocities.minus_velocity_base_wy * inertias.composite_link_1_hy
-            + velocities.minus_velocity_base_wx * inertias.composite_link_1_hx);
-    let wrench_base_fx = twist_base_vx * 25.0
-        + velocities.minus_velocity_base_wx * inertias.composite_link_1_hz
-        - factor_link_1_py;
-    let wrench_base_fy = factor_link_1_px
-        + (twist_base_vy * 25.0
-            + velocities.minus_velocity_base_wy * inertias.composite_link_1_hz);
-    let turn_joint_2_x = factor_outside_link_2_xx * screws.connection_joint_2_wx
+    let wrench_link_1_fx = poses.sin_joint_1 * factor_link_2_pz
+        + (wrench_link_1_my_10 * 20.0
+            + (wrench_link_1_mx_4 * inertias.composite_link_2_hz
+                - wrench_link_1_mx_8 * inertias.composite_link_2_hy));
+    let wrench_link_1_fy = wrench_link_1_mx_12 * 20.0
+        + (wrench_link_1_mx_8 * inertias.composite_link_2_hx
+            + wrench_link_1_mx_6 * inertias.composite_link_2_hz)
+        - poses.cos_joint_1 * factor_link_2_pz;
+    let wrench_link_1_fz = poses.cos_joint_1 * factor_link_2_py
+        - poses.sin_joint_1 * factor_link_2_px
+        + (wrench_link_1_mx_10 * 20.0
+            - (wrench_link_1_mx_6 * inertias.composite_link_2_hy
+                + wrench_link_1_mx_4 * inertias.composite_link_2_hx));
+    let turn_joint_2_x_0 = factor_outside_link_2_xx * screws.connection_joint_2_wx;
+    let turn_joint_2_y_2 = factor_outside_link_2_yy * screws.connection_joint_2_wy;
+    let turn_joint_2_z_4 = factor_outside_link_2_zz * screws.connection_joint_2_wz;
+    let turn_joint_2_x_9 = factor_link_2_xx * reactions.reaction_joint_2_wx;
+    let turn_joint_2_y_11 = factor_link_2_yy * reactions.reaction_joint_2_wy;
+    let turn_joint_2_z_13 = factor_link_2_zz * reactions.reaction_joint_2_wz;
+    let turn_joint_2_x = turn_joint_2_x_0
         + factor_outside_link_2_yx * screws.connection_joint_2_wy
         + factor_outside_link_2_zx * screws.connection_joint_2_wz
         + (factor_outside_link_2_py * screws.connection_joint_2_vz
             + minus_factor_outside_link_2_pz * screws.connection_joint_2_vy)
-        - (factor_link_2_xx * reactions.reaction_joint_2_wx
-            + factor_link_2_yx * reactions.reaction_joint_2_wy
+        - (turn_joint_2_x_9 + factor_link_2_yx * reactions.reaction_joint_2_wy
             + factor_link_2_zx * reactions.reaction_joint_2_wz
             + (factor_link_2_py * reactions.reaction_joint_2_vz
                 - factor_link_2_pz * reactions.reaction_joint_2_vy));
     let turn_joint_2_y = factor_outside_link_2_xy * screws.connection_joint_2_wx
-        + factor_outside_link_2_yy * screws.connection_joint_2_wy
-        + factor_outside_link_2_zy * screws.connection_joint_2_wz
+        + turn_joint_2_y_2 + factor_outside_link_2_zy * screws.connection_joint_2_wz
         - (minus_factor_outside_link_2_pz * screws.connection_joint_2_vx
             + factor_outside_link_2_px * screws.connection_joint_2_vz)
-        - (factor_link_2_xy * reactions.reaction_joint_2_wx
-            + factor_link_2_yy * reactions.reaction_joint_2_wy
+        - (factor_link_2_xy * reactions.reaction_joint_2_wx + turn_joint_2_y_11
             + factor_link_2_zy * reactions.reaction_joint_2_wz
             + (factor_link_2_pz * reactions.reaction_joint_2_vx
                 - factor_link_2_px * reactions.reaction_joint_2_vz));
     let turn_joint_2_z = factor_outside_link_2_xz * screws.connection_joint_2_wx
-        + factor_outside_link_2_yz * screws.connection_joint_2_wy
-        + factor_outside_link_2_zz * screws.connection_joint_2_wz
+        + factor_outside_link_2_yz * screws.connection_joint_2_wy + turn_joint_2_z_4
         + (factor_outside_link_2_px * screws.connection_joint_2_vy
             - factor_outside_link_2_py * screws.connection_joint_2_vx)
         - (factor_link_2_xz * reactions.reaction_joint_2_wx
-            + factor_link_2_yz * reactions.reaction_joint_2_wy
-            + factor_link_2_zz * reactions.reaction_joint_2_wz
+            + factor_link_2_yz * reactions.reaction_joint_2_wy + turn_joint_2_z_13
             + (factor_link_2_px * reactions.reaction_joint_2_vy
                 - factor_link_2_py * reactions.reaction_joint_2_vx));
-    let three_joint_2_z = factor_link_2_xz * poses.cos_joint_1
-        + factor_link_2_yz * poses.sin_joint_1
-        + (factor_link_2_px * screws.screw_joint_2_vy
-            + factor_link_2_py * screws.minus_screw_joint_2_vx);
-    let d_qdot_7_6_0 = screws.connection_joint_1_wx * turn_joint_2_x
-        - (wrench_base_mx * screws.connection_joint_2_wx
-            + wrench_base_my * screws.connection_joint_2_wy
-            + wrench_base_mz * screws.connection_joint_2_wz
-            + wrench_base_fx * screws.connection_joint_2_vx
-            + wrench_base_fy * screws.connection_joint_2_vy
-            + wrench_base_fz * screws.connection_joint_2_vz)
-        + screws.connection_joint_1_wy * turn_joint_2_y
-        + screws.connection_joint_1_wz * turn_joint_2_z + three_joint_2_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_2_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_2_my
-        + twist_base_vx * screws.inside_joint_2_fx;
-    d_qdot[6][7] = d_qdot_7_6_0 + twist_base_vy * screws.inside_joint_2_fy
-        + twist_base_vz * screws.inside_joint_2_fz + 0.0;
+    d_qdot[7][7] = reactions.reaction_joint_2_wx * wrench_link_1_mx
+        + reactions.reaction_joint_2_wy * wrench_link_1_my
+        + reactions.reaction_joint_2_wz * wrench_link_1_mz
+        + reactions.reaction_joint_2_vx * wrench_link_1_fx
+        + reactions.reaction_joint_2_vy * wrench_link_1_fy
+        + reactions.reaction_joint_2_vz * wrench_link_1_fz
+        + turn_joint_2_x * screws.connection_joint_2_wx
+        + turn_joint_2_y * screws.connection_joint_2_wy
+        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
+    let wrench_outside_link_1_mx = factor_outside_link_2_xz
+        * screws.connection_joint_2_wz
+        + (factor_outside_link_2_xy * screws.connection_joint_2_wy + turn_joint_2_x_0)
+        - (factor_link_2_xz * reactions.reaction_joint_2_wz
+            + (factor_link_2_xy * reactions.reaction_joint_2_wy + turn_joint_2_x_9))
+        + (complements.complement_link_2_xy * wrench_link_1_mx_4
+            - complements.complement_link_2_xx * wrench_link_1_mx_6
+            + complements.complement_link_2_xz * wrench_link_1_mx_8
+            + (complements.complement_link_2_hy * wrench_link_1_mx_10
+                - complements.complement_link_2_hz * wrench_link_1_mx_12));
+    let wrench_outside_link_1_my = factor_outside_link_2_yz
+        * screws.connection_joint_2_wz
+        + (turn_joint_2_y_2 + factor_outside_link_2_yx * screws.connection_joint_2_wx)
+        - (factor_link_2_yz * reactions.reaction_joint_2_wz
+            + (turn_joint_2_y_11 + factor_link_2_yx * reactions.reaction_joint_2_wx))
+        + (complements.complement_link_2_yy * wrench_link_1_mx_4
+            - complements.complement_link_2_xy * wrench_link_1_mx_6
+            + complements.complement_link_2_yz * wrench_link_1_mx_8
+            + (complements.complement_link_2_hz * wrench_link_1_my_10
+                + complements.minus_complement_link_2_hx * wrench_link_1_mx_10));
+    let wrench_outside_link_1_mz = turn_joint_2_z_4
+        + (factor_outside_link_2_zy * screws.connection_joint_2_wy
+            + factor_outside_link_2_zx * screws.connection_joint_2_wx)
+        - (turn_joint_2_z_13
+            + (factor_link_2_zy * reactions.reaction_joint_2_wy
+                + factor_link_2_zx * reactions.reaction_joint_2_wx))
+        + (complements.complement_link_2_yz * wrench_link_1_mx_4
+            - complements.complement_link_2_xz * wrench_link_1_mx_6
+            + complements.complement_link_2_zz * wrench_link_1_mx_8
+            - (complements.minus_complement_link_2_hx * wrench_link_1_mx_12
+                + complements.complement_link_2_hy * wrench_link_1_my_10));
+    let wrench_outside_link_1_fx = wrench_link_1_my_10 * 110.0
+        + (wrench_link_1_mx_4 * complements.complement_link_2_hz
+            - wrench_link_1_mx_8 * complements.complement_link_2_hy)
+        - (screws.connection_joint_2_wy * minus_factor_outside_link_2_pz
+            + screws.connection_joint_2_wz * factor_outside_link_2_py
+            + (reactions.reaction_joint_2_wy * factor_link_2_pz
+                - reactions.reaction_joint_2_wz * factor_link_2_py));
+    let wrench_outside_link_1_fy = screws.connection_joint_2_wz
+        * factor_outside_link_2_px
+        + screws.connection_joint_2_wx * minus_factor_outside_link_2_pz
+        - (reactions.reaction_joint_2_wz * factor_link_2_px
+            - reactions.reaction_joint_2_wx * factor_link_2_pz)
+        + (wrench_link_1_mx_12 * 110.0
+            + (wrench_link_1_mx_6 * complements.complement_link_2_hz
+                - wrench_link_1_mx_8 * complements.minus_complement_link_2_hx));
+    let wrench_outside_link_1_fz = screws.connection_joint_2_wx
+        * factor_outside_link_2_py
+        - screws.connection_joint_2_wy * factor_outside_link_2_px
+        - (reactions.reaction_joint_2_wx * factor_link_2_py
+            - reactions.reaction_joint_2_wy * factor_link_2_px)
+        + (wrench_link_1_mx_10 * 110.0
+            + (wrench_link_1_mx_4 * complements.minus_complement_link_2_hx
+                - wrench_link_1_mx_6 * complements.complement_link_2_hy));
+    d_qdot[7][8] = wrench_outside_link_1_mx * screws.connection_joint_3_wx
+        + wrench_outside_link_1_my * screws.connection_joint_3_wy
+        + wrench_outside_link_1_mz * screws.connection_joint_3_wz
+        + wrench_outside_link_1_fx * screws.connection_joint_3_vx
+        + wrench_outside_link_1_fy * screws.connection_joint_3_vy
+        + wrench_outside_link_1_fz * screws.connection_joint_3_vz
+        + reactions.reaction_joint_2_wx * three_joint_3_x
+        + reactions.reaction_joint_2_wy * three_joint_3_y
+        + reactions.reaction_joint_2_wz * three_joint_3_z + 0.0;
+    // D_q\u{307} column joint_3
+    d_qdot[8][0] = 0.0;
+    d_qdot[8][1] = 0.0;
+    d_qdot[8][2] = 0.0;
+    d_qdot[8][3] = 0.0;
+    d_qdot[8][4] = 0.0;
+    d_qdot[8][5] = 0.0;
+    let wrench_link_2_mx_8 = velocities.velocity_link_3_wx * poses.sin_joint_1
+        - velocities.velocity_link_3_wy * poses.cos_joint_1;
+    let wrench_link_2_my_10 = velocities.velocity_link_3_wy * screws.screw_joint_3_vz
+        - velocities.velocity_link_1_wz * screws.screw_joint_3_vy
+        - velocities.velocity_link_3_vz * poses.sin_joint_1;
+    let wrench_link_2_mx_12 = velocities.velocity_link_3_vz * poses.cos_joint_1
+        - (velocities.velocity_link_1_wz * screws.minus_screw_joint_3_vx
+            + velocities.velocity_link_3_wx * screws.screw_joint_3_vz);
+    let wrench_link_2_mx_10 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
+        + velocities.velocity_link_3_wy * screws.minus_screw_joint_3_vx
+        + (velocities.velocity_link_3_vx * poses.sin_joint_1
+            - velocities.velocity_link_3_vy * poses.cos_joint_1);
+    let wrench_link_2_mx = factor_link_3_xy * poses.sin_joint_1 + three_joint_3_x_0
+        + (inertias.inertia_link_3_xy * wrench_link_1_mx_4
+            - inertias.inertia_link_3_xx * wrench_link_1_mx_6
+            + inertias.inertia_link_3_xz * wrench_link_2_mx_8
+            + (inertias.inertia_link_3_hy * wrench_link_2_mx_10
+                - inertias.inertia_link_3_hz * wrench_link_2_mx_12));
+    let wrench_link_2_my = three_joint_3_y_2 + factor_link_3_yx * poses.cos_joint_1
+        + (inertias.inertia_link_3_yy * wrench_link_1_mx_4
+            - inertias.inertia_link_3_xy * wrench_link_1_mx_6
+            + inertias.inertia_link_3_yz * wrench_link_2_mx_8
+            + (inertias.inertia_link_3_hz * wrench_link_2_my_10
+                - inertias.inertia_link_3_hx * wrench_link_2_mx_10));
+    let wrench_link_2_mz = factor_link_3_zy * poses.sin_joint_1
+        + factor_link_3_zx * poses.cos_joint_1
+        + (inertias.inertia_link_3_yz * wrench_link_1_mx_4
+            - inertias.inertia_link_3_xz * wrench_link_1_mx_6
+            + inertias.inertia_link_3_zz * wrench_link_2_mx_8
+            + (inertias.inertia_link_3_hx * wrench_link_2_mx_12
+                - inertias.inertia_link_3_hy * wrench_link_2_my_10));
+    d_qdot[8][6] = reactions.reaction_joint_1_wx * wrench_link_2_mx
+        + reactions.reaction_joint_1_wy * wrench_link_2_my
+        + reactions.reaction_joint_1_wz * wrench_link_2_mz
+        + turn_joint_1_x * screws.connection_joint_3_wx
+        + turn_joint_1_y * screws.connection_joint_3_wy
+        + turn_joint_1_z * screws.connection_joint_3_wz + 0.0;
+    let wrench_link_2_fx = poses.sin_joint_1 * factor_link_3_pz
+        + (wrench_link_2_my_10 * 10.0
+            + (wrench_link_1_mx_4 * inertias.inertia_link_3_hz
+                - wrench_link_2_mx_8 * inertias.inertia_link_3_hy));
+    let wrench_link_2_fy = wrench_link_2_mx_12 * 10.0
+        + (wrench_link_2_mx_8 * inertias.inertia_link_3_hx
+            + wrench_link_1_mx_6 * inertias.inertia_link_3_hz)
+        - poses.cos_joint_1 * factor_link_3_pz;
+    let wrench_link_2_fz = poses.cos_joint_1 * factor_link_3_py
+        - poses.sin_joint_1 * factor_link_3_px
+        + (wrench_link_2_mx_10 * 10.0
+            - (wrench_link_1_mx_6 * inertias.inertia_link_3_hy
+                + wrench_link_1_mx_4 * inertias.inertia_link_3_hx));
+    d_qdot[8][7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
+        + reactions.reaction_joint_2_wy * wrench_link_2_my
+        + reactions.reaction_joint_2_wz * wrench_link_2_mz
+        + reactions.reaction_joint_2_vx * wrench_link_2_fx
+        + reactions.reaction_joint_2_vy * wrench_link_2_fy
+        + reactions.reaction_joint_2_vz * wrench_link_2_fz
+        + turn_joint_2_x * screws.connection_joint_3_wx
+        + turn_joint_2_y * screws.connection_joint_3_wy
+        + turn_joint_2_z * screws.connection_joint_3_wz + 0.0;
     let factor_outside_link_3_xx = factor_link_2_xx_0 + factor_outside_link_2_xx;
     let factor_outside_link_3_yx = factor_link_2_yx_0 + factor_outside_link_2_yx;
     let factor_outside_link_3_zx = factor_link_2_zx_0 + factor_outside_link_2_zx;
@@ -3234,184 +3492,6 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + factor_link_3_zz * reactions.reaction_joint_3_wz
             + (factor_link_3_px * reactions.reaction_joint_3_vy
                 - factor_link_3_py * reactions.reaction_joint_3_vx));
-    let three_joint_3_z = factor_link_3_xz * poses.cos_joint_1
-        + factor_link_3_yz * poses.sin_joint_1
-        + (factor_link_3_px * screws.screw_joint_3_vy
-            + factor_link_3_py * screws.minus_screw_joint_3_vx);
-    let d_qdot_8_6_0 = screws.connection_joint_1_wx * turn_joint_3_x
-        - (wrench_base_mx * screws.connection_joint_3_wx
-            + wrench_base_my * screws.connection_joint_3_wy
-            + wrench_base_mz * screws.connection_joint_3_wz
-            + wrench_base_fx * screws.connection_joint_3_vx
-            + wrench_base_fy * screws.connection_joint_3_vy
-            + wrench_base_fz * screws.connection_joint_3_vz)
-        + screws.connection_joint_1_wy * turn_joint_3_y
-        + screws.connection_joint_1_wz * turn_joint_3_z + three_joint_3_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_3_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_3_my
-        + twist_base_vx * screws.inside_joint_3_fx;
-    d_qdot[6][8] = d_qdot_8_6_0 + twist_base_vy * screws.inside_joint_3_fy
-        + twist_base_vz * screws.inside_joint_3_fz + 0.0;
-    // D_q\u{307} column joint_2
-    d_qdot[7][0] = 0.0;
-    d_qdot[7][1] = 0.0;
-    d_qdot[7][2] = 0.0;
-    d_qdot[7][3] = 0.0;
-    d_qdot[7][4] = 0.0;
-    d_qdot[7][5] = 0.0;
-    let minus_twist_link_1_wx = velocities.velocity_link_1_wz * poses.sin_joint_1;
-    let twist_link_1_wy = velocities.velocity_link_1_wz * poses.cos_joint_1;
-    let twist_link_1_wz = velocities.velocity_link_2_wx * poses.sin_joint_1
-        - velocities.velocity_link_2_wy * poses.cos_joint_1;
-    let twist_link_1_vx = velocities.minus_velocity_link_2_vz * poses.sin_joint_1
-        - (velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vz
-            + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
-    let twist_link_1_vy = velocities.velocity_link_2_wx * screws.minus_screw_joint_2_vz
-        - velocities.velocity_link_1_wz * screws.minus_screw_joint_2_vx
-        - velocities.minus_velocity_link_2_vz * poses.cos_joint_1;
-    let twist_link_1_vz = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
-        + velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vx
-        + (velocities.velocity_link_2_vx * poses.sin_joint_1
-            - velocities.velocity_link_2_vy * poses.cos_joint_1);
-    let wrench_link_1_mx = factor_link_2_xy * poses.sin_joint_1
-        + factor_link_2_xx * poses.cos_joint_1
-        + (inertias.composite_link_2_xy * twist_link_1_wy
-            - inertias.composite_link_2_xx * minus_twist_link_1_wx
-            + inertias.composite_link_2_xz * twist_link_1_wz
-            + (inertias.composite_link_2_hy * twist_link_1_vz
-                - inertias.composite_link_2_hz * twist_link_1_vy));
-    let wrench_link_1_my = factor_link_2_yy * poses.sin_joint_1
-        + factor_link_2_yx * poses.cos_joint_1
-        + (inertias.composite_link_2_yy * twist_link_1_wy
-            - inertias.composite_link_2_xy * minus_twist_link_1_wx
-            + inertias.composite_link_2_yz * twist_link_1_wz
-            + (inertias.composite_link_2_hz * twist_link_1_vx
-                - inertias.composite_link_2_hx * twist_link_1_vz));
-    let wrench_link_1_mz = factor_link_2_zy * poses.sin_joint_1
-        + factor_link_2_zx * poses.cos_joint_1
-        + (inertias.composite_link_2_yz * twist_link_1_wy
-            - inertias.composite_link_2_xz * minus_twist_link_1_wx
-            + inertias.composite_link_2_zz * twist_link_1_wz
-            + (inertias.composite_link_2_hx * twist_link_1_vy
-                - inertias.composite_link_2_hy * twist_link_1_vx));
-    d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
-        + reactions.reaction_joint_1_wy * wrench_link_1_my
-        + reactions.reaction_joint_1_wz * wrench_link_1_mz
-        + turn_joint_1_x * screws.connection_joint_2_wx
-        + turn_joint_1_y * screws.connection_joint_2_wy
-        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
-    let wrench_link_1_fx = poses.sin_joint_1 * factor_link_2_pz
-        + (twist_link_1_vx * 20.0
-            + (twist_link_1_wy * inertias.composite_link_2_hz
-                - twist_link_1_wz * inertias.composite_link_2_hy));
-    let wrench_link_1_fy = twist_link_1_vy * 20.0
-        + (twist_link_1_wz * inertias.composite_link_2_hx
-            + minus_twist_link_1_wx * inertias.composite_link_2_hz)
-        - poses.cos_joint_1 * factor_link_2_pz;
-    let wrench_link_1_fz = poses.cos_joint_1 * factor_link_2_py
-        - poses.sin_joint_1 * factor_link_2_px
-        + (twist_link_1_vz * 20.0
-            - (minus_twist_link_1_wx * inertias.composite_link_2_hy
-                + twist_link_1_wy * inertias.composite_link_2_hx));
-    d_qdot[7][7] = reactions.reaction_joint_2_wx * wrench_link_1_mx
-        + reactions.reaction_joint_2_wy * wrench_link_1_my
-        + reactions.reaction_joint_2_wz * wrench_link_1_mz
-        + reactions.reaction_joint_2_vx * wrench_link_1_fx
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy
-        + reactions.reaction_joint_2_vz * wrench_link_1_fz
-        + turn_joint_2_x * screws.connection_joint_2_wx
-        + turn_joint_2_y * screws.connection_joint_2_wy
-        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
-    let three_joint_3_x_0 = factor_link_3_xx * poses.cos_joint_1;
-    let three_joint_3_y_2 = factor_link_3_yy * poses.sin_joint_1;
-    let three_joint_3_x = three_joint_3_x_0 + factor_link_3_yx * poses.sin_joint_1
-        + (factor_link_3_py * screws.screw_joint_3_vz
-            - factor_link_3_pz * screws.screw_joint_3_vy);
-    let three_joint_3_y = factor_link_3_xy * poses.cos_joint_1 + three_joint_3_y_2
-        - (factor_link_3_pz * screws.minus_screw_joint_3_vx
-            + factor_link_3_px * screws.screw_joint_3_vz);
-    let d_qdot_8_7_0 = screws.connection_joint_2_wx * turn_joint_3_x
-        - (wrench_link_1_mx * screws.connection_joint_3_wx
-            + wrench_link_1_my * screws.connection_joint_3_wy
-            + wrench_link_1_mz * screws.connection_joint_3_wz
-            + wrench_link_1_fx * screws.connection_joint_3_vx
-            + wrench_link_1_fy * screws.connection_joint_3_vy
-            + wrench_link_1_fz * screws.connection_joint_3_vz)
-        + screws.connection_joint_2_wy * turn_joint_3_y
-        + screws.connection_joint_2_wz * turn_joint_3_z
-        + poses.cos_joint_1 * three_joint_3_x + poses.sin_joint_1 * three_joint_3_y
-        - minus_twist_link_1_wx * screws.inside_joint_3_mx
-        + twist_link_1_wy * screws.inside_joint_3_my;
-    d_qdot[7][8] = d_qdot_8_7_0 + twist_link_1_wz * screws.inside_joint_3_mz
-        + twist_link_1_vx * screws.inside_joint_3_fx
-        + twist_link_1_vy * screws.inside_joint_3_fy
-        + twist_link_1_vz * screws.inside_joint_3_fz + 0.0;
-    // D_q\u{307} column joint_3
-    d_qdot[8][0] = 0.0;
-    d_qdot[8][1] = 0.0;
-    d_qdot[8][2] = 0.0;
-    d_qdot[8][3] = 0.0;
-    d_qdot[8][4] = 0.0;
-    d_qdot[8][5] = 0.0;
-    let twist_link_2_wz = velocities.velocity_link_3_wx * poses.sin_joint_1
-        - velocities.velocity_link_3_wy * poses.cos_joint_1;
-    let twist_link_2_vx = velocities.velocity_link_3_wy * screws.screw_joint_3_vz
-        - velocities.velocity_link_1_wz * screws.screw_joint_3_vy
-        - velocities.velocity_link_3_vz * poses.sin_joint_1;
-    let twist_link_2_vy = velocities.velocity_link_3_vz * poses.cos_joint_1
-        - (velocities.velocity_link_1_wz * screws.minus_screw_joint_3_vx
-            + velocities.velocity_link_3_wx * screws.screw_joint_3_vz);
-    let twist_link_2_vz = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
-        + velocities.velocity_link_3_wy * screws.minus_screw_joint_3_vx
-        + (velocities.velocity_link_3_vx * poses.sin_joint_1
-            - velocities.velocity_link_3_vy * poses.cos_joint_1);
-    let wrench_link_2_mx = factor_link_3_xy * poses.sin_joint_1 + three_joint_3_x_0
-        + (inertias.inertia_link_3_xy * twist_link_1_wy
-            - inertias.inertia_link_3_xx * minus_twist_link_1_wx
-            + inertias.inertia_link_3_xz * twist_link_2_wz
-            + (inertias.inertia_link_3_hy * twist_link_2_vz
-                - inertias.inertia_link_3_hz * twist_link_2_vy));
-    let wrench_link_2_my = three_joint_3_y_2 + factor_link_3_yx * poses.cos_joint_1
-        + (inertias.inertia_link_3_yy * twist_link_1_wy
-            - inertias.inertia_link_3_xy * minus_twist_link_1_wx
-            + inertias.inertia_link_3_yz * twist_link_2_wz
-            + (inertias.inertia_link_3_hz * twist_link_2_vx
-                - inertias.inertia_link_3_hx * twist_link_2_vz));
-    let wrench_link_2_mz = factor_link_3_zy * poses.sin_joint_1
-        + factor_link_3_zx * poses.cos_joint_1
-        + (inertias.inertia_link_3_yz * twist_link_1_wy
-            - inertias.inertia_link_3_xz * minus_twist_link_1_wx
-            + inertias.inertia_link_3_zz * twist_link_2_wz
-            + (inertias.inertia_link_3_hx * twist_link_2_vy
-                - inertias.inertia_link_3_hy * twist_link_2_vx));
-    d_qdot[8][6] = reactions.reaction_joint_1_wx * wrench_link_2_mx
-        + reactions.reaction_joint_1_wy * wrench_link_2_my
-        + reactions.reaction_joint_1_wz * wrench_link_2_mz
-        + turn_joint_1_x * screws.connection_joint_3_wx
-        + turn_joint_1_y * screws.connection_joint_3_wy
-        + turn_joint_1_z * screws.connection_joint_3_wz + 0.0;
-    let wrench_link_2_fx = poses.sin_joint_1 * factor_link_3_pz
-        + (twist_link_2_vx * 10.0
-            + (twist_link_1_wy * inertias.inertia_link_3_hz
-                - twist_link_2_wz * inertias.inertia_link_3_hy));
-    let wrench_link_2_fy = twist_link_2_vy * 10.0
-        + (twist_link_2_wz * inertias.inertia_link_3_hx
-            + minus_twist_link_1_wx * inertias.inertia_link_3_hz)
-        - poses.cos_joint_1 * factor_link_3_pz;
-    let wrench_link_2_fz = poses.cos_joint_1 * factor_link_3_py
-        - poses.sin_joint_1 * factor_link_3_px
-        + (twist_link_2_vz * 10.0
-            - (minus_twist_link_1_wx * inertias.inertia_link_3_hy
-                + twist_link_1_wy * inertias.inertia_link_3_hx));
-    d_qdot[8][7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
-        + reactions.reaction_joint_2_wy * wrench_link_2_my
-        + reactions.reaction_joint_2_wz * wrench_link_2_mz
-        + reactions.reaction_joint_2_vx * wrench_link_2_fx
-        + reactions.reaction_joint_2_vy * wrench_link_2_fy
-        + reactions.reaction_joint_2_vz * wrench_link_2_fz
-        + turn_joint_2_x * screws.connection_joint_3_wx
-        + turn_joint_2_y * screws.connection_joint_3_wy
-        + turn_joint_2_z * screws.connection_joint_3_wz + 0.0;
     d_qdot[8][8] = reactions.reaction_joint_3_wx * wrench_link_2_mx
         + reactions.reaction_joint_3_wy * wrench_link_2_my
         + reactions.reaction_joint_3_wz * wrench_link_2_mz

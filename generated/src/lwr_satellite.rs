@@ -1503,8 +1503,6 @@ struct Screws {
     inside_joint_2_my_4: f64,
     inside_joint_2_mz_2: f64,
     inside_joint_2_mz_3: f64,
-    inside_joint_2_mx: f64,
-    inside_joint_2_my: f64,
     inside_joint_2_fx: f64,
     inside_joint_2_fy: f64,
     inside_joint_2_fz: f64,
@@ -1529,9 +1527,6 @@ struct Screws {
     inside_joint_3_my_5: f64,
     inside_joint_3_mz_4: f64,
     inside_joint_3_mz_5: f64,
-    inside_joint_3_mx: f64,
-    inside_joint_3_my: f64,
-    inside_joint_3_mz: f64,
     inside_joint_3_fx: f64,
     inside_joint_3_fy: f64,
     inside_joint_3_fz: f64,
@@ -1556,9 +1551,6 @@ struct Screws {
     inside_joint_4_my_5: f64,
     inside_joint_4_mz_4: f64,
     inside_joint_4_mz_5: f64,
-    inside_joint_4_mx: f64,
-    inside_joint_4_my: f64,
-    inside_joint_4_mz: f64,
     inside_joint_4_fx: f64,
     inside_joint_4_fy: f64,
     inside_joint_4_fz: f64,
@@ -1583,9 +1575,6 @@ struct Screws {
     inside_joint_5_my_5: f64,
     inside_joint_5_mz_4: f64,
     inside_joint_5_mz_5: f64,
-    inside_joint_5_mx: f64,
-    inside_joint_5_my: f64,
-    inside_joint_5_mz: f64,
     inside_joint_5_fx: f64,
     inside_joint_5_fy: f64,
     inside_joint_5_fz: f64,
@@ -1610,9 +1599,6 @@ struct Screws {
     inside_joint_6_my_5: f64,
     inside_joint_6_mz_5: f64,
     inside_joint_6_mz_4: f64,
-    inside_joint_6_mx: f64,
-    inside_joint_6_my: f64,
-    inside_joint_6_mz: f64,
     inside_joint_6_fx: f64,
     inside_joint_6_fy: f64,
     inside_joint_6_fz: f64,
@@ -2005,8 +1991,6 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
         inside_joint_2_my_4,
         inside_joint_2_mz_2,
         inside_joint_2_mz_3,
-        inside_joint_2_mx,
-        inside_joint_2_my,
         inside_joint_2_fx,
         inside_joint_2_fy,
         inside_joint_2_fz,
@@ -2031,9 +2015,6 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
         inside_joint_3_my_5,
         inside_joint_3_mz_4,
         inside_joint_3_mz_5,
-        inside_joint_3_mx,
-        inside_joint_3_my,
-        inside_joint_3_mz,
         inside_joint_3_fx,
         inside_joint_3_fy,
         inside_joint_3_fz,
@@ -2058,9 +2039,6 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
         inside_joint_4_my_5,
         inside_joint_4_mz_4,
         inside_joint_4_mz_5,
-        inside_joint_4_mx,
-        inside_joint_4_my,
-        inside_joint_4_mz,
         inside_joint_4_fx,
         inside_joint_4_fy,
         inside_joint_4_fz,
@@ -2085,9 +2063,6 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
         inside_joint_5_my_5,
         inside_joint_5_mz_4,
         inside_joint_5_mz_5,
-        inside_joint_5_mx,
-        inside_joint_5_my,
-        inside_joint_5_mz,
         inside_joint_5_fx,
         inside_joint_5_fy,
         inside_joint_5_fz,
@@ -2112,9 +2087,6 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
         inside_joint_6_my_5,
         inside_joint_6_mz_5,
         inside_joint_6_mz_4,
-        inside_joint_6_mx,
-        inside_joint_6_my,
-        inside_joint_6_mz,
         inside_joint_6_fx,
         inside_joint_6_fy,
         inside_joint_6_fz,
@@ -3444,7 +3416,7 @@ struct CommonDQdotDQdotXiKineticEnergy {
     factor_link_1_zy_0_0_1: f64,
     factor_link_1_px_0: f64,
     factor_link_1_py_0: f64,
-    factor_outside_link_2_pz_1: f64,
+    factor_link_1_pz_1: f64,
     factor_link_2_yz_0_1_1_2: f64,
     factor_link_2_yz_0_1_1_3: f64,
     factor_link_2_yz_0_1_1: f64,
@@ -3642,7 +3614,7 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
     let factor_link_1_py_0 = velocities.velocity_link_1_vy * 2.0
         + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
             - velocities.velocity_link_1_wz * inertias.minus_inertia_link_1_hx);
-    let factor_outside_link_2_pz_1 = velocities.minus_velocity_base_vz * 2.0
+    let factor_link_1_pz_1 = velocities.minus_velocity_base_vz * 2.0
         + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
             + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx);
     let factor_link_2_yz_0_1_1_2 = inertias.inertia_link_2_xy
@@ -3926,7 +3898,7 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
         factor_link_1_zy_0_0_1,
         factor_link_1_px_0,
         factor_link_1_py_0,
-        factor_outside_link_2_pz_1,
+        factor_link_1_pz_1,
         factor_link_2_yz_0_1_1_2,
         factor_link_2_yz_0_1_1_3,
         factor_link_2_yz_0_1_1,
@@ -6891,7 +6863,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (7; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (13×13, by columns; Λ's · 1/s)
 ///
-/// 5157 operations: 2587 + −, 2567 ×, 3 ÷; 7 sin cos; about 60.7 KiB of code.
+/// 5388 operations: 2702 + −, 2683 ×, 3 ÷; 7 sin cos; about 63.4 KiB of code.
 pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -7073,7 +7045,7 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let factor_outside_link_1_yz_0 = velocities.minus_velocity_base_wx
         * factor_outside_link_1_yz_0_1
         + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_0_1;
-    let factor_outside_link_1_xz_4 = velocities.minus_velocity_base_wy
+    let factor_outside_link_1_xz_2 = velocities.minus_velocity_base_wy
         * factor_outside_link_1_yz_0_1
         + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xz_1_1;
     let factor_outside_link_1_xy_4 = velocities.minus_velocity_base_wz
@@ -7083,10 +7055,10 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         * velocities.velocity_base_vx;
     let factor_outside_link_1_yy_2 = inertias.minus_inertia_base_hy
         * velocities.minus_velocity_base_vy;
-    let factor_outside_link_1_zz_2 = inertias.minus_inertia_base_hz
+    let factor_outside_link_1_zz_1 = inertias.minus_inertia_base_hz
         * velocities.minus_velocity_base_vz;
     let factor_outside_link_1_xx_3 = factor_outside_link_1_yy_2
-        - factor_outside_link_1_xx_2 + factor_outside_link_1_zz_2;
+        - factor_outside_link_1_xx_2 + factor_outside_link_1_zz_1;
     let factor_outside_link_1_xx_0 = velocities.minus_velocity_base_wy
         * inertias.minus_inertia_base_xz;
     let factor_outside_link_1_xx_1 = velocities.minus_velocity_base_wz
@@ -7099,11 +7071,12 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         - (velocities.minus_velocity_base_wz * inertias.inertia_base_xx
             + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xy_1_1_0)
         + factor_outside_link_1_xy_4;
-    let factor_outside_link_1_xz = common_d_qdot_d_qdot_xi_kinetic_energy
+    let factor_outside_link_1_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
         .factor_outside_link_1_xz_1_1_0
-        + velocities.minus_velocity_base_wy * inertias.inertia_base_xx
+        + velocities.minus_velocity_base_wy * inertias.inertia_base_xx;
+    let factor_outside_link_1_xz = factor_outside_link_1_xz_0
         + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xz_0_1
-        - factor_outside_link_1_xz_4;
+        - factor_outside_link_1_xz_2;
     let factor_outside_link_1_yx = common_d_qdot_d_qdot_xi_kinetic_energy
         .factor_outside_link_1_xy_1_1_1
         + velocities.minus_velocity_base_wz * inertias.inertia_base_yy
@@ -7114,11 +7087,13 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let factor_outside_link_1_yy = factor_outside_link_1_xx_1
         - factor_outside_link_1_yy_1 - factor_outside_link_1_yy_2
         + factor_outside_link_1_xx_3;
+    let factor_outside_link_1_yz_1 = velocities.minus_velocity_base_wx
+        * inertias.inertia_base_yy
+        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_0_1_0;
     let factor_outside_link_1_yz = factor_outside_link_1_yz_0
-        - (velocities.minus_velocity_base_wx * inertias.inertia_base_yy
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_0_1_0
+        - (factor_outside_link_1_yz_1
             + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_1_1);
-    let factor_outside_link_1_zx = factor_outside_link_1_xz_4
+    let factor_outside_link_1_zx = factor_outside_link_1_xz_2
         - (velocities.minus_velocity_base_wy * inertias.inertia_base_zz
             + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xz_1_1_3
             + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_zx_1_1);
@@ -7127,9 +7102,10 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + velocities.minus_velocity_base_wx * inertias.inertia_base_zz
         - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_zy_0_1
         - factor_outside_link_1_yz_0;
-    let factor_outside_link_1_zz = factor_outside_link_1_yy_1
-        - factor_outside_link_1_xx_0 - factor_outside_link_1_zz_2
-        + factor_outside_link_1_xx_3;
+    let factor_outside_link_1_zz_0 = factor_outside_link_1_yy_1
+        - factor_outside_link_1_xx_0;
+    let factor_outside_link_1_zz = factor_outside_link_1_zz_0
+        - factor_outside_link_1_zz_1 + factor_outside_link_1_xx_3;
     let factor_link_1_yz_0_4_1 = (inertias.inertia_link_1_xx + inertias.inertia_link_1_yy
         + inertias.inertia_link_1_zz) * 0.5;
     let factor_link_1_yz_0_4 = velocities.minus_velocity_base_wx * factor_link_1_yz_0_4_1
@@ -7565,53 +7541,54 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let factor_link_1_xz = factor_link_1_xz_0 + factor_link_2_xz;
     let factor_link_1_yz = factor_link_1_yz_0 + factor_link_2_yz;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
-    let minus_twist_base_vz = velocities.minus_velocity_base_wx * poses.com_x
+    let wrench_base_mx_8 = velocities.minus_velocity_base_wx * poses.com_x
         + velocities.minus_velocity_base_wy * poses.com_y;
-    let twist_base_vx = velocities.velocity_link_1_vy
+    let wrench_base_my_6 = velocities.velocity_link_1_vy
         - velocities.velocity_link_1_wz * poses.com_x;
-    let minus_twist_base_vy = velocities.velocity_link_1_wz * poses.com_y
+    let wrench_base_mx_6 = velocities.velocity_link_1_wz * poses.com_y
         + velocities.velocity_link_1_vx;
     let wrench_base_mx = factor_link_1_xz
         + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hz * minus_twist_base_vy
-                - inertias.composite_link_1_hy * minus_twist_base_vz));
+            + (inertias.composite_link_1_hz * wrench_base_mx_6
+                - inertias.composite_link_1_hy * wrench_base_mx_8));
     let wrench_base_my = factor_link_1_yz
         + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hz * twist_base_vx
-                + inertias.composite_link_1_hx * minus_twist_base_vz));
+            + (inertias.composite_link_1_hz * wrench_base_my_6
+                + inertias.composite_link_1_hx * wrench_base_mx_8));
     let wrench_base_mz = factor_link_1_zz
         + (inertias.composite_link_1_yz * velocities.minus_velocity_base_wx
             - inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
-            - (inertias.composite_link_1_hx * minus_twist_base_vy
-                + inertias.composite_link_1_hy * twist_base_vx));
-    let turn_joint_1_x = factor_outside_link_1_xx * screws.connection_joint_1_wx
+            - (inertias.composite_link_1_hx * wrench_base_mx_6
+                + inertias.composite_link_1_hy * wrench_base_my_6));
+    let turn_joint_1_x_0 = factor_outside_link_1_xx * screws.connection_joint_1_wx;
+    let turn_joint_1_y_2 = factor_outside_link_1_yy * screws.connection_joint_1_wy;
+    let turn_joint_1_z_4 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
+    let turn_joint_1_x_7 = factor_link_1_xx * reactions.reaction_joint_1_wx;
+    let turn_joint_1_y_9 = factor_link_1_yy * reactions.reaction_joint_1_wy;
+    let turn_joint_1_z_13 = factor_link_1_zz * reactions.reaction_joint_1_wz;
+    let turn_joint_1_x = turn_joint_1_x_0
         + factor_outside_link_1_yx * screws.connection_joint_1_wy
         + factor_outside_link_1_zx * screws.connection_joint_1_wz
         - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
             * screws.connection_joint_1_vy
-        - (factor_link_1_xx * reactions.reaction_joint_1_wx
-            + factor_link_1_yx * reactions.reaction_joint_1_wy
+        - (turn_joint_1_x_7 + factor_link_1_yx * reactions.reaction_joint_1_wy
             + factor_link_1_zx * reactions.reaction_joint_1_wz);
     let turn_joint_1_y = factor_outside_link_1_xy * screws.connection_joint_1_wx
-        + factor_outside_link_1_yy * screws.connection_joint_1_wy
-        + factor_outside_link_1_zy * screws.connection_joint_1_wz
+        + turn_joint_1_y_2 + factor_outside_link_1_zy * screws.connection_joint_1_wz
         - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
             * screws.minus_connection_joint_1_vx
-        - (factor_link_1_xy * reactions.reaction_joint_1_wx
-            + factor_link_1_yy * reactions.reaction_joint_1_wy
+        - (factor_link_1_xy * reactions.reaction_joint_1_wx + turn_joint_1_y_9
             + factor_link_1_zy * reactions.reaction_joint_1_wz);
     let turn_joint_1_z = factor_outside_link_1_xz * screws.connection_joint_1_wx
-        + factor_outside_link_1_yz * screws.connection_joint_1_wy
-        + factor_outside_link_1_zz * screws.connection_joint_1_wz
+        + factor_outside_link_1_yz * screws.connection_joint_1_wy + turn_joint_1_z_4
         + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
             * screws.connection_joint_1_vy
             + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
                 * screws.minus_connection_joint_1_vx)
         - (factor_link_1_xz * reactions.reaction_joint_1_wx
-            + factor_link_1_yz * reactions.reaction_joint_1_wy
-            + factor_link_1_zz * reactions.reaction_joint_1_wz);
+            + factor_link_1_yz * reactions.reaction_joint_1_wy + turn_joint_1_z_13);
     d_qdot[6][6] = reactions.reaction_joint_1_wx * wrench_base_mx
         + reactions.reaction_joint_1_wy * wrench_base_my
         + reactions.reaction_joint_1_wz * wrench_base_mz
@@ -7652,6 +7629,253 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + factor_link_2_px;
     let factor_link_1_py = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
         + factor_link_2_py;
+    let factor_link_1_pz = factor_link_2_pz
+        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1;
+    let wrench_outside_base_mx = factor_outside_link_1_xz * screws.connection_joint_1_wz
+        + (factor_outside_link_1_xy * screws.connection_joint_1_wy + turn_joint_1_x_0)
+        - (factor_link_1_xz * reactions.reaction_joint_1_wz
+            + (factor_link_1_xy * reactions.reaction_joint_1_wy + turn_joint_1_x_7))
+        + (inertias.minus_inertia_base_hy * wrench_base_mx_8
+            - inertias.minus_inertia_base_hz * wrench_base_mx_6
+            - factor_outside_link_1_xz_0);
+    let wrench_outside_base_my = factor_outside_link_1_yz * screws.connection_joint_1_wz
+        + (turn_joint_1_y_2 + factor_outside_link_1_yx * screws.connection_joint_1_wx)
+        - (factor_link_1_yz * reactions.reaction_joint_1_wz
+            + (turn_joint_1_y_9 + factor_link_1_yx * reactions.reaction_joint_1_wx))
+        + (factor_outside_link_1_yz_1
+            - (inertias.minus_inertia_base_hz * wrench_base_my_6
+                + inertias.minus_inertia_base_hx * wrench_base_mx_8));
+    let wrench_outside_base_mz = turn_joint_1_z_4
+        + (factor_outside_link_1_zy * screws.connection_joint_1_wy
+            + factor_outside_link_1_zx * screws.connection_joint_1_wx)
+        - (turn_joint_1_z_13
+            + (factor_link_1_zy * reactions.reaction_joint_1_wy
+                + factor_link_1_zx * reactions.reaction_joint_1_wx))
+        + (inertias.minus_inertia_base_hx * wrench_base_mx_6
+            + inertias.minus_inertia_base_hy * wrench_base_my_6
+            - factor_outside_link_1_zz_0);
+    let wrench_outside_base_fx = screws.connection_joint_1_wy
+        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
+        - screws.connection_joint_1_wz
+            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
+        - (reactions.reaction_joint_1_wy * factor_link_1_pz
+            - reactions.reaction_joint_1_wz * factor_link_1_py)
+        + (wrench_base_my_6 * 3.5
+            - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz);
+    let wrench_outside_base_fy = screws.connection_joint_1_wz
+        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
+        - screws.connection_joint_1_wx
+            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
+        - (reactions.reaction_joint_1_wz * factor_link_1_px
+            - reactions.reaction_joint_1_wx * factor_link_1_pz)
+        - (wrench_base_mx_6 * 3.5
+            + velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz);
+    let wrench_outside_base_fz = screws.connection_joint_1_wx
+        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
+        - screws.connection_joint_1_wy
+            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
+        - (reactions.reaction_joint_1_wx * factor_link_1_py
+            - reactions.reaction_joint_1_wy * factor_link_1_px)
+        + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hy
+            + velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hx
+            - wrench_base_mx_8 * 3.5);
+    let three_joint_2_x_0 = factor_link_2_xx * poses.sin_joint_1;
+    let three_joint_2_y_2 = factor_link_2_yy * poses.cos_joint_1;
+    let three_joint_2_x = three_joint_2_x_0 - factor_link_2_yx * poses.cos_joint_1
+        + (factor_link_2_py * screws.screw_joint_2_vz
+            - factor_link_2_pz * screws.screw_joint_2_vy);
+    let three_joint_2_y = factor_link_2_xy * poses.sin_joint_1 - three_joint_2_y_2
+        + (factor_link_2_pz * screws.screw_joint_2_vx
+            - factor_link_2_px * screws.screw_joint_2_vz);
+    let three_joint_2_z = factor_link_2_xz * poses.sin_joint_1
+        - factor_link_2_yz * poses.cos_joint_1
+        + (factor_link_2_px * screws.screw_joint_2_vy
+            - factor_link_2_py * screws.screw_joint_2_vx);
+    d_qdot[6][7] = wrench_outside_base_mx * screws.connection_joint_2_wx
+        + wrench_outside_base_my * screws.connection_joint_2_wy
+        + wrench_outside_base_mz * screws.connection_joint_2_wz
+        + wrench_outside_base_fx * screws.connection_joint_2_vx
+        + wrench_outside_base_fy * screws.connection_joint_2_vy
+        + wrench_outside_base_fz * screws.connection_joint_2_vz
+        + reactions.reaction_joint_1_wx * three_joint_2_x
+        + reactions.reaction_joint_1_wy * three_joint_2_y
+        + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
+    let three_joint_3_x_2 = factor_link_3_xx * poses.minus_rotation_link_2_xy;
+    let three_joint_3_y_4 = factor_link_3_yy * poses.minus_rotation_link_2_yy;
+    let three_joint_3_z_0 = factor_link_3_zz * poses.cos_joint_2;
+    let three_joint_3_x = factor_link_3_zx * poses.cos_joint_2
+        - (three_joint_3_x_2 + factor_link_3_yx * poses.minus_rotation_link_2_yy)
+        + (factor_link_3_py * screws.screw_joint_3_vz
+            - factor_link_3_pz * screws.screw_joint_3_vy);
+    let three_joint_3_y = factor_link_3_zy * poses.cos_joint_2
+        - (factor_link_3_xy * poses.minus_rotation_link_2_xy + three_joint_3_y_4)
+        + (factor_link_3_pz * screws.screw_joint_3_vx
+            - factor_link_3_px * screws.screw_joint_3_vz);
+    let three_joint_3_z = three_joint_3_z_0
+        - (factor_link_3_xz * poses.minus_rotation_link_2_xy
+            + factor_link_3_yz * poses.minus_rotation_link_2_yy)
+        + (factor_link_3_px * screws.screw_joint_3_vy
+            - factor_link_3_py * screws.screw_joint_3_vx);
+    d_qdot[6][8] = wrench_outside_base_mx * screws.connection_joint_3_wx
+        + wrench_outside_base_my * screws.connection_joint_3_wy
+        + wrench_outside_base_mz * screws.connection_joint_3_wz
+        + wrench_outside_base_fx * screws.connection_joint_3_vx
+        + wrench_outside_base_fy * screws.connection_joint_3_vy
+        + wrench_outside_base_fz * screws.connection_joint_3_vz
+        + reactions.reaction_joint_1_wx * three_joint_3_x
+        + reactions.reaction_joint_1_wy * three_joint_3_y
+        + reactions.reaction_joint_1_wz * three_joint_3_z + 0.0;
+    let three_joint_4_x_2 = factor_link_4_xx * poses.minus_rotation_link_3_xy;
+    let three_joint_4_y_0 = factor_link_4_yy * poses.rotation_link_3_yy;
+    let three_joint_4_z_4 = factor_link_4_zz * poses.minus_rotation_link_3_zy;
+    let three_joint_4_x = factor_link_4_yx * poses.rotation_link_3_yy - three_joint_4_x_2
+        - factor_link_4_zx * poses.minus_rotation_link_3_zy
+        + (factor_link_4_pz * screws.minus_screw_joint_4_vy
+            - factor_link_4_py * screws.minus_screw_joint_4_vz);
+    let three_joint_4_y = three_joint_4_y_0
+        - factor_link_4_xy * poses.minus_rotation_link_3_xy
+        - factor_link_4_zy * poses.minus_rotation_link_3_zy
+        + (factor_link_4_pz * screws.screw_joint_4_vx
+            + factor_link_4_px * screws.minus_screw_joint_4_vz);
+    let three_joint_4_z = factor_link_4_yz * poses.rotation_link_3_yy
+        - factor_link_4_xz * poses.minus_rotation_link_3_xy - three_joint_4_z_4
+        - (factor_link_4_px * screws.minus_screw_joint_4_vy
+            + factor_link_4_py * screws.screw_joint_4_vx);
+    d_qdot[6][9] = wrench_outside_base_mx * screws.connection_joint_4_wx
+        + wrench_outside_base_my * screws.connection_joint_4_wy
+        + wrench_outside_base_mz * screws.connection_joint_4_wz
+        + wrench_outside_base_fx * screws.connection_joint_4_vx
+        + wrench_outside_base_fy * screws.connection_joint_4_vy
+        + wrench_outside_base_fz * screws.connection_joint_4_vz
+        + reactions.reaction_joint_1_wx * three_joint_4_x
+        + reactions.reaction_joint_1_wy * three_joint_4_y
+        + reactions.reaction_joint_1_wz * three_joint_4_z + 0.0;
+    let three_joint_5_x_2 = factor_link_5_xx * poses.rotation_link_4_xy;
+    let three_joint_5_y_4 = factor_link_5_yy * poses.rotation_link_4_yy;
+    let three_joint_5_z_0 = factor_link_5_zz * poses.rotation_link_5_zz;
+    let three_joint_5_x = factor_link_5_zx * poses.rotation_link_5_zz
+        - (three_joint_5_x_2 + factor_link_5_yx * poses.rotation_link_4_yy)
+        + (factor_link_5_py * screws.screw_joint_5_vz
+            - factor_link_5_pz * screws.screw_joint_5_vy);
+    let three_joint_5_y = factor_link_5_zy * poses.rotation_link_5_zz
+        - (factor_link_5_xy * poses.rotation_link_4_xy + three_joint_5_y_4)
+        + (factor_link_5_pz * screws.screw_joint_5_vx
+            - factor_link_5_px * screws.screw_joint_5_vz);
+    let three_joint_5_z = three_joint_5_z_0
+        - (factor_link_5_xz * poses.rotation_link_4_xy
+            + factor_link_5_yz * poses.rotation_link_4_yy)
+        + (factor_link_5_px * screws.screw_joint_5_vy
+            - factor_link_5_py * screws.screw_joint_5_vx);
+    d_qdot[6][10] = wrench_outside_base_mx * screws.connection_joint_5_wx
+        + wrench_outside_base_my * screws.connection_joint_5_wy
+        + wrench_outside_base_mz * screws.connection_joint_5_wz
+        + wrench_outside_base_fx * screws.connection_joint_5_vx
+        + wrench_outside_base_fy * screws.connection_joint_5_vy
+        + wrench_outside_base_fz * screws.connection_joint_5_vz
+        + reactions.reaction_joint_1_wx * three_joint_5_x
+        + reactions.reaction_joint_1_wy * three_joint_5_y
+        + reactions.reaction_joint_1_wz * three_joint_5_z + 0.0;
+    let three_joint_6_x_0 = factor_link_6_xx * poses.rotation_link_6_xz;
+    let three_joint_6_y_2 = factor_link_6_yy * poses.rotation_link_5_yy;
+    let three_joint_6_z_4 = factor_link_6_zz * poses.rotation_link_6_zz;
+    let three_joint_6_x = three_joint_6_x_0 - factor_link_6_yx * poses.rotation_link_5_yy
+        + factor_link_6_zx * poses.rotation_link_6_zz
+        + (factor_link_6_py * screws.screw_joint_6_vz
+            - factor_link_6_pz * screws.screw_joint_6_vy);
+    let three_joint_6_y = factor_link_6_xy * poses.rotation_link_6_xz - three_joint_6_y_2
+        + factor_link_6_zy * poses.rotation_link_6_zz
+        + (factor_link_6_pz * screws.screw_joint_6_vx
+            - factor_link_6_px * screws.screw_joint_6_vz);
+    let three_joint_6_z = factor_link_6_xz * poses.rotation_link_6_xz
+        - factor_link_6_yz * poses.rotation_link_5_yy + three_joint_6_z_4
+        + (factor_link_6_px * screws.screw_joint_6_vy
+            - factor_link_6_py * screws.screw_joint_6_vx);
+    d_qdot[6][11] = wrench_outside_base_mx * screws.connection_joint_6_wx
+        + wrench_outside_base_my * screws.connection_joint_6_wy
+        + wrench_outside_base_mz * screws.connection_joint_6_wz
+        + wrench_outside_base_fx * screws.connection_joint_6_vx
+        + wrench_outside_base_fy * screws.connection_joint_6_vy
+        + wrench_outside_base_fz * screws.connection_joint_6_vz
+        + reactions.reaction_joint_1_wx * three_joint_6_x
+        + reactions.reaction_joint_1_wy * three_joint_6_y
+        + reactions.reaction_joint_1_wz * three_joint_6_z + 0.0;
+    let three_joint_7_x_2 = factor_link_7_xx * poses.minus_rotation_link_6_xy;
+    let three_joint_7_y_4 = factor_link_7_yy * poses.minus_rotation_link_6_yy;
+    let three_joint_7_z_0 = factor_link_7_zz * poses.rotation_link_6_zy;
+    let three_joint_7_x = factor_link_7_zx * poses.rotation_link_6_zy
+        - (three_joint_7_x_2 + factor_link_7_yx * poses.minus_rotation_link_6_yy)
+        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
+            * screws.screw_joint_7_vz
+            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
+                * screws.screw_joint_7_vy);
+    let three_joint_7_y = factor_link_7_zy * poses.rotation_link_6_zy
+        - (factor_link_7_xy * poses.minus_rotation_link_6_xy + three_joint_7_y_4)
+        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
+            * screws.screw_joint_7_vx
+            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
+                * screws.screw_joint_7_vz);
+    let three_joint_7_z = three_joint_7_z_0
+        - (factor_link_7_xz * poses.minus_rotation_link_6_xy
+            + factor_link_7_yz * poses.minus_rotation_link_6_yy)
+        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
+            * screws.screw_joint_7_vy
+            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
+                * screws.screw_joint_7_vx);
+    d_qdot[6][12] = wrench_outside_base_mx * screws.connection_joint_7_wx
+        + wrench_outside_base_my * screws.connection_joint_7_wy
+        + wrench_outside_base_mz * screws.connection_joint_7_wz
+        + wrench_outside_base_fx * screws.connection_joint_7_vx
+        + wrench_outside_base_fy * screws.connection_joint_7_vy
+        + wrench_outside_base_fz * screws.connection_joint_7_vz
+        + reactions.reaction_joint_1_wx * three_joint_7_x
+        + reactions.reaction_joint_1_wy * three_joint_7_y
+        + reactions.reaction_joint_1_wz * three_joint_7_z + 0.0;
+    // D_q\u{307} column joint_2
+    d_qdot[7][0] = 0.0;
+    d_qdot[7][1] = 0.0;
+    d_qdot[7][2] = 0.0;
+    d_qdot[7][3] = 0.0;
+    d_qdot[7][4] = 0.0;
+    d_qdot[7][5] = 0.0;
+    let wrench_link_1_mx_4 = velocities.velocity_link_1_wz * poses.cos_joint_1;
+    let wrench_link_1_mx_6 = velocities.velocity_link_1_wz * poses.sin_joint_1;
+    let wrench_link_1_mx_8 = velocities.minus_velocity_link_2_wy * poses.sin_joint_1
+        - velocities.velocity_link_2_wx * poses.cos_joint_1;
+    let wrench_link_1_my_10 = velocities.velocity_link_2_vz * poses.cos_joint_1
+        - (velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vz
+            + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
+    let wrench_link_1_mx_12 = velocities.velocity_link_1_wz * screws.screw_joint_2_vx
+        - velocities.velocity_link_2_wx * screws.screw_joint_2_vz
+        + velocities.velocity_link_2_vz * poses.sin_joint_1;
+    let wrench_link_1_mx_10 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
+        + velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vx
+        - (velocities.velocity_link_2_vx * poses.cos_joint_1
+            + velocities.velocity_link_2_vy * poses.sin_joint_1);
+    let wrench_link_1_mx = three_joint_2_x_0 - factor_link_2_xy * poses.cos_joint_1
+        + (inertias.composite_link_2_xx * wrench_link_1_mx_4
+            + inertias.composite_link_2_xy * wrench_link_1_mx_6
+            + inertias.composite_link_2_xz * wrench_link_1_mx_8
+            + (inertias.composite_link_2_hy * wrench_link_1_mx_10
+                - inertias.composite_link_2_hz * wrench_link_1_mx_12));
+    let wrench_link_1_my = factor_link_2_yx * poses.sin_joint_1 - three_joint_2_y_2
+        + (inertias.composite_link_2_xy * wrench_link_1_mx_4
+            + inertias.composite_link_2_yy * wrench_link_1_mx_6
+            + inertias.composite_link_2_yz * wrench_link_1_mx_8
+            + (inertias.composite_link_2_hz * wrench_link_1_my_10
+                - inertias.composite_link_2_hx * wrench_link_1_mx_10));
+    let wrench_link_1_mz = factor_link_2_zx * poses.sin_joint_1
+        - factor_link_2_zy * poses.cos_joint_1
+        + (inertias.composite_link_2_xz * wrench_link_1_mx_4
+            + inertias.composite_link_2_yz * wrench_link_1_mx_6
+            + inertias.composite_link_2_zz * wrench_link_1_mx_8
+            + (inertias.composite_link_2_hx * wrench_link_1_mx_12
+                - inertias.composite_link_2_hy * wrench_link_1_my_10));
+    d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
+        + reactions.reaction_joint_1_wy * wrench_link_1_my
+        + reactions.reaction_joint_1_wz * wrench_link_1_mz
+        + turn_joint_1_x * screws.connection_joint_2_wx
+        + turn_joint_1_y * screws.connection_joint_2_wy
+        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
     let factor_outside_link_2_xx = factor_link_1_xx_0 + factor_outside_link_1_xx;
     let factor_outside_link_2_yx = factor_link_1_yx_0 + factor_outside_link_1_yx;
     let factor_outside_link_2_zx = factor_link_1_zx_0 + factor_outside_link_1_zx;
@@ -7669,64 +7893,240 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py;
     let factor_outside_link_2_pz = common_d_qdot_d_qdot_xi_kinetic_energy
         .factor_outside_link_1_pz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_2_pz_1;
-    let minus_wrench_base_fz = minus_twist_base_vz * 14.0
-        + (velocities.minus_velocity_base_wy * inertias.composite_link_1_hy
-            + velocities.minus_velocity_base_wx * inertias.composite_link_1_hx);
-    let wrench_base_fx = twist_base_vx * 14.0
-        + velocities.minus_velocity_base_wx * inertias.composite_link_1_hz
-        - factor_link_1_py;
-    let wrench_base_fy = factor_link_1_px
-        + (velocities.minus_velocity_base_wy * inertias.composite_link_1_hz
-            - minus_twist_base_vy * 14.0);
-    let turn_joint_2_x = factor_outside_link_2_xx * screws.connection_joint_2_wx
+        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1;
+    let wrench_link_1_fx = wrench_link_1_my_10 * 12.0
+        + (wrench_link_1_mx_6 * inertias.composite_link_2_hz
+            - wrench_link_1_mx_8 * inertias.composite_link_2_hy)
+        - poses.cos_joint_1 * factor_link_2_pz;
+    let wrench_link_1_fy = wrench_link_1_mx_12 * 12.0
+        + (wrench_link_1_mx_8 * inertias.composite_link_2_hx
+            - wrench_link_1_mx_4 * inertias.composite_link_2_hz)
+        - poses.sin_joint_1 * factor_link_2_pz;
+    let wrench_link_1_fz = poses.sin_joint_1 * factor_link_2_py
+        + poses.cos_joint_1 * factor_link_2_px
+        + (wrench_link_1_mx_10 * 12.0
+            + (wrench_link_1_mx_4 * inertias.composite_link_2_hy
+                - wrench_link_1_mx_6 * inertias.composite_link_2_hx));
+    let turn_joint_2_x_0 = factor_outside_link_2_xx * screws.connection_joint_2_wx;
+    let turn_joint_2_y_2 = factor_outside_link_2_yy * screws.connection_joint_2_wy;
+    let turn_joint_2_z_4 = factor_outside_link_2_zz * screws.connection_joint_2_wz;
+    let turn_joint_2_x_9 = factor_link_2_xx * reactions.reaction_joint_2_wx;
+    let turn_joint_2_y_11 = factor_link_2_yy * reactions.reaction_joint_2_wy;
+    let turn_joint_2_z_13 = factor_link_2_zz * reactions.reaction_joint_2_wz;
+    let turn_joint_2_x = turn_joint_2_x_0
         + factor_outside_link_2_yx * screws.connection_joint_2_wy
         + factor_outside_link_2_zx * screws.connection_joint_2_wz
         + (factor_outside_link_2_py * screws.connection_joint_2_vz
             - factor_outside_link_2_pz * screws.connection_joint_2_vy)
-        - (factor_link_2_xx * reactions.reaction_joint_2_wx
-            + factor_link_2_yx * reactions.reaction_joint_2_wy
+        - (turn_joint_2_x_9 + factor_link_2_yx * reactions.reaction_joint_2_wy
             + factor_link_2_zx * reactions.reaction_joint_2_wz
             + (factor_link_2_py * reactions.reaction_joint_2_vz
                 - factor_link_2_pz * reactions.reaction_joint_2_vy));
     let turn_joint_2_y = factor_outside_link_2_xy * screws.connection_joint_2_wx
-        + factor_outside_link_2_yy * screws.connection_joint_2_wy
-        + factor_outside_link_2_zy * screws.connection_joint_2_wz
+        + turn_joint_2_y_2 + factor_outside_link_2_zy * screws.connection_joint_2_wz
         + (factor_outside_link_2_pz * screws.connection_joint_2_vx
             - factor_outside_link_2_px * screws.connection_joint_2_vz)
-        - (factor_link_2_xy * reactions.reaction_joint_2_wx
-            + factor_link_2_yy * reactions.reaction_joint_2_wy
+        - (factor_link_2_xy * reactions.reaction_joint_2_wx + turn_joint_2_y_11
             + factor_link_2_zy * reactions.reaction_joint_2_wz
             + (factor_link_2_pz * reactions.reaction_joint_2_vx
                 - factor_link_2_px * reactions.reaction_joint_2_vz));
     let turn_joint_2_z = factor_outside_link_2_xz * screws.connection_joint_2_wx
-        + factor_outside_link_2_yz * screws.connection_joint_2_wy
-        + factor_outside_link_2_zz * screws.connection_joint_2_wz
+        + factor_outside_link_2_yz * screws.connection_joint_2_wy + turn_joint_2_z_4
         + (factor_outside_link_2_px * screws.connection_joint_2_vy
             - factor_outside_link_2_py * screws.connection_joint_2_vx)
         - (factor_link_2_xz * reactions.reaction_joint_2_wx
-            + factor_link_2_yz * reactions.reaction_joint_2_wy
-            + factor_link_2_zz * reactions.reaction_joint_2_wz
+            + factor_link_2_yz * reactions.reaction_joint_2_wy + turn_joint_2_z_13
             + (factor_link_2_px * reactions.reaction_joint_2_vy
                 - factor_link_2_py * reactions.reaction_joint_2_vx));
-    let three_joint_2_z = factor_link_2_xz * poses.sin_joint_1
-        - factor_link_2_yz * poses.cos_joint_1
-        + (factor_link_2_px * screws.screw_joint_2_vy
-            - factor_link_2_py * screws.screw_joint_2_vx);
-    let d_qdot_7_6_0 = minus_wrench_base_fz * screws.connection_joint_2_vz
-        - (wrench_base_mx * screws.connection_joint_2_wx
-            + wrench_base_my * screws.connection_joint_2_wy
-            + wrench_base_mz * screws.connection_joint_2_wz
-            + wrench_base_fx * screws.connection_joint_2_vx
-            + wrench_base_fy * screws.connection_joint_2_vy)
-        + screws.connection_joint_1_wx * turn_joint_2_x
-        + screws.connection_joint_1_wy * turn_joint_2_y
-        + screws.connection_joint_1_wz * turn_joint_2_z + three_joint_2_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_2_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_2_my
-        + twist_base_vx * screws.inside_joint_2_fx;
-    d_qdot[6][7] = d_qdot_7_6_0 - minus_twist_base_vy * screws.inside_joint_2_fy
-        - minus_twist_base_vz * screws.inside_joint_2_fz + 0.0;
+    d_qdot[7][7] = reactions.reaction_joint_2_wx * wrench_link_1_mx
+        + reactions.reaction_joint_2_wy * wrench_link_1_my
+        + reactions.reaction_joint_2_wz * wrench_link_1_mz
+        + reactions.reaction_joint_2_vx * wrench_link_1_fx
+        + reactions.reaction_joint_2_vy * wrench_link_1_fy
+        + reactions.reaction_joint_2_vz * wrench_link_1_fz
+        + turn_joint_2_x * screws.connection_joint_2_wx
+        + turn_joint_2_y * screws.connection_joint_2_wy
+        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
+    let wrench_outside_link_1_mx = factor_outside_link_2_xz
+        * screws.connection_joint_2_wz
+        + (factor_outside_link_2_xy * screws.connection_joint_2_wy + turn_joint_2_x_0)
+        - (factor_link_2_xz * reactions.reaction_joint_2_wz
+            + (factor_link_2_xy * reactions.reaction_joint_2_wy + turn_joint_2_x_9))
+        + (complements.complement_link_2_xx * wrench_link_1_mx_4
+            + complements.complement_link_2_xy * wrench_link_1_mx_6
+            + complements.complement_link_2_xz * wrench_link_1_mx_8
+            + (complements.complement_link_2_hy * wrench_link_1_mx_10
+                - complements.complement_link_2_hz * wrench_link_1_mx_12));
+    let wrench_outside_link_1_my = factor_outside_link_2_yz
+        * screws.connection_joint_2_wz
+        + (turn_joint_2_y_2 + factor_outside_link_2_yx * screws.connection_joint_2_wx)
+        - (factor_link_2_yz * reactions.reaction_joint_2_wz
+            + (turn_joint_2_y_11 + factor_link_2_yx * reactions.reaction_joint_2_wx))
+        + (complements.complement_link_2_xy * wrench_link_1_mx_4
+            + complements.complement_link_2_yy * wrench_link_1_mx_6
+            - complements.minus_complement_link_2_yz * wrench_link_1_mx_8
+            + (complements.complement_link_2_hz * wrench_link_1_my_10
+                + complements.minus_complement_link_2_hx * wrench_link_1_mx_10));
+    let wrench_outside_link_1_mz = turn_joint_2_z_4
+        + (factor_outside_link_2_zy * screws.connection_joint_2_wy
+            + factor_outside_link_2_zx * screws.connection_joint_2_wx)
+        - (turn_joint_2_z_13
+            + (factor_link_2_zy * reactions.reaction_joint_2_wy
+                + factor_link_2_zx * reactions.reaction_joint_2_wx))
+        + (complements.complement_link_2_xz * wrench_link_1_mx_4
+            - complements.minus_complement_link_2_yz * wrench_link_1_mx_6
+            + complements.complement_link_2_zz * wrench_link_1_mx_8
+            - (complements.minus_complement_link_2_hx * wrench_link_1_mx_12
+                + complements.complement_link_2_hy * wrench_link_1_my_10));
+    let wrench_outside_link_1_fx = screws.connection_joint_2_wy
+        * factor_outside_link_2_pz
+        - screws.connection_joint_2_wz * factor_outside_link_2_py
+        - (reactions.reaction_joint_2_wy * factor_link_2_pz
+            - reactions.reaction_joint_2_wz * factor_link_2_py)
+        + (wrench_link_1_my_10 * 5.5
+            + (wrench_link_1_mx_6 * complements.complement_link_2_hz
+                - wrench_link_1_mx_8 * complements.complement_link_2_hy));
+    let wrench_outside_link_1_fy = screws.connection_joint_2_wz
+        * factor_outside_link_2_px
+        - screws.connection_joint_2_wx * factor_outside_link_2_pz
+        - (reactions.reaction_joint_2_wz * factor_link_2_px
+            - reactions.reaction_joint_2_wx * factor_link_2_pz)
+        + (wrench_link_1_mx_12 * 5.5
+            - (wrench_link_1_mx_8 * complements.minus_complement_link_2_hx
+                + wrench_link_1_mx_4 * complements.complement_link_2_hz));
+    let wrench_outside_link_1_fz = screws.connection_joint_2_wx
+        * factor_outside_link_2_py
+        - screws.connection_joint_2_wy * factor_outside_link_2_px
+        - (reactions.reaction_joint_2_wx * factor_link_2_py
+            - reactions.reaction_joint_2_wy * factor_link_2_px)
+        + (wrench_link_1_mx_10 * 5.5
+            + (wrench_link_1_mx_4 * complements.complement_link_2_hy
+                + wrench_link_1_mx_6 * complements.minus_complement_link_2_hx));
+    d_qdot[7][8] = wrench_outside_link_1_mx * screws.connection_joint_3_wx
+        + wrench_outside_link_1_my * screws.connection_joint_3_wy
+        + wrench_outside_link_1_mz * screws.connection_joint_3_wz
+        + wrench_outside_link_1_fx * screws.connection_joint_3_vx
+        + wrench_outside_link_1_fy * screws.connection_joint_3_vy
+        + wrench_outside_link_1_fz * screws.connection_joint_3_vz
+        + reactions.reaction_joint_2_wx * three_joint_3_x
+        + reactions.reaction_joint_2_wy * three_joint_3_y
+        + reactions.reaction_joint_2_wz * three_joint_3_z + 0.0;
+    d_qdot[7][9] = wrench_outside_link_1_mx * screws.connection_joint_4_wx
+        + wrench_outside_link_1_my * screws.connection_joint_4_wy
+        + wrench_outside_link_1_mz * screws.connection_joint_4_wz
+        + wrench_outside_link_1_fx * screws.connection_joint_4_vx
+        + wrench_outside_link_1_fy * screws.connection_joint_4_vy
+        + wrench_outside_link_1_fz * screws.connection_joint_4_vz
+        + reactions.reaction_joint_2_wx * three_joint_4_x
+        + reactions.reaction_joint_2_wy * three_joint_4_y
+        + reactions.reaction_joint_2_wz * three_joint_4_z + 0.0;
+    d_qdot[7][10] = wrench_outside_link_1_mx * screws.connection_joint_5_wx
+        + wrench_outside_link_1_my * screws.connection_joint_5_wy
+        + wrench_outside_link_1_mz * screws.connection_joint_5_wz
+        + wrench_outside_link_1_fx * screws.connection_joint_5_vx
+        + wrench_outside_link_1_fy * screws.connection_joint_5_vy
+        + wrench_outside_link_1_fz * screws.connection_joint_5_vz
+        + reactions.reaction_joint_2_wx * three_joint_5_x
+        + reactions.reaction_joint_2_wy * three_joint_5_y
+        + reactions.reaction_joint_2_wz * three_joint_5_z + 0.0;
+    d_qdot[7][11] = wrench_outside_link_1_mx * screws.connection_joint_6_wx
+        + wrench_outside_link_1_my * screws.connection_joint_6_wy
+        + wrench_outside_link_1_mz * screws.connection_joint_6_wz
+        + wrench_outside_link_1_fx * screws.connection_joint_6_vx
+        + wrench_outside_link_1_fy * screws.connection_joint_6_vy
+        + wrench_outside_link_1_fz * screws.connection_joint_6_vz
+        + reactions.reaction_joint_2_wx * three_joint_6_x
+        + reactions.reaction_joint_2_wy * three_joint_6_y
+        + reactions.reaction_joint_2_wz * three_joint_6_z + 0.0;
+    d_qdot[7][12] = wrench_outside_link_1_mx * screws.connection_joint_7_wx
+        + wrench_outside_link_1_my * screws.connection_joint_7_wy
+        + wrench_outside_link_1_mz * screws.connection_joint_7_wz
+        + wrench_outside_link_1_fx * screws.connection_joint_7_vx
+        + wrench_outside_link_1_fy * screws.connection_joint_7_vy
+        + wrench_outside_link_1_fz * screws.connection_joint_7_vz
+        + reactions.reaction_joint_2_wx * three_joint_7_x
+        + reactions.reaction_joint_2_wy * three_joint_7_y
+        + reactions.reaction_joint_2_wz * three_joint_7_z + 0.0;
+    // D_q\u{307} column joint_3
+    d_qdot[8][0] = 0.0;
+    d_qdot[8][1] = 0.0;
+    d_qdot[8][2] = 0.0;
+    d_qdot[8][3] = 0.0;
+    d_qdot[8][4] = 0.0;
+    d_qdot[8][5] = 0.0;
+    let wrench_link_2_mx_6 = velocities.velocity_link_3_wz
+        * poses.minus_rotation_link_2_yy
+        - velocities.minus_velocity_link_3_wy * poses.cos_joint_2;
+    let wrench_link_2_mx_8 = velocities.velocity_link_3_wz
+        * poses.minus_rotation_link_2_xy
+        + velocities.velocity_link_3_wx * poses.cos_joint_2;
+    let wrench_link_2_mx_10 = velocities.velocity_link_3_wx
+        * poses.minus_rotation_link_2_yy
+        + velocities.minus_velocity_link_3_wy * poses.minus_rotation_link_2_xy;
+    let wrench_link_2_my_12 = velocities.velocity_link_3_vy * poses.cos_joint_2
+        + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy
+        - (velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vz
+            + velocities.velocity_link_3_wz * screws.screw_joint_3_vy);
+    let wrench_link_2_mx_14 = velocities.velocity_link_3_wz * screws.screw_joint_3_vx
+        - velocities.velocity_link_3_wx * screws.screw_joint_3_vz
+        - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
+            + velocities.velocity_link_3_vx * poses.cos_joint_2);
+    let wrench_link_2_mx_12 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
+        + velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vx
+        + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
+            - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy);
+    let wrench_link_2_mx = factor_link_3_xz * poses.cos_joint_2
+        - (factor_link_3_xy * poses.minus_rotation_link_2_yy + three_joint_3_x_2)
+        + (inertias.composite_link_3_xx * wrench_link_2_mx_6
+            - inertias.composite_link_3_xy * wrench_link_2_mx_8
+            - inertias.composite_link_3_xz * wrench_link_2_mx_10
+            + (inertias.composite_link_3_hy * wrench_link_2_mx_12
+                - inertias.composite_link_3_hz * wrench_link_2_mx_14));
+    let wrench_link_2_my = factor_link_3_yz * poses.cos_joint_2
+        - (three_joint_3_y_4 + factor_link_3_yx * poses.minus_rotation_link_2_xy)
+        + (inertias.composite_link_3_xy * wrench_link_2_mx_6
+            - inertias.composite_link_3_yy * wrench_link_2_mx_8
+            - inertias.composite_link_3_yz * wrench_link_2_mx_10
+            + (inertias.composite_link_3_hz * wrench_link_2_my_12
+                - inertias.composite_link_3_hx * wrench_link_2_mx_12));
+    let wrench_link_2_mz = three_joint_3_z_0
+        - (factor_link_3_zy * poses.minus_rotation_link_2_yy
+            + factor_link_3_zx * poses.minus_rotation_link_2_xy)
+        + (inertias.composite_link_3_xz * wrench_link_2_mx_6
+            - inertias.composite_link_3_yz * wrench_link_2_mx_8
+            - inertias.composite_link_3_zz * wrench_link_2_mx_10
+            + (inertias.composite_link_3_hx * wrench_link_2_mx_14
+                - inertias.composite_link_3_hy * wrench_link_2_my_12));
+    d_qdot[8][6] = reactions.reaction_joint_1_wx * wrench_link_2_mx
+        + reactions.reaction_joint_1_wy * wrench_link_2_my
+        + reactions.reaction_joint_1_wz * wrench_link_2_mz
+        + turn_joint_1_x * screws.connection_joint_3_wx
+        + turn_joint_1_y * screws.connection_joint_3_wy
+        + turn_joint_1_z * screws.connection_joint_3_wz + 0.0;
+    let wrench_link_2_fx = wrench_link_2_my_12 * 10.0
+        + (wrench_link_2_mx_10 * inertias.composite_link_3_hy
+            - wrench_link_2_mx_8 * inertias.composite_link_3_hz)
+        - (poses.minus_rotation_link_2_yy * factor_link_3_pz
+            + poses.cos_joint_2 * factor_link_3_py);
+    let wrench_link_2_fy = poses.cos_joint_2 * factor_link_3_px
+        + poses.minus_rotation_link_2_xy * factor_link_3_pz
+        + (wrench_link_2_mx_14 * 10.0
+            - (wrench_link_2_mx_10 * inertias.composite_link_3_hx
+                + wrench_link_2_mx_6 * inertias.composite_link_3_hz));
+    let wrench_link_2_fz = poses.minus_rotation_link_2_yy * factor_link_3_px
+        - poses.minus_rotation_link_2_xy * factor_link_3_py
+        + (wrench_link_2_mx_12 * 10.0
+            + (wrench_link_2_mx_6 * inertias.composite_link_3_hy
+                + wrench_link_2_mx_8 * inertias.composite_link_3_hx));
+    d_qdot[8][7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
+        + reactions.reaction_joint_2_wy * wrench_link_2_my
+        + reactions.reaction_joint_2_wz * wrench_link_2_mz
+        + reactions.reaction_joint_2_vx * wrench_link_2_fx
+        + reactions.reaction_joint_2_vy * wrench_link_2_fy
+        + reactions.reaction_joint_2_vz * wrench_link_2_fz
+        + turn_joint_2_x * screws.connection_joint_3_wx
+        + turn_joint_2_y * screws.connection_joint_3_wy
+        + turn_joint_2_z * screws.connection_joint_3_wz + 0.0;
     let factor_outside_link_3_xx = factor_link_2_xx_0 + factor_outside_link_2_xx;
     let factor_outside_link_3_yx = factor_link_2_yx_0 + factor_outside_link_2_yx;
     let factor_outside_link_3_zx = factor_link_2_zx_0 + factor_outside_link_2_zx;
@@ -7742,606 +8142,37 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         .factor_link_2_py_0 + factor_outside_link_2_py;
     let factor_outside_link_3_pz = common_d_qdot_d_qdot_xi_kinetic_energy
         .factor_link_2_pz_0 + factor_outside_link_2_pz;
-    let three_joint_3_z_0 = factor_link_3_zz * poses.cos_joint_2;
-    let turn_joint_3_x = factor_outside_link_3_xx * screws.connection_joint_3_wx
+    let turn_joint_3_x_0 = factor_outside_link_3_xx * screws.connection_joint_3_wx;
+    let turn_joint_3_y_2 = factor_outside_link_3_yy * screws.connection_joint_3_wy;
+    let turn_joint_3_z_4 = factor_outside_link_3_zz * screws.connection_joint_3_wz;
+    let turn_joint_3_x_9 = factor_link_3_xx * reactions.reaction_joint_3_wx;
+    let turn_joint_3_y_11 = factor_link_3_yy * reactions.reaction_joint_3_wy;
+    let turn_joint_3_z_13 = factor_link_3_zz * reactions.reaction_joint_3_wz;
+    let turn_joint_3_x = turn_joint_3_x_0
         + factor_outside_link_3_yx * screws.connection_joint_3_wy
         + factor_outside_link_3_zx * screws.connection_joint_3_wz
         + (factor_outside_link_3_py * screws.connection_joint_3_vz
             - factor_outside_link_3_pz * screws.connection_joint_3_vy)
-        - (factor_link_3_xx * reactions.reaction_joint_3_wx
-            + factor_link_3_yx * reactions.reaction_joint_3_wy
+        - (turn_joint_3_x_9 + factor_link_3_yx * reactions.reaction_joint_3_wy
             + factor_link_3_zx * reactions.reaction_joint_3_wz
             + (factor_link_3_py * reactions.reaction_joint_3_vz
                 - factor_link_3_pz * reactions.reaction_joint_3_vy));
     let turn_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
-        + factor_outside_link_3_yy * screws.connection_joint_3_wy
-        + factor_outside_link_3_zy * screws.connection_joint_3_wz
+        + turn_joint_3_y_2 + factor_outside_link_3_zy * screws.connection_joint_3_wz
         + (factor_outside_link_3_pz * screws.connection_joint_3_vx
             - factor_outside_link_3_px * screws.connection_joint_3_vz)
-        - (factor_link_3_xy * reactions.reaction_joint_3_wx
-            + factor_link_3_yy * reactions.reaction_joint_3_wy
+        - (factor_link_3_xy * reactions.reaction_joint_3_wx + turn_joint_3_y_11
             + factor_link_3_zy * reactions.reaction_joint_3_wz
             + (factor_link_3_pz * reactions.reaction_joint_3_vx
                 - factor_link_3_px * reactions.reaction_joint_3_vz));
     let turn_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
-        + factor_outside_link_3_yz * screws.connection_joint_3_wy
-        + factor_outside_link_3_zz * screws.connection_joint_3_wz
+        + factor_outside_link_3_yz * screws.connection_joint_3_wy + turn_joint_3_z_4
         + (factor_outside_link_3_px * screws.connection_joint_3_vy
             - factor_outside_link_3_py * screws.connection_joint_3_vx)
         - (factor_link_3_xz * reactions.reaction_joint_3_wx
-            + factor_link_3_yz * reactions.reaction_joint_3_wy
-            + factor_link_3_zz * reactions.reaction_joint_3_wz
+            + factor_link_3_yz * reactions.reaction_joint_3_wy + turn_joint_3_z_13
             + (factor_link_3_px * reactions.reaction_joint_3_vy
                 - factor_link_3_py * reactions.reaction_joint_3_vx));
-    let three_joint_3_z = three_joint_3_z_0
-        - (factor_link_3_xz * poses.minus_rotation_link_2_xy
-            + factor_link_3_yz * poses.minus_rotation_link_2_yy)
-        + (factor_link_3_px * screws.screw_joint_3_vy
-            - factor_link_3_py * screws.screw_joint_3_vx);
-    let d_qdot_8_6_0 = minus_wrench_base_fz * screws.connection_joint_3_vz
-        - (wrench_base_mx * screws.connection_joint_3_wx
-            + wrench_base_my * screws.connection_joint_3_wy
-            + wrench_base_mz * screws.connection_joint_3_wz
-            + wrench_base_fx * screws.connection_joint_3_vx
-            + wrench_base_fy * screws.connection_joint_3_vy)
-        + screws.connection_joint_1_wx * turn_joint_3_x
-        + screws.connection_joint_1_wy * turn_joint_3_y
-        + screws.connection_joint_1_wz * turn_joint_3_z + three_joint_3_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_3_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_3_my
-        + twist_base_vx * screws.inside_joint_3_fx;
-    d_qdot[6][8] = d_qdot_8_6_0 - minus_twist_base_vy * screws.inside_joint_3_fy
-        - minus_twist_base_vz * screws.inside_joint_3_fz + 0.0;
-    let factor_outside_link_4_xx = factor_link_3_xx_0 + factor_outside_link_3_xx;
-    let factor_outside_link_4_yx = factor_link_3_yx_0 + factor_outside_link_3_yx;
-    let factor_outside_link_4_zx = factor_link_3_zx_0 + factor_outside_link_3_zx;
-    let factor_outside_link_4_xy = factor_link_3_xy_0 + factor_outside_link_3_xy;
-    let factor_outside_link_4_yy = factor_link_3_yy_0 + factor_outside_link_3_yy;
-    let factor_outside_link_4_zy = factor_link_3_zy_0 + factor_outside_link_3_zy;
-    let factor_outside_link_4_xz = factor_link_3_xz_0 + factor_outside_link_3_xz;
-    let factor_outside_link_4_yz = factor_link_3_yz_0 + factor_outside_link_3_yz;
-    let factor_outside_link_4_zz = factor_link_3_zz_0 + factor_outside_link_3_zz;
-    let factor_outside_link_4_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_px_0 + factor_outside_link_3_px;
-    let factor_outside_link_4_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_py_0 + factor_outside_link_3_py;
-    let factor_outside_link_4_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_pz_0 + factor_outside_link_3_pz;
-    let three_joint_4_z_4 = factor_link_4_zz * poses.minus_rotation_link_3_zy;
-    let turn_joint_4_x = factor_outside_link_4_xx * screws.connection_joint_4_wx
-        + factor_outside_link_4_yx * screws.connection_joint_4_wy
-        + factor_outside_link_4_zx * screws.connection_joint_4_wz
-        + (factor_outside_link_4_py * screws.connection_joint_4_vz
-            - factor_outside_link_4_pz * screws.connection_joint_4_vy)
-        - (factor_link_4_xx * reactions.reaction_joint_4_wx
-            + factor_link_4_yx * reactions.reaction_joint_4_wy
-            + factor_link_4_zx * reactions.reaction_joint_4_wz
-            - (factor_link_4_py * reactions.minus_reaction_joint_4_vz
-                + factor_link_4_pz * reactions.reaction_joint_4_vy));
-    let turn_joint_4_y = factor_outside_link_4_xy * screws.connection_joint_4_wx
-        + factor_outside_link_4_yy * screws.connection_joint_4_wy
-        + factor_outside_link_4_zy * screws.connection_joint_4_wz
-        + (factor_outside_link_4_pz * screws.connection_joint_4_vx
-            - factor_outside_link_4_px * screws.connection_joint_4_vz)
-        - (factor_link_4_xy * reactions.reaction_joint_4_wx
-            + factor_link_4_yy * reactions.reaction_joint_4_wy
-            + factor_link_4_zy * reactions.reaction_joint_4_wz
-            + (factor_link_4_pz * reactions.reaction_joint_4_vx
-                + factor_link_4_px * reactions.minus_reaction_joint_4_vz));
-    let turn_joint_4_z = factor_outside_link_4_xz * screws.connection_joint_4_wx
-        + factor_outside_link_4_yz * screws.connection_joint_4_wy
-        + factor_outside_link_4_zz * screws.connection_joint_4_wz
-        + (factor_outside_link_4_px * screws.connection_joint_4_vy
-            - factor_outside_link_4_py * screws.connection_joint_4_vx)
-        - (factor_link_4_xz * reactions.reaction_joint_4_wx
-            + factor_link_4_yz * reactions.reaction_joint_4_wy
-            + factor_link_4_zz * reactions.reaction_joint_4_wz
-            + (factor_link_4_px * reactions.reaction_joint_4_vy
-                - factor_link_4_py * reactions.reaction_joint_4_vx));
-    let three_joint_4_z = factor_link_4_yz * poses.rotation_link_3_yy
-        - factor_link_4_xz * poses.minus_rotation_link_3_xy - three_joint_4_z_4
-        - (factor_link_4_px * screws.minus_screw_joint_4_vy
-            + factor_link_4_py * screws.screw_joint_4_vx);
-    let d_qdot_9_6_0 = minus_wrench_base_fz * screws.connection_joint_4_vz
-        - (wrench_base_mx * screws.connection_joint_4_wx
-            + wrench_base_my * screws.connection_joint_4_wy
-            + wrench_base_mz * screws.connection_joint_4_wz
-            + wrench_base_fx * screws.connection_joint_4_vx
-            + wrench_base_fy * screws.connection_joint_4_vy)
-        + screws.connection_joint_1_wx * turn_joint_4_x
-        + screws.connection_joint_1_wy * turn_joint_4_y
-        + screws.connection_joint_1_wz * turn_joint_4_z + three_joint_4_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_4_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_4_my
-        + twist_base_vx * screws.inside_joint_4_fx;
-    d_qdot[6][9] = d_qdot_9_6_0 - minus_twist_base_vy * screws.inside_joint_4_fy
-        - minus_twist_base_vz * screws.inside_joint_4_fz + 0.0;
-    let factor_outside_link_5_xx = factor_link_4_xx_0 + factor_outside_link_4_xx;
-    let factor_outside_link_5_yx = factor_link_4_yx_0 + factor_outside_link_4_yx;
-    let factor_outside_link_5_zx = factor_link_4_zx_0 + factor_outside_link_4_zx;
-    let factor_outside_link_5_xy = factor_link_4_xy_0 + factor_outside_link_4_xy;
-    let factor_outside_link_5_yy = factor_link_4_yy_0 + factor_outside_link_4_yy;
-    let factor_outside_link_5_zy = factor_link_4_zy_0 + factor_outside_link_4_zy;
-    let factor_outside_link_5_xz = factor_link_4_xz_0 + factor_outside_link_4_xz;
-    let factor_outside_link_5_yz = factor_link_4_yz_0 + factor_outside_link_4_yz;
-    let factor_outside_link_5_zz = factor_link_4_zz_0 + factor_outside_link_4_zz;
-    let factor_outside_link_5_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_px_0 + factor_outside_link_4_px;
-    let factor_outside_link_5_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_py_0 + factor_outside_link_4_py;
-    let factor_outside_link_5_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_pz_0 + factor_outside_link_4_pz;
-    let three_joint_5_z_0 = factor_link_5_zz * poses.rotation_link_5_zz;
-    let turn_joint_5_x = factor_outside_link_5_xx * screws.connection_joint_5_wx
-        + factor_outside_link_5_yx * screws.connection_joint_5_wy
-        + factor_outside_link_5_zx * screws.connection_joint_5_wz
-        + (factor_outside_link_5_py * screws.connection_joint_5_vz
-            - factor_outside_link_5_pz * screws.connection_joint_5_vy)
-        - (factor_link_5_xx * reactions.reaction_joint_5_wx
-            + factor_link_5_yx * reactions.reaction_joint_5_wy
-            + factor_link_5_zx * reactions.reaction_joint_5_wz
-            + (factor_link_5_py * reactions.reaction_joint_5_vz
-                - factor_link_5_pz * reactions.reaction_joint_5_vy));
-    let turn_joint_5_y = factor_outside_link_5_xy * screws.connection_joint_5_wx
-        + factor_outside_link_5_yy * screws.connection_joint_5_wy
-        + factor_outside_link_5_zy * screws.connection_joint_5_wz
-        + (factor_outside_link_5_pz * screws.connection_joint_5_vx
-            - factor_outside_link_5_px * screws.connection_joint_5_vz)
-        - (factor_link_5_xy * reactions.reaction_joint_5_wx
-            + factor_link_5_yy * reactions.reaction_joint_5_wy
-            + factor_link_5_zy * reactions.reaction_joint_5_wz
-            + (factor_link_5_pz * reactions.reaction_joint_5_vx
-                - factor_link_5_px * reactions.reaction_joint_5_vz));
-    let turn_joint_5_z = factor_outside_link_5_xz * screws.connection_joint_5_wx
-        + factor_outside_link_5_yz * screws.connection_joint_5_wy
-        + factor_outside_link_5_zz * screws.connection_joint_5_wz
-        + (factor_outside_link_5_px * screws.connection_joint_5_vy
-            - factor_outside_link_5_py * screws.connection_joint_5_vx)
-        - (factor_link_5_xz * reactions.reaction_joint_5_wx
-            + factor_link_5_yz * reactions.reaction_joint_5_wy
-            + factor_link_5_zz * reactions.reaction_joint_5_wz
-            + (factor_link_5_px * reactions.reaction_joint_5_vy
-                - factor_link_5_py * reactions.reaction_joint_5_vx));
-    let three_joint_5_z = three_joint_5_z_0
-        - (factor_link_5_xz * poses.rotation_link_4_xy
-            + factor_link_5_yz * poses.rotation_link_4_yy)
-        + (factor_link_5_px * screws.screw_joint_5_vy
-            - factor_link_5_py * screws.screw_joint_5_vx);
-    let d_qdot_10_6_0 = minus_wrench_base_fz * screws.connection_joint_5_vz
-        - (wrench_base_mx * screws.connection_joint_5_wx
-            + wrench_base_my * screws.connection_joint_5_wy
-            + wrench_base_mz * screws.connection_joint_5_wz
-            + wrench_base_fx * screws.connection_joint_5_vx
-            + wrench_base_fy * screws.connection_joint_5_vy)
-        + screws.connection_joint_1_wx * turn_joint_5_x
-        + screws.connection_joint_1_wy * turn_joint_5_y
-        + screws.connection_joint_1_wz * turn_joint_5_z + three_joint_5_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_5_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_5_my
-        + twist_base_vx * screws.inside_joint_5_fx;
-    d_qdot[6][10] = d_qdot_10_6_0 - minus_twist_base_vy * screws.inside_joint_5_fy
-        - minus_twist_base_vz * screws.inside_joint_5_fz + 0.0;
-    let factor_outside_link_6_xx = factor_link_5_xx_0 + factor_outside_link_5_xx;
-    let factor_outside_link_6_yx = factor_link_5_yx_0 + factor_outside_link_5_yx;
-    let factor_outside_link_6_zx = factor_link_5_zx_0 + factor_outside_link_5_zx;
-    let factor_outside_link_6_xy = factor_link_5_xy_0 + factor_outside_link_5_xy;
-    let factor_outside_link_6_yy = factor_link_5_yy_0 + factor_outside_link_5_yy;
-    let factor_outside_link_6_zy = factor_link_5_zy_0 + factor_outside_link_5_zy;
-    let factor_outside_link_6_xz = factor_link_5_xz_0 + factor_outside_link_5_xz;
-    let factor_outside_link_6_yz = factor_link_5_yz_0 + factor_outside_link_5_yz;
-    let factor_outside_link_6_zz = factor_link_5_zz_0 + factor_outside_link_5_zz;
-    let factor_outside_link_6_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_px_0 + factor_outside_link_5_px;
-    let factor_outside_link_6_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_py_0 + factor_outside_link_5_py;
-    let factor_outside_link_6_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_pz_0 + factor_outside_link_5_pz;
-    let three_joint_6_z_4 = factor_link_6_zz * poses.rotation_link_6_zz;
-    let turn_joint_6_x = factor_outside_link_6_xx * screws.connection_joint_6_wx
-        + factor_outside_link_6_yx * screws.connection_joint_6_wy
-        + factor_outside_link_6_zx * screws.connection_joint_6_wz
-        + (factor_outside_link_6_py * screws.connection_joint_6_vz
-            - factor_outside_link_6_pz * screws.connection_joint_6_vy)
-        - (factor_link_6_xx * reactions.reaction_joint_6_wx
-            + factor_link_6_yx * reactions.reaction_joint_6_wy
-            + factor_link_6_zx * reactions.reaction_joint_6_wz
-            + (factor_link_6_py * reactions.reaction_joint_6_vz
-                - factor_link_6_pz * reactions.reaction_joint_6_vy));
-    let turn_joint_6_y = factor_outside_link_6_xy * screws.connection_joint_6_wx
-        + factor_outside_link_6_yy * screws.connection_joint_6_wy
-        + factor_outside_link_6_zy * screws.connection_joint_6_wz
-        + (factor_outside_link_6_pz * screws.connection_joint_6_vx
-            - factor_outside_link_6_px * screws.connection_joint_6_vz)
-        - (factor_link_6_xy * reactions.reaction_joint_6_wx
-            + factor_link_6_yy * reactions.reaction_joint_6_wy
-            + factor_link_6_zy * reactions.reaction_joint_6_wz
-            + (factor_link_6_pz * reactions.reaction_joint_6_vx
-                - factor_link_6_px * reactions.reaction_joint_6_vz));
-    let turn_joint_6_z = factor_outside_link_6_xz * screws.connection_joint_6_wx
-        + factor_outside_link_6_yz * screws.connection_joint_6_wy
-        + factor_outside_link_6_zz * screws.connection_joint_6_wz
-        + (factor_outside_link_6_px * screws.connection_joint_6_vy
-            - factor_outside_link_6_py * screws.connection_joint_6_vx)
-        - (factor_link_6_xz * reactions.reaction_joint_6_wx
-            + factor_link_6_yz * reactions.reaction_joint_6_wy
-            + factor_link_6_zz * reactions.reaction_joint_6_wz
-            + (factor_link_6_px * reactions.reaction_joint_6_vy
-                - factor_link_6_py * reactions.reaction_joint_6_vx));
-    let three_joint_6_z = factor_link_6_xz * poses.rotation_link_6_xz
-        - factor_link_6_yz * poses.rotation_link_5_yy + three_joint_6_z_4
-        + (factor_link_6_px * screws.screw_joint_6_vy
-            - factor_link_6_py * screws.screw_joint_6_vx);
-    let d_qdot_11_6_0 = minus_wrench_base_fz * screws.connection_joint_6_vz
-        - (wrench_base_mx * screws.connection_joint_6_wx
-            + wrench_base_my * screws.connection_joint_6_wy
-            + wrench_base_mz * screws.connection_joint_6_wz
-            + wrench_base_fx * screws.connection_joint_6_vx
-            + wrench_base_fy * screws.connection_joint_6_vy)
-        + screws.connection_joint_1_wx * turn_joint_6_x
-        + screws.connection_joint_1_wy * turn_joint_6_y
-        + screws.connection_joint_1_wz * turn_joint_6_z + three_joint_6_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_6_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_6_my
-        + twist_base_vx * screws.inside_joint_6_fx;
-    d_qdot[6][11] = d_qdot_11_6_0 - minus_twist_base_vy * screws.inside_joint_6_fy
-        - minus_twist_base_vz * screws.inside_joint_6_fz + 0.0;
-    let factor_outside_link_7_xx = factor_link_6_xx_0 + factor_outside_link_6_xx;
-    let factor_outside_link_7_yx = factor_link_6_yx_0 + factor_outside_link_6_yx;
-    let factor_outside_link_7_zx = factor_link_6_zx_0 + factor_outside_link_6_zx;
-    let factor_outside_link_7_xy = factor_link_6_xy_0 + factor_outside_link_6_xy;
-    let factor_outside_link_7_yy = factor_link_6_yy_0 + factor_outside_link_6_yy;
-    let factor_outside_link_7_zy = factor_link_6_zy_0 + factor_outside_link_6_zy;
-    let factor_outside_link_7_xz = factor_link_6_xz_0 + factor_outside_link_6_xz;
-    let factor_outside_link_7_yz = factor_link_6_yz_0 + factor_outside_link_6_yz;
-    let factor_outside_link_7_zz = factor_link_6_zz_0 + factor_outside_link_6_zz;
-    let factor_outside_link_7_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_px_0 + factor_outside_link_6_px;
-    let factor_outside_link_7_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_py_0 + factor_outside_link_6_py;
-    let factor_outside_link_7_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_pz_0 + factor_outside_link_6_pz;
-    let three_joint_7_z_0 = factor_link_7_zz * poses.rotation_link_6_zy;
-    let turn_joint_7_x = factor_outside_link_7_xx * screws.connection_joint_7_wx
-        + factor_outside_link_7_yx * screws.connection_joint_7_wy
-        + factor_outside_link_7_zx * screws.connection_joint_7_wz
-        + (factor_outside_link_7_py * screws.connection_joint_7_vz
-            - factor_outside_link_7_pz * screws.connection_joint_7_vy)
-        - (factor_link_7_xx * reactions.reaction_joint_7_wx
-            + factor_link_7_yx * reactions.reaction_joint_7_wy
-            + factor_link_7_zx * reactions.reaction_joint_7_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                * reactions.reaction_joint_7_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                    * reactions.reaction_joint_7_vy));
-    let turn_joint_7_y = factor_outside_link_7_xy * screws.connection_joint_7_wx
-        + factor_outside_link_7_yy * screws.connection_joint_7_wy
-        + factor_outside_link_7_zy * screws.connection_joint_7_wz
-        + (factor_outside_link_7_pz * screws.connection_joint_7_vx
-            - factor_outside_link_7_px * screws.connection_joint_7_vz)
-        - (factor_link_7_xy * reactions.reaction_joint_7_wx
-            + factor_link_7_yy * reactions.reaction_joint_7_wy
-            + factor_link_7_zy * reactions.reaction_joint_7_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                * reactions.reaction_joint_7_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                    * reactions.reaction_joint_7_vz));
-    let turn_joint_7_z = factor_outside_link_7_xz * screws.connection_joint_7_wx
-        + factor_outside_link_7_yz * screws.connection_joint_7_wy
-        + factor_outside_link_7_zz * screws.connection_joint_7_wz
-        + (factor_outside_link_7_px * screws.connection_joint_7_vy
-            - factor_outside_link_7_py * screws.connection_joint_7_vx)
-        - (factor_link_7_xz * reactions.reaction_joint_7_wx
-            + factor_link_7_yz * reactions.reaction_joint_7_wy
-            + factor_link_7_zz * reactions.reaction_joint_7_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                * reactions.reaction_joint_7_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                    * reactions.reaction_joint_7_vx));
-    let three_joint_7_z = three_joint_7_z_0
-        - (factor_link_7_xz * poses.minus_rotation_link_6_xy
-            + factor_link_7_yz * poses.minus_rotation_link_6_yy)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-            * screws.screw_joint_7_vy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                * screws.screw_joint_7_vx);
-    let d_qdot_12_6_0 = minus_wrench_base_fz * screws.connection_joint_7_vz
-        - (wrench_base_mx * screws.connection_joint_7_wx
-            + wrench_base_my * screws.connection_joint_7_wy
-            + wrench_base_mz * screws.connection_joint_7_wz
-            + wrench_base_fx * screws.connection_joint_7_vx
-            + wrench_base_fy * screws.connection_joint_7_vy)
-        + screws.connection_joint_1_wx * turn_joint_7_x
-        + screws.connection_joint_1_wy * turn_joint_7_y
-        + screws.connection_joint_1_wz * turn_joint_7_z + three_joint_7_z
-        - velocities.minus_velocity_base_wy * screws.inside_joint_7_mx
-        + velocities.minus_velocity_base_wx * screws.inside_joint_7_my
-        + twist_base_vx * screws.inside_joint_7_fx;
-    d_qdot[6][12] = d_qdot_12_6_0 - minus_twist_base_vy * screws.inside_joint_7_fy
-        - minus_twist_base_vz * screws.inside_joint_7_fz + 0.0;
-    // D_q\u{307} column joint_2
-    d_qdot[7][0] = 0.0;
-    d_qdot[7][1] = 0.0;
-    d_qdot[7][2] = 0.0;
-    d_qdot[7][3] = 0.0;
-    d_qdot[7][4] = 0.0;
-    d_qdot[7][5] = 0.0;
-    let twist_link_1_wx = velocities.velocity_link_1_wz * poses.cos_joint_1;
-    let twist_link_1_wy = velocities.velocity_link_1_wz * poses.sin_joint_1;
-    let twist_link_1_wz = velocities.minus_velocity_link_2_wy * poses.sin_joint_1
-        - velocities.velocity_link_2_wx * poses.cos_joint_1;
-    let twist_link_1_vx = velocities.velocity_link_2_vz * poses.cos_joint_1
-        - (velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vz
-            + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
-    let twist_link_1_vy = velocities.velocity_link_1_wz * screws.screw_joint_2_vx
-        - velocities.velocity_link_2_wx * screws.screw_joint_2_vz
-        + velocities.velocity_link_2_vz * poses.sin_joint_1;
-    let twist_link_1_vz = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
-        + velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vx
-        - (velocities.velocity_link_2_vx * poses.cos_joint_1
-            + velocities.velocity_link_2_vy * poses.sin_joint_1);
-    let wrench_link_1_mx = factor_link_2_xx * poses.sin_joint_1
-        - factor_link_2_xy * poses.cos_joint_1
-        + (inertias.composite_link_2_xx * twist_link_1_wx
-            + inertias.composite_link_2_xy * twist_link_1_wy
-            + inertias.composite_link_2_xz * twist_link_1_wz
-            + (inertias.composite_link_2_hy * twist_link_1_vz
-                - inertias.composite_link_2_hz * twist_link_1_vy));
-    let wrench_link_1_my = factor_link_2_yx * poses.sin_joint_1
-        - factor_link_2_yy * poses.cos_joint_1
-        + (inertias.composite_link_2_xy * twist_link_1_wx
-            + inertias.composite_link_2_yy * twist_link_1_wy
-            + inertias.composite_link_2_yz * twist_link_1_wz
-            + (inertias.composite_link_2_hz * twist_link_1_vx
-                - inertias.composite_link_2_hx * twist_link_1_vz));
-    let wrench_link_1_mz = factor_link_2_zx * poses.sin_joint_1
-        - factor_link_2_zy * poses.cos_joint_1
-        + (inertias.composite_link_2_xz * twist_link_1_wx
-            + inertias.composite_link_2_yz * twist_link_1_wy
-            + inertias.composite_link_2_zz * twist_link_1_wz
-            + (inertias.composite_link_2_hx * twist_link_1_vy
-                - inertias.composite_link_2_hy * twist_link_1_vx));
-    d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
-        + reactions.reaction_joint_1_wy * wrench_link_1_my
-        + reactions.reaction_joint_1_wz * wrench_link_1_mz
-        + turn_joint_1_x * screws.connection_joint_2_wx
-        + turn_joint_1_y * screws.connection_joint_2_wy
-        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
-    let wrench_link_1_fx = twist_link_1_vx * 12.0
-        + (twist_link_1_wy * inertias.composite_link_2_hz
-            - twist_link_1_wz * inertias.composite_link_2_hy)
-        - poses.cos_joint_1 * factor_link_2_pz;
-    let wrench_link_1_fy = twist_link_1_vy * 12.0
-        + (twist_link_1_wz * inertias.composite_link_2_hx
-            - twist_link_1_wx * inertias.composite_link_2_hz)
-        - poses.sin_joint_1 * factor_link_2_pz;
-    let wrench_link_1_fz = poses.sin_joint_1 * factor_link_2_py
-        + poses.cos_joint_1 * factor_link_2_px
-        + (twist_link_1_vz * 12.0
-            + (twist_link_1_wx * inertias.composite_link_2_hy
-                - twist_link_1_wy * inertias.composite_link_2_hx));
-    d_qdot[7][7] = reactions.reaction_joint_2_wx * wrench_link_1_mx
-        + reactions.reaction_joint_2_wy * wrench_link_1_my
-        + reactions.reaction_joint_2_wz * wrench_link_1_mz
-        + reactions.reaction_joint_2_vx * wrench_link_1_fx
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy
-        + reactions.reaction_joint_2_vz * wrench_link_1_fz
-        + turn_joint_2_x * screws.connection_joint_2_wx
-        + turn_joint_2_y * screws.connection_joint_2_wy
-        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
-    let three_joint_3_x_2 = factor_link_3_xx * poses.minus_rotation_link_2_xy;
-    let three_joint_3_y_4 = factor_link_3_yy * poses.minus_rotation_link_2_yy;
-    let three_joint_3_x = factor_link_3_zx * poses.cos_joint_2
-        - (three_joint_3_x_2 + factor_link_3_yx * poses.minus_rotation_link_2_yy)
-        + (factor_link_3_py * screws.screw_joint_3_vz
-            - factor_link_3_pz * screws.screw_joint_3_vy);
-    let three_joint_3_y = factor_link_3_zy * poses.cos_joint_2
-        - (factor_link_3_xy * poses.minus_rotation_link_2_xy + three_joint_3_y_4)
-        + (factor_link_3_pz * screws.screw_joint_3_vx
-            - factor_link_3_px * screws.screw_joint_3_vz);
-    let d_qdot_8_7_0 = screws.connection_joint_2_wx * turn_joint_3_x
-        - (wrench_link_1_mx * screws.connection_joint_3_wx
-            + wrench_link_1_my * screws.connection_joint_3_wy
-            + wrench_link_1_mz * screws.connection_joint_3_wz
-            + wrench_link_1_fx * screws.connection_joint_3_vx
-            + wrench_link_1_fy * screws.connection_joint_3_vy
-            + wrench_link_1_fz * screws.connection_joint_3_vz)
-        + screws.connection_joint_2_wy * turn_joint_3_y
-        + screws.connection_joint_2_wz * turn_joint_3_z
-        + poses.sin_joint_1 * three_joint_3_x - poses.cos_joint_1 * three_joint_3_y
-        + twist_link_1_wx * screws.inside_joint_3_mx
-        + twist_link_1_wy * screws.inside_joint_3_my;
-    d_qdot[7][8] = d_qdot_8_7_0 + twist_link_1_wz * screws.inside_joint_3_mz
-        + twist_link_1_vx * screws.inside_joint_3_fx
-        + twist_link_1_vy * screws.inside_joint_3_fy
-        + twist_link_1_vz * screws.inside_joint_3_fz + 0.0;
-    let three_joint_4_x_2 = factor_link_4_xx * poses.minus_rotation_link_3_xy;
-    let three_joint_4_y_0 = factor_link_4_yy * poses.rotation_link_3_yy;
-    let three_joint_4_x = factor_link_4_yx * poses.rotation_link_3_yy - three_joint_4_x_2
-        - factor_link_4_zx * poses.minus_rotation_link_3_zy
-        + (factor_link_4_pz * screws.minus_screw_joint_4_vy
-            - factor_link_4_py * screws.minus_screw_joint_4_vz);
-    let three_joint_4_y = three_joint_4_y_0
-        - factor_link_4_xy * poses.minus_rotation_link_3_xy
-        - factor_link_4_zy * poses.minus_rotation_link_3_zy
-        + (factor_link_4_pz * screws.screw_joint_4_vx
-            + factor_link_4_px * screws.minus_screw_joint_4_vz);
-    let d_qdot_9_7_0 = screws.connection_joint_2_wx * turn_joint_4_x
-        - (wrench_link_1_mx * screws.connection_joint_4_wx
-            + wrench_link_1_my * screws.connection_joint_4_wy
-            + wrench_link_1_mz * screws.connection_joint_4_wz
-            + wrench_link_1_fx * screws.connection_joint_4_vx
-            + wrench_link_1_fy * screws.connection_joint_4_vy
-            + wrench_link_1_fz * screws.connection_joint_4_vz)
-        + screws.connection_joint_2_wy * turn_joint_4_y
-        + screws.connection_joint_2_wz * turn_joint_4_z
-        + poses.sin_joint_1 * three_joint_4_x - poses.cos_joint_1 * three_joint_4_y
-        + twist_link_1_wx * screws.inside_joint_4_mx
-        + twist_link_1_wy * screws.inside_joint_4_my;
-    d_qdot[7][9] = d_qdot_9_7_0 + twist_link_1_wz * screws.inside_joint_4_mz
-        + twist_link_1_vx * screws.inside_joint_4_fx
-        + twist_link_1_vy * screws.inside_joint_4_fy
-        + twist_link_1_vz * screws.inside_joint_4_fz + 0.0;
-    let three_joint_5_x_2 = factor_link_5_xx * poses.rotation_link_4_xy;
-    let three_joint_5_y_4 = factor_link_5_yy * poses.rotation_link_4_yy;
-    let three_joint_5_x = factor_link_5_zx * poses.rotation_link_5_zz
-        - (three_joint_5_x_2 + factor_link_5_yx * poses.rotation_link_4_yy)
-        + (factor_link_5_py * screws.screw_joint_5_vz
-            - factor_link_5_pz * screws.screw_joint_5_vy);
-    let three_joint_5_y = factor_link_5_zy * poses.rotation_link_5_zz
-        - (factor_link_5_xy * poses.rotation_link_4_xy + three_joint_5_y_4)
-        + (factor_link_5_pz * screws.screw_joint_5_vx
-            - factor_link_5_px * screws.screw_joint_5_vz);
-    let d_qdot_10_7_0 = screws.connection_joint_2_wx * turn_joint_5_x
-        - (wrench_link_1_mx * screws.connection_joint_5_wx
-            + wrench_link_1_my * screws.connection_joint_5_wy
-            + wrench_link_1_mz * screws.connection_joint_5_wz
-            + wrench_link_1_fx * screws.connection_joint_5_vx
-            + wrench_link_1_fy * screws.connection_joint_5_vy
-            + wrench_link_1_fz * screws.connection_joint_5_vz)
-        + screws.connection_joint_2_wy * turn_joint_5_y
-        + screws.connection_joint_2_wz * turn_joint_5_z
-        + poses.sin_joint_1 * three_joint_5_x - poses.cos_joint_1 * three_joint_5_y
-        + twist_link_1_wx * screws.inside_joint_5_mx
-        + twist_link_1_wy * screws.inside_joint_5_my;
-    d_qdot[7][10] = d_qdot_10_7_0 + twist_link_1_wz * screws.inside_joint_5_mz
-        + twist_link_1_vx * screws.inside_joint_5_fx
-        + twist_link_1_vy * screws.inside_joint_5_fy
-        + twist_link_1_vz * screws.inside_joint_5_fz + 0.0;
-    let three_joint_6_x_0 = factor_link_6_xx * poses.rotation_link_6_xz;
-    let three_joint_6_y_2 = factor_link_6_yy * poses.rotation_link_5_yy;
-    let three_joint_6_x = three_joint_6_x_0 - factor_link_6_yx * poses.rotation_link_5_yy
-        + factor_link_6_zx * poses.rotation_link_6_zz
-        + (factor_link_6_py * screws.screw_joint_6_vz
-            - factor_link_6_pz * screws.screw_joint_6_vy);
-    let three_joint_6_y = factor_link_6_xy * poses.rotation_link_6_xz - three_joint_6_y_2
-        + factor_link_6_zy * poses.rotation_link_6_zz
-        + (factor_link_6_pz * screws.screw_joint_6_vx
-            - factor_link_6_px * screws.screw_joint_6_vz);
-    let d_qdot_11_7_0 = screws.connection_joint_2_wx * turn_joint_6_x
-        - (wrench_link_1_mx * screws.connection_joint_6_wx
-            + wrench_link_1_my * screws.connection_joint_6_wy
-            + wrench_link_1_mz * screws.connection_joint_6_wz
-            + wrench_link_1_fx * screws.connection_joint_6_vx
-            + wrench_link_1_fy * screws.connection_joint_6_vy
-            + wrench_link_1_fz * screws.connection_joint_6_vz)
-        + screws.connection_joint_2_wy * turn_joint_6_y
-        + screws.connection_joint_2_wz * turn_joint_6_z
-        + poses.sin_joint_1 * three_joint_6_x - poses.cos_joint_1 * three_joint_6_y
-        + twist_link_1_wx * screws.inside_joint_6_mx
-        + twist_link_1_wy * screws.inside_joint_6_my;
-    d_qdot[7][11] = d_qdot_11_7_0 + twist_link_1_wz * screws.inside_joint_6_mz
-        + twist_link_1_vx * screws.inside_joint_6_fx
-        + twist_link_1_vy * screws.inside_joint_6_fy
-        + twist_link_1_vz * screws.inside_joint_6_fz + 0.0;
-    let three_joint_7_x_2 = factor_link_7_xx * poses.minus_rotation_link_6_xy;
-    let three_joint_7_y_4 = factor_link_7_yy * poses.minus_rotation_link_6_yy;
-    let three_joint_7_x = factor_link_7_zx * poses.rotation_link_6_zy
-        - (three_joint_7_x_2 + factor_link_7_yx * poses.minus_rotation_link_6_yy)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-            * screws.screw_joint_7_vz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                * screws.screw_joint_7_vy);
-    let three_joint_7_y = factor_link_7_zy * poses.rotation_link_6_zy
-        - (factor_link_7_xy * poses.minus_rotation_link_6_xy + three_joint_7_y_4)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-            * screws.screw_joint_7_vx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                * screws.screw_joint_7_vz);
-    let d_qdot_12_7_0 = screws.connection_joint_2_wx * turn_joint_7_x
-        - (wrench_link_1_mx * screws.connection_joint_7_wx
-            + wrench_link_1_my * screws.connection_joint_7_wy
-            + wrench_link_1_mz * screws.connection_joint_7_wz
-            + wrench_link_1_fx * screws.connection_joint_7_vx
-            + wrench_link_1_fy * screws.connection_joint_7_vy
-            + wrench_link_1_fz * screws.connection_joint_7_vz)
-        + screws.connection_joint_2_wy * turn_joint_7_y
-        + screws.connection_joint_2_wz * turn_joint_7_z
-        + poses.sin_joint_1 * three_joint_7_x - poses.cos_joint_1 * three_joint_7_y
-        + twist_link_1_wx * screws.inside_joint_7_mx
-        + twist_link_1_wy * screws.inside_joint_7_my;
-    d_qdot[7][12] = d_qdot_12_7_0 + twist_link_1_wz * screws.inside_joint_7_mz
-        + twist_link_1_vx * screws.inside_joint_7_fx
-        + twist_link_1_vy * screws.inside_joint_7_fy
-        + twist_link_1_vz * screws.inside_joint_7_fz + 0.0;
-    // D_q\u{307} column joint_3
-    d_qdot[8][0] = 0.0;
-    d_qdot[8][1] = 0.0;
-    d_qdot[8][2] = 0.0;
-    d_qdot[8][3] = 0.0;
-    d_qdot[8][4] = 0.0;
-    d_qdot[8][5] = 0.0;
-    let twist_link_2_wx = velocities.velocity_link_3_wz * poses.minus_rotation_link_2_yy
-        - velocities.minus_velocity_link_3_wy * poses.cos_joint_2;
-    let minus_twist_link_2_wy = velocities.velocity_link_3_wz
-        * poses.minus_rotation_link_2_xy
-        + velocities.velocity_link_3_wx * poses.cos_joint_2;
-    let minus_twist_link_2_wz = velocities.velocity_link_3_wx
-        * poses.minus_rotation_link_2_yy
-        + velocities.minus_velocity_link_3_wy * poses.minus_rotation_link_2_xy;
-    let twist_link_2_vx = velocities.velocity_link_3_vy * poses.cos_joint_2
-        + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy
-        - (velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vz
-            + velocities.velocity_link_3_wz * screws.screw_joint_3_vy);
-    let twist_link_2_vy = velocities.velocity_link_3_wz * screws.screw_joint_3_vx
-        - velocities.velocity_link_3_wx * screws.screw_joint_3_vz
-        - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
-            + velocities.velocity_link_3_vx * poses.cos_joint_2);
-    let twist_link_2_vz = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
-        + velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vx
-        + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
-            - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy);
-    let wrench_link_2_mx = factor_link_3_xz * poses.cos_joint_2
-        - (factor_link_3_xy * poses.minus_rotation_link_2_yy + three_joint_3_x_2)
-        + (inertias.composite_link_3_xx * twist_link_2_wx
-            - inertias.composite_link_3_xy * minus_twist_link_2_wy
-            - inertias.composite_link_3_xz * minus_twist_link_2_wz
-            + (inertias.composite_link_3_hy * twist_link_2_vz
-                - inertias.composite_link_3_hz * twist_link_2_vy));
-    let wrench_link_2_my = factor_link_3_yz * poses.cos_joint_2
-        - (three_joint_3_y_4 + factor_link_3_yx * poses.minus_rotation_link_2_xy)
-        + (inertias.composite_link_3_xy * twist_link_2_wx
-            - inertias.composite_link_3_yy * minus_twist_link_2_wy
-            - inertias.composite_link_3_yz * minus_twist_link_2_wz
-            + (inertias.composite_link_3_hz * twist_link_2_vx
-                - inertias.composite_link_3_hx * twist_link_2_vz));
-    let wrench_link_2_mz = three_joint_3_z_0
-        - (factor_link_3_zy * poses.minus_rotation_link_2_yy
-            + factor_link_3_zx * poses.minus_rotation_link_2_xy)
-        + (inertias.composite_link_3_xz * twist_link_2_wx
-            - inertias.composite_link_3_yz * minus_twist_link_2_wy
-            - inertias.composite_link_3_zz * minus_twist_link_2_wz
-            + (inertias.composite_link_3_hx * twist_link_2_vy
-                - inertias.composite_link_3_hy * twist_link_2_vx));
-    d_qdot[8][6] = reactions.reaction_joint_1_wx * wrench_link_2_mx
-        + reactions.reaction_joint_1_wy * wrench_link_2_my
-        + reactions.reaction_joint_1_wz * wrench_link_2_mz
-        + turn_joint_1_x * screws.connection_joint_3_wx
-        + turn_joint_1_y * screws.connection_joint_3_wy
-        + turn_joint_1_z * screws.connection_joint_3_wz + 0.0;
-    let wrench_link_2_fx = twist_link_2_vx * 10.0
-        + (minus_twist_link_2_wz * inertias.composite_link_3_hy
-            - minus_twist_link_2_wy * inertias.composite_link_3_hz)
-        - (poses.minus_rotation_link_2_yy * factor_link_3_pz
-            + poses.cos_joint_2 * factor_link_3_py);
-    let wrench_link_2_fy = poses.cos_joint_2 * factor_link_3_px
-        + poses.minus_rotation_link_2_xy * factor_link_3_pz
-        + (twist_link_2_vy * 10.0
-            - (minus_twist_link_2_wz * inertias.composite_link_3_hx
-                + twist_link_2_wx * inertias.composite_link_3_hz));
-    let wrench_link_2_fz = poses.minus_rotation_link_2_yy * factor_link_3_px
-        - poses.minus_rotation_link_2_xy * factor_link_3_py
-        + (twist_link_2_vz * 10.0
-            + (twist_link_2_wx * inertias.composite_link_3_hy
-                + minus_twist_link_2_wy * inertias.composite_link_3_hx));
-    d_qdot[8][7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
-        + reactions.reaction_joint_2_wy * wrench_link_2_my
-        + reactions.reaction_joint_2_wz * wrench_link_2_mz
-        + reactions.reaction_joint_2_vx * wrench_link_2_fx
-        + reactions.reaction_joint_2_vy * wrench_link_2_fy
-        + reactions.reaction_joint_2_vz * wrench_link_2_fz
-        + turn_joint_2_x * screws.connection_joint_3_wx
-        + turn_joint_2_y * screws.connection_joint_3_wy
-        + turn_joint_2_z * screws.connection_joint_3_wz + 0.0;
     d_qdot[8][8] = reactions.reaction_joint_3_wx * wrench_link_2_mx
         + reactions.reaction_joint_3_wy * wrench_link_2_my
         + reactions.reaction_joint_3_wz * wrench_link_2_mz
@@ -8351,78 +8182,97 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_3_x * screws.connection_joint_3_wx
         + turn_joint_3_y * screws.connection_joint_3_wy
         + turn_joint_3_z * screws.connection_joint_3_wz + 0.0;
-    let d_qdot_9_8_0 = screws.connection_joint_3_wx * turn_joint_4_x
-        - (wrench_link_2_mx * screws.connection_joint_4_wx
-            + wrench_link_2_my * screws.connection_joint_4_wy
-            + wrench_link_2_mz * screws.connection_joint_4_wz
-            + wrench_link_2_fx * screws.connection_joint_4_vx
-            + wrench_link_2_fy * screws.connection_joint_4_vy
-            + wrench_link_2_fz * screws.connection_joint_4_vz)
-        + screws.connection_joint_3_wy * turn_joint_4_y
-        + screws.connection_joint_3_wz * turn_joint_4_z
-        - poses.minus_rotation_link_2_xy * three_joint_4_x
-        - poses.minus_rotation_link_2_yy * three_joint_4_y
-        + poses.cos_joint_2 * three_joint_4_z
-        + twist_link_2_wx * screws.inside_joint_4_mx;
-    d_qdot[8][9] = d_qdot_9_8_0 - minus_twist_link_2_wy * screws.inside_joint_4_my
-        - minus_twist_link_2_wz * screws.inside_joint_4_mz
-        + twist_link_2_vx * screws.inside_joint_4_fx
-        + twist_link_2_vy * screws.inside_joint_4_fy
-        + twist_link_2_vz * screws.inside_joint_4_fz + 0.0;
-    let d_qdot_10_8_0 = screws.connection_joint_3_wx * turn_joint_5_x
-        - (wrench_link_2_mx * screws.connection_joint_5_wx
-            + wrench_link_2_my * screws.connection_joint_5_wy
-            + wrench_link_2_mz * screws.connection_joint_5_wz
-            + wrench_link_2_fx * screws.connection_joint_5_vx
-            + wrench_link_2_fy * screws.connection_joint_5_vy
-            + wrench_link_2_fz * screws.connection_joint_5_vz)
-        + screws.connection_joint_3_wy * turn_joint_5_y
-        + screws.connection_joint_3_wz * turn_joint_5_z
-        - poses.minus_rotation_link_2_xy * three_joint_5_x
-        - poses.minus_rotation_link_2_yy * three_joint_5_y
-        + poses.cos_joint_2 * three_joint_5_z
-        + twist_link_2_wx * screws.inside_joint_5_mx;
-    d_qdot[8][10] = d_qdot_10_8_0 - minus_twist_link_2_wy * screws.inside_joint_5_my
-        - minus_twist_link_2_wz * screws.inside_joint_5_mz
-        + twist_link_2_vx * screws.inside_joint_5_fx
-        + twist_link_2_vy * screws.inside_joint_5_fy
-        + twist_link_2_vz * screws.inside_joint_5_fz + 0.0;
-    let d_qdot_11_8_0 = screws.connection_joint_3_wx * turn_joint_6_x
-        - (wrench_link_2_mx * screws.connection_joint_6_wx
-            + wrench_link_2_my * screws.connection_joint_6_wy
-            + wrench_link_2_mz * screws.connection_joint_6_wz
-            + wrench_link_2_fx * screws.connection_joint_6_vx
-            + wrench_link_2_fy * screws.connection_joint_6_vy
-            + wrench_link_2_fz * screws.connection_joint_6_vz)
-        + screws.connection_joint_3_wy * turn_joint_6_y
-        + screws.connection_joint_3_wz * turn_joint_6_z
-        - poses.minus_rotation_link_2_xy * three_joint_6_x
-        - poses.minus_rotation_link_2_yy * three_joint_6_y
-        + poses.cos_joint_2 * three_joint_6_z
-        + twist_link_2_wx * screws.inside_joint_6_mx;
-    d_qdot[8][11] = d_qdot_11_8_0 - minus_twist_link_2_wy * screws.inside_joint_6_my
-        - minus_twist_link_2_wz * screws.inside_joint_6_mz
-        + twist_link_2_vx * screws.inside_joint_6_fx
-        + twist_link_2_vy * screws.inside_joint_6_fy
-        + twist_link_2_vz * screws.inside_joint_6_fz + 0.0;
-    let d_qdot_12_8_0 = screws.connection_joint_3_wx * turn_joint_7_x
-        - (wrench_link_2_mx * screws.connection_joint_7_wx
-            + wrench_link_2_my * screws.connection_joint_7_wy
-            + wrench_link_2_mz * screws.connection_joint_7_wz
-            + wrench_link_2_fx * screws.connection_joint_7_vx
-            + wrench_link_2_fy * screws.connection_joint_7_vy
-            + wrench_link_2_fz * screws.connection_joint_7_vz)
-        + screws.connection_joint_3_wy * turn_joint_7_y
-        + screws.connection_joint_3_wz * turn_joint_7_z
-        - poses.minus_rotation_link_2_xy * three_joint_7_x
-        - poses.minus_rotation_link_2_yy * three_joint_7_y
-        + poses.cos_joint_2 * three_joint_7_z
-        + twist_link_2_wx * screws.inside_joint_7_mx;
-    d_qdot[8][12] = d_qdot_12_8_0 - minus_twist_link_2_wy * screws.inside_joint_7_my
-        - minus_twist_link_2_wz * screws.inside_joint_7_mz
-        + twist_link_2_vx * screws.inside_joint_7_fx
-        + twist_link_2_vy * screws.inside_joint_7_fy
-        + twist_link_2_vz * screws.inside_joint_7_fz + 0.0;
+    let wrench_outside_link_2_mx = factor_outside_link_3_xz
+        * screws.connection_joint_3_wz
+        + (factor_outside_link_3_xy * screws.connection_joint_3_wy + turn_joint_3_x_0)
+        - (factor_link_3_xz * reactions.reaction_joint_3_wz
+            + (factor_link_3_xy * reactions.reaction_joint_3_wy + turn_joint_3_x_9))
+        + (complements.complement_link_3_xx * wrench_link_2_mx_6
+            - complements.complement_link_3_xy * wrench_link_2_mx_8
+            - complements.complement_link_3_xz * wrench_link_2_mx_10
+            + (complements.complement_link_3_hy * wrench_link_2_mx_12
+                - complements.complement_link_3_hz * wrench_link_2_mx_14));
+    let wrench_outside_link_2_my = factor_outside_link_3_yz
+        * screws.connection_joint_3_wz
+        + (turn_joint_3_y_2 + factor_outside_link_3_yx * screws.connection_joint_3_wx)
+        - (factor_link_3_yz * reactions.reaction_joint_3_wz
+            + (turn_joint_3_y_11 + factor_link_3_yx * reactions.reaction_joint_3_wx))
+        + (complements.complement_link_3_xy * wrench_link_2_mx_6
+            - complements.complement_link_3_yy * wrench_link_2_mx_8
+            - complements.complement_link_3_yz * wrench_link_2_mx_10
+            + (complements.complement_link_3_hz * wrench_link_2_my_12
+                - complements.complement_link_3_hx * wrench_link_2_mx_12));
+    let wrench_outside_link_2_mz = turn_joint_3_z_4
+        + (factor_outside_link_3_zy * screws.connection_joint_3_wy
+            + factor_outside_link_3_zx * screws.connection_joint_3_wx)
+        - (turn_joint_3_z_13
+            + (factor_link_3_zy * reactions.reaction_joint_3_wy
+                + factor_link_3_zx * reactions.reaction_joint_3_wx))
+        + (complements.complement_link_3_xz * wrench_link_2_mx_6
+            - complements.complement_link_3_yz * wrench_link_2_mx_8
+            - complements.complement_link_3_zz * wrench_link_2_mx_10
+            + (complements.complement_link_3_hx * wrench_link_2_mx_14
+                - complements.complement_link_3_hy * wrench_link_2_my_12));
+    let wrench_outside_link_2_fx = screws.connection_joint_3_wy
+        * factor_outside_link_3_pz
+        - screws.connection_joint_3_wz * factor_outside_link_3_py
+        - (reactions.reaction_joint_3_wy * factor_link_3_pz
+            - reactions.reaction_joint_3_wz * factor_link_3_py)
+        + (wrench_link_2_my_12 * 7.5
+            + (wrench_link_2_mx_10 * complements.complement_link_3_hy
+                - wrench_link_2_mx_8 * complements.complement_link_3_hz));
+    let wrench_outside_link_2_fy = screws.connection_joint_3_wz
+        * factor_outside_link_3_px
+        - screws.connection_joint_3_wx * factor_outside_link_3_pz
+        - (reactions.reaction_joint_3_wz * factor_link_3_px
+            - reactions.reaction_joint_3_wx * factor_link_3_pz)
+        + (wrench_link_2_mx_14 * 7.5
+            - (wrench_link_2_mx_10 * complements.complement_link_3_hx
+                + wrench_link_2_mx_6 * complements.complement_link_3_hz));
+    let wrench_outside_link_2_fz = screws.connection_joint_3_wx
+        * factor_outside_link_3_py
+        - screws.connection_joint_3_wy * factor_outside_link_3_px
+        - (reactions.reaction_joint_3_wx * factor_link_3_py
+            - reactions.reaction_joint_3_wy * factor_link_3_px)
+        + (wrench_link_2_mx_12 * 7.5
+            + (wrench_link_2_mx_6 * complements.complement_link_3_hy
+                + wrench_link_2_mx_8 * complements.complement_link_3_hx));
+    d_qdot[8][9] = wrench_outside_link_2_mx * screws.connection_joint_4_wx
+        + wrench_outside_link_2_my * screws.connection_joint_4_wy
+        + wrench_outside_link_2_mz * screws.connection_joint_4_wz
+        + wrench_outside_link_2_fx * screws.connection_joint_4_vx
+        + wrench_outside_link_2_fy * screws.connection_joint_4_vy
+        + wrench_outside_link_2_fz * screws.connection_joint_4_vz
+        + reactions.reaction_joint_3_wx * three_joint_4_x
+        + reactions.reaction_joint_3_wy * three_joint_4_y
+        + reactions.reaction_joint_3_wz * three_joint_4_z + 0.0;
+    d_qdot[8][10] = wrench_outside_link_2_mx * screws.connection_joint_5_wx
+        + wrench_outside_link_2_my * screws.connection_joint_5_wy
+        + wrench_outside_link_2_mz * screws.connection_joint_5_wz
+        + wrench_outside_link_2_fx * screws.connection_joint_5_vx
+        + wrench_outside_link_2_fy * screws.connection_joint_5_vy
+        + wrench_outside_link_2_fz * screws.connection_joint_5_vz
+        + reactions.reaction_joint_3_wx * three_joint_5_x
+        + reactions.reaction_joint_3_wy * three_joint_5_y
+        + reactions.reaction_joint_3_wz * three_joint_5_z + 0.0;
+    d_qdot[8][11] = wrench_outside_link_2_mx * screws.connection_joint_6_wx
+        + wrench_outside_link_2_my * screws.connection_joint_6_wy
+        + wrench_outside_link_2_mz * screws.connection_joint_6_wz
+        + wrench_outside_link_2_fx * screws.connection_joint_6_vx
+        + wrench_outside_link_2_fy * screws.connection_joint_6_vy
+        + wrench_outside_link_2_fz * screws.connection_joint_6_vz
+        + reactions.reaction_joint_3_wx * three_joint_6_x
+        + reactions.reaction_joint_3_wy * three_joint_6_y
+        + reactions.reaction_joint_3_wz * three_joint_6_z + 0.0;
+    d_qdot[8][12] = wrench_outside_link_2_mx * screws.connection_joint_7_wx
+        + wrench_outside_link_2_my * screws.connection_joint_7_wy
+        + wrench_outside_link_2_mz * screws.connection_joint_7_wz
+        + wrench_outside_link_2_fx * screws.connection_joint_7_vx
+        + wrench_outside_link_2_fy * screws.connection_joint_7_vy
+        + wrench_outside_link_2_fz * screws.connection_joint_7_vz
+        + reactions.reaction_joint_3_wx * three_joint_7_x
+        + reactions.reaction_joint_3_wy * three_joint_7_y
+        + reactions.reaction_joint_3_wz * three_joint_7_z + 0.0;
     // D_q\u{307} column joint_4
     d_qdot[9][0] = 0.0;
     d_qdot[9][1] = 0.0;
@@ -8430,47 +8280,49 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[9][3] = 0.0;
     d_qdot[9][4] = 0.0;
     d_qdot[9][5] = 0.0;
-    let minus_twist_link_3_wx = velocities.velocity_link_4_wy
+    let wrench_link_3_mx_8 = velocities.velocity_link_4_wy
         * poses.minus_rotation_link_3_zy
         + velocities.velocity_link_4_wz * poses.rotation_link_3_yy;
-    let twist_link_3_wy = velocities.velocity_link_4_wx * poses.minus_rotation_link_3_zy
+    let wrench_link_3_mx_6 = velocities.velocity_link_4_wx
+        * poses.minus_rotation_link_3_zy
         - velocities.velocity_link_4_wz * poses.minus_rotation_link_3_xy;
-    let twist_link_3_wz = velocities.velocity_link_4_wx * poses.rotation_link_3_yy
+    let wrench_link_3_mx_10 = velocities.velocity_link_4_wx * poses.rotation_link_3_yy
         + velocities.velocity_link_4_wy * poses.minus_rotation_link_3_xy;
-    let twist_link_3_vx = velocities.velocity_link_4_wz * screws.minus_screw_joint_4_vy
+    let wrench_link_3_my_12 = velocities.velocity_link_4_wz
+        * screws.minus_screw_joint_4_vy
         - velocities.velocity_link_4_wy * screws.minus_screw_joint_4_vz
         - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
             + velocities.velocity_link_4_vz * poses.rotation_link_3_yy);
-    let twist_link_3_vy = velocities.velocity_link_4_wz * screws.screw_joint_4_vx
+    let wrench_link_3_mx_14 = velocities.velocity_link_4_wz * screws.screw_joint_4_vx
         + velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vz
         + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
             - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy);
-    let twist_link_3_vz = velocities.velocity_link_4_vx * poses.rotation_link_3_yy
+    let wrench_link_3_mx_12 = velocities.velocity_link_4_vx * poses.rotation_link_3_yy
         + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
         - (velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vy
             + velocities.velocity_link_4_wy * screws.screw_joint_4_vx);
     let wrench_link_3_mx = factor_link_4_xy * poses.rotation_link_3_yy
         - three_joint_4_x_2 - factor_link_4_xz * poses.minus_rotation_link_3_zy
-        + (inertias.composite_link_4_xy * twist_link_3_wy
-            - inertias.composite_link_4_xx * minus_twist_link_3_wx
-            + inertias.composite_link_4_xz * twist_link_3_wz
-            + (inertias.composite_link_4_hy * twist_link_3_vz
-                - inertias.composite_link_4_hz * twist_link_3_vy));
+        + (inertias.composite_link_4_xy * wrench_link_3_mx_6
+            - inertias.composite_link_4_xx * wrench_link_3_mx_8
+            + inertias.composite_link_4_xz * wrench_link_3_mx_10
+            + (inertias.composite_link_4_hy * wrench_link_3_mx_12
+                - inertias.composite_link_4_hz * wrench_link_3_mx_14));
     let wrench_link_3_my = three_joint_4_y_0
         - factor_link_4_yx * poses.minus_rotation_link_3_xy
         - factor_link_4_yz * poses.minus_rotation_link_3_zy
-        + (inertias.composite_link_4_yy * twist_link_3_wy
-            - inertias.composite_link_4_xy * minus_twist_link_3_wx
-            + inertias.composite_link_4_yz * twist_link_3_wz
-            + (inertias.composite_link_4_hz * twist_link_3_vx
-                + inertias.minus_composite_link_4_hx * twist_link_3_vz));
+        + (inertias.composite_link_4_yy * wrench_link_3_mx_6
+            - inertias.composite_link_4_xy * wrench_link_3_mx_8
+            + inertias.composite_link_4_yz * wrench_link_3_mx_10
+            + (inertias.composite_link_4_hz * wrench_link_3_my_12
+                + inertias.minus_composite_link_4_hx * wrench_link_3_mx_12));
     let wrench_link_3_mz = factor_link_4_zy * poses.rotation_link_3_yy
         - factor_link_4_zx * poses.minus_rotation_link_3_xy - three_joint_4_z_4
-        + (inertias.composite_link_4_yz * twist_link_3_wy
-            - inertias.composite_link_4_xz * minus_twist_link_3_wx
-            + inertias.composite_link_4_zz * twist_link_3_wz
-            - (inertias.minus_composite_link_4_hx * twist_link_3_vy
-                + inertias.composite_link_4_hy * twist_link_3_vx));
+        + (inertias.composite_link_4_yz * wrench_link_3_mx_6
+            - inertias.composite_link_4_xz * wrench_link_3_mx_8
+            + inertias.composite_link_4_zz * wrench_link_3_mx_10
+            - (inertias.minus_composite_link_4_hx * wrench_link_3_mx_14
+                + inertias.composite_link_4_hy * wrench_link_3_my_12));
     d_qdot[9][6] = reactions.reaction_joint_1_wx * wrench_link_3_mx
         + reactions.reaction_joint_1_wy * wrench_link_3_my
         + reactions.reaction_joint_1_wz * wrench_link_3_mz
@@ -8479,17 +8331,17 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_1_z * screws.connection_joint_4_wz + 0.0;
     let wrench_link_3_fx = poses.rotation_link_3_yy * factor_link_4_pz
         + poses.minus_rotation_link_3_zy * factor_link_4_py
-        + (twist_link_3_vx * 8.0
-            + (twist_link_3_wy * inertias.composite_link_4_hz
-                - twist_link_3_wz * inertias.composite_link_4_hy));
+        + (wrench_link_3_my_12 * 8.0
+            + (wrench_link_3_mx_6 * inertias.composite_link_4_hz
+                - wrench_link_3_mx_10 * inertias.composite_link_4_hy));
     let wrench_link_3_fy = poses.minus_rotation_link_3_xy * factor_link_4_pz
         - poses.minus_rotation_link_3_zy * factor_link_4_px
-        + (twist_link_3_vy * 8.0
-            + (minus_twist_link_3_wx * inertias.composite_link_4_hz
-                - twist_link_3_wz * inertias.minus_composite_link_4_hx));
-    let wrench_link_3_fz = twist_link_3_vz * 8.0
-        + (twist_link_3_wy * inertias.minus_composite_link_4_hx
-            - minus_twist_link_3_wx * inertias.composite_link_4_hy)
+        + (wrench_link_3_mx_14 * 8.0
+            + (wrench_link_3_mx_8 * inertias.composite_link_4_hz
+                - wrench_link_3_mx_10 * inertias.minus_composite_link_4_hx));
+    let wrench_link_3_fz = wrench_link_3_mx_12 * 8.0
+        + (wrench_link_3_mx_6 * inertias.minus_composite_link_4_hx
+            - wrench_link_3_mx_8 * inertias.composite_link_4_hy)
         - (poses.minus_rotation_link_3_xy * factor_link_4_py
             + poses.rotation_link_3_yy * factor_link_4_px);
     d_qdot[9][7] = reactions.reaction_joint_2_wx * wrench_link_3_mx
@@ -8510,6 +8362,52 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_3_x * screws.connection_joint_4_wx
         + turn_joint_3_y * screws.connection_joint_4_wy
         + turn_joint_3_z * screws.connection_joint_4_wz + 0.0;
+    let factor_outside_link_4_xx = factor_link_3_xx_0 + factor_outside_link_3_xx;
+    let factor_outside_link_4_yx = factor_link_3_yx_0 + factor_outside_link_3_yx;
+    let factor_outside_link_4_zx = factor_link_3_zx_0 + factor_outside_link_3_zx;
+    let factor_outside_link_4_xy = factor_link_3_xy_0 + factor_outside_link_3_xy;
+    let factor_outside_link_4_yy = factor_link_3_yy_0 + factor_outside_link_3_yy;
+    let factor_outside_link_4_zy = factor_link_3_zy_0 + factor_outside_link_3_zy;
+    let factor_outside_link_4_xz = factor_link_3_xz_0 + factor_outside_link_3_xz;
+    let factor_outside_link_4_yz = factor_link_3_yz_0 + factor_outside_link_3_yz;
+    let factor_outside_link_4_zz = factor_link_3_zz_0 + factor_outside_link_3_zz;
+    let factor_outside_link_4_px = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_3_px_0 + factor_outside_link_3_px;
+    let factor_outside_link_4_py = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_3_py_0 + factor_outside_link_3_py;
+    let factor_outside_link_4_pz = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_3_pz_0 + factor_outside_link_3_pz;
+    let turn_joint_4_x_0 = factor_outside_link_4_xx * screws.connection_joint_4_wx;
+    let turn_joint_4_y_2 = factor_outside_link_4_yy * screws.connection_joint_4_wy;
+    let turn_joint_4_z_4 = factor_outside_link_4_zz * screws.connection_joint_4_wz;
+    let turn_joint_4_x_9 = factor_link_4_xx * reactions.reaction_joint_4_wx;
+    let turn_joint_4_y_11 = factor_link_4_yy * reactions.reaction_joint_4_wy;
+    let turn_joint_4_z_13 = factor_link_4_zz * reactions.reaction_joint_4_wz;
+    let turn_joint_4_x = turn_joint_4_x_0
+        + factor_outside_link_4_yx * screws.connection_joint_4_wy
+        + factor_outside_link_4_zx * screws.connection_joint_4_wz
+        + (factor_outside_link_4_py * screws.connection_joint_4_vz
+            - factor_outside_link_4_pz * screws.connection_joint_4_vy)
+        - (turn_joint_4_x_9 + factor_link_4_yx * reactions.reaction_joint_4_wy
+            + factor_link_4_zx * reactions.reaction_joint_4_wz
+            - (factor_link_4_py * reactions.minus_reaction_joint_4_vz
+                + factor_link_4_pz * reactions.reaction_joint_4_vy));
+    let turn_joint_4_y = factor_outside_link_4_xy * screws.connection_joint_4_wx
+        + turn_joint_4_y_2 + factor_outside_link_4_zy * screws.connection_joint_4_wz
+        + (factor_outside_link_4_pz * screws.connection_joint_4_vx
+            - factor_outside_link_4_px * screws.connection_joint_4_vz)
+        - (factor_link_4_xy * reactions.reaction_joint_4_wx + turn_joint_4_y_11
+            + factor_link_4_zy * reactions.reaction_joint_4_wz
+            + (factor_link_4_pz * reactions.reaction_joint_4_vx
+                + factor_link_4_px * reactions.minus_reaction_joint_4_vz));
+    let turn_joint_4_z = factor_outside_link_4_xz * screws.connection_joint_4_wx
+        + factor_outside_link_4_yz * screws.connection_joint_4_wy + turn_joint_4_z_4
+        + (factor_outside_link_4_px * screws.connection_joint_4_vy
+            - factor_outside_link_4_py * screws.connection_joint_4_vx)
+        - (factor_link_4_xz * reactions.reaction_joint_4_wx
+            + factor_link_4_yz * reactions.reaction_joint_4_wy + turn_joint_4_z_13
+            + (factor_link_4_px * reactions.reaction_joint_4_vy
+                - factor_link_4_py * reactions.reaction_joint_4_vx));
     d_qdot[9][9] = reactions.reaction_joint_4_wx * wrench_link_3_mx
         + reactions.reaction_joint_4_wy * wrench_link_3_my
         + reactions.reaction_joint_4_wz * wrench_link_3_mz
@@ -8519,60 +8417,88 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_4_x * screws.connection_joint_4_wx
         + turn_joint_4_y * screws.connection_joint_4_wy
         + turn_joint_4_z * screws.connection_joint_4_wz + 0.0;
-    let d_qdot_10_9_0 = screws.connection_joint_4_wx * turn_joint_5_x
-        - (wrench_link_3_mx * screws.connection_joint_5_wx
-            + wrench_link_3_my * screws.connection_joint_5_wy
-            + wrench_link_3_mz * screws.connection_joint_5_wz
-            + wrench_link_3_fx * screws.connection_joint_5_vx
-            + wrench_link_3_fy * screws.connection_joint_5_vy
-            + wrench_link_3_fz * screws.connection_joint_5_vz)
-        + screws.connection_joint_4_wy * turn_joint_5_y
-        + screws.connection_joint_4_wz * turn_joint_5_z
-        - poses.minus_rotation_link_3_xy * three_joint_5_x
-        + poses.rotation_link_3_yy * three_joint_5_y
-        - poses.minus_rotation_link_3_zy * three_joint_5_z
-        - minus_twist_link_3_wx * screws.inside_joint_5_mx;
-    d_qdot[9][10] = d_qdot_10_9_0 + twist_link_3_wy * screws.inside_joint_5_my
-        + twist_link_3_wz * screws.inside_joint_5_mz
-        + twist_link_3_vx * screws.inside_joint_5_fx
-        + twist_link_3_vy * screws.inside_joint_5_fy
-        + twist_link_3_vz * screws.inside_joint_5_fz + 0.0;
-    let d_qdot_11_9_0 = screws.connection_joint_4_wx * turn_joint_6_x
-        - (wrench_link_3_mx * screws.connection_joint_6_wx
-            + wrench_link_3_my * screws.connection_joint_6_wy
-            + wrench_link_3_mz * screws.connection_joint_6_wz
-            + wrench_link_3_fx * screws.connection_joint_6_vx
-            + wrench_link_3_fy * screws.connection_joint_6_vy
-            + wrench_link_3_fz * screws.connection_joint_6_vz)
-        + screws.connection_joint_4_wy * turn_joint_6_y
-        + screws.connection_joint_4_wz * turn_joint_6_z
-        - poses.minus_rotation_link_3_xy * three_joint_6_x
-        + poses.rotation_link_3_yy * three_joint_6_y
-        - poses.minus_rotation_link_3_zy * three_joint_6_z
-        - minus_twist_link_3_wx * screws.inside_joint_6_mx;
-    d_qdot[9][11] = d_qdot_11_9_0 + twist_link_3_wy * screws.inside_joint_6_my
-        + twist_link_3_wz * screws.inside_joint_6_mz
-        + twist_link_3_vx * screws.inside_joint_6_fx
-        + twist_link_3_vy * screws.inside_joint_6_fy
-        + twist_link_3_vz * screws.inside_joint_6_fz + 0.0;
-    let d_qdot_12_9_0 = screws.connection_joint_4_wx * turn_joint_7_x
-        - (wrench_link_3_mx * screws.connection_joint_7_wx
-            + wrench_link_3_my * screws.connection_joint_7_wy
-            + wrench_link_3_mz * screws.connection_joint_7_wz
-            + wrench_link_3_fx * screws.connection_joint_7_vx
-            + wrench_link_3_fy * screws.connection_joint_7_vy
-            + wrench_link_3_fz * screws.connection_joint_7_vz)
-        + screws.connection_joint_4_wy * turn_joint_7_y
-        + screws.connection_joint_4_wz * turn_joint_7_z
-        - poses.minus_rotation_link_3_xy * three_joint_7_x
-        + poses.rotation_link_3_yy * three_joint_7_y
-        - poses.minus_rotation_link_3_zy * three_joint_7_z
-        - minus_twist_link_3_wx * screws.inside_joint_7_mx;
-    d_qdot[9][12] = d_qdot_12_9_0 + twist_link_3_wy * screws.inside_joint_7_my
-        + twist_link_3_wz * screws.inside_joint_7_mz
-        + twist_link_3_vx * screws.inside_joint_7_fx
-        + twist_link_3_vy * screws.inside_joint_7_fy
-        + twist_link_3_vz * screws.inside_joint_7_fz + 0.0;
+    let wrench_outside_link_3_mx = factor_outside_link_4_xz
+        * screws.connection_joint_4_wz
+        + (factor_outside_link_4_xy * screws.connection_joint_4_wy + turn_joint_4_x_0)
+        - (factor_link_4_xz * reactions.reaction_joint_4_wz
+            + (factor_link_4_xy * reactions.reaction_joint_4_wy + turn_joint_4_x_9))
+        + (complements.complement_link_4_xy * wrench_link_3_mx_6
+            - complements.complement_link_4_xx * wrench_link_3_mx_8
+            + complements.complement_link_4_xz * wrench_link_3_mx_10
+            + (complements.complement_link_4_hy * wrench_link_3_mx_12
+                - complements.complement_link_4_hz * wrench_link_3_mx_14));
+    let wrench_outside_link_3_my = factor_outside_link_4_yz
+        * screws.connection_joint_4_wz
+        + (turn_joint_4_y_2 + factor_outside_link_4_yx * screws.connection_joint_4_wx)
+        - (factor_link_4_yz * reactions.reaction_joint_4_wz
+            + (turn_joint_4_y_11 + factor_link_4_yx * reactions.reaction_joint_4_wx))
+        + (complements.complement_link_4_yy * wrench_link_3_mx_6
+            - complements.complement_link_4_xy * wrench_link_3_mx_8
+            + complements.complement_link_4_yz * wrench_link_3_mx_10
+            + (complements.complement_link_4_hz * wrench_link_3_my_12
+                - complements.complement_link_4_hx * wrench_link_3_mx_12));
+    let wrench_outside_link_3_mz = turn_joint_4_z_4
+        + (factor_outside_link_4_zy * screws.connection_joint_4_wy
+            + factor_outside_link_4_zx * screws.connection_joint_4_wx)
+        - (turn_joint_4_z_13
+            + (factor_link_4_zy * reactions.reaction_joint_4_wy
+                + factor_link_4_zx * reactions.reaction_joint_4_wx))
+        + (complements.complement_link_4_yz * wrench_link_3_mx_6
+            - complements.complement_link_4_xz * wrench_link_3_mx_8
+            + complements.complement_link_4_zz * wrench_link_3_mx_10
+            + (complements.complement_link_4_hx * wrench_link_3_mx_14
+                - complements.complement_link_4_hy * wrench_link_3_my_12));
+    let wrench_outside_link_3_fx = screws.connection_joint_4_wy
+        * factor_outside_link_4_pz
+        - screws.connection_joint_4_wz * factor_outside_link_4_py
+        - (reactions.reaction_joint_4_wy * factor_link_4_pz
+            - reactions.reaction_joint_4_wz * factor_link_4_py)
+        + (wrench_link_3_my_12 * 9.5
+            + (wrench_link_3_mx_6 * complements.complement_link_4_hz
+                - wrench_link_3_mx_10 * complements.complement_link_4_hy));
+    let wrench_outside_link_3_fy = screws.connection_joint_4_wz
+        * factor_outside_link_4_px
+        - screws.connection_joint_4_wx * factor_outside_link_4_pz
+        - (reactions.reaction_joint_4_wz * factor_link_4_px
+            - reactions.reaction_joint_4_wx * factor_link_4_pz)
+        + (wrench_link_3_mx_14 * 9.5
+            + (wrench_link_3_mx_10 * complements.complement_link_4_hx
+                + wrench_link_3_mx_8 * complements.complement_link_4_hz));
+    let wrench_outside_link_3_fz = screws.connection_joint_4_wx
+        * factor_outside_link_4_py
+        - screws.connection_joint_4_wy * factor_outside_link_4_px
+        - (reactions.reaction_joint_4_wx * factor_link_4_py
+            - reactions.reaction_joint_4_wy * factor_link_4_px)
+        + (wrench_link_3_mx_12 * 9.5
+            - (wrench_link_3_mx_8 * complements.complement_link_4_hy
+                + wrench_link_3_mx_6 * complements.complement_link_4_hx));
+    d_qdot[9][10] = wrench_outside_link_3_mx * screws.connection_joint_5_wx
+        + wrench_outside_link_3_my * screws.connection_joint_5_wy
+        + wrench_outside_link_3_mz * screws.connection_joint_5_wz
+        + wrench_outside_link_3_fx * screws.connection_joint_5_vx
+        + wrench_outside_link_3_fy * screws.connection_joint_5_vy
+        + wrench_outside_link_3_fz * screws.connection_joint_5_vz
+        + reactions.reaction_joint_4_wx * three_joint_5_x
+        + reactions.reaction_joint_4_wy * three_joint_5_y
+        + reactions.reaction_joint_4_wz * three_joint_5_z + 0.0;
+    d_qdot[9][11] = wrench_outside_link_3_mx * screws.connection_joint_6_wx
+        + wrench_outside_link_3_my * screws.connection_joint_6_wy
+        + wrench_outside_link_3_mz * screws.connection_joint_6_wz
+        + wrench_outside_link_3_fx * screws.connection_joint_6_vx
+        + wrench_outside_link_3_fy * screws.connection_joint_6_vy
+        + wrench_outside_link_3_fz * screws.connection_joint_6_vz
+        + reactions.reaction_joint_4_wx * three_joint_6_x
+        + reactions.reaction_joint_4_wy * three_joint_6_y
+        + reactions.reaction_joint_4_wz * three_joint_6_z + 0.0;
+    d_qdot[9][12] = wrench_outside_link_3_mx * screws.connection_joint_7_wx
+        + wrench_outside_link_3_my * screws.connection_joint_7_wy
+        + wrench_outside_link_3_mz * screws.connection_joint_7_wz
+        + wrench_outside_link_3_fx * screws.connection_joint_7_vx
+        + wrench_outside_link_3_fy * screws.connection_joint_7_vy
+        + wrench_outside_link_3_fz * screws.connection_joint_7_vz
+        + reactions.reaction_joint_4_wx * three_joint_7_x
+        + reactions.reaction_joint_4_wy * three_joint_7_y
+        + reactions.reaction_joint_4_wz * three_joint_7_z + 0.0;
     // D_q\u{307} column joint_5
     d_qdot[10][0] = 0.0;
     d_qdot[10][1] = 0.0;
@@ -8580,67 +8506,67 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[10][3] = 0.0;
     d_qdot[10][4] = 0.0;
     d_qdot[10][5] = 0.0;
-    let twist_link_4_wx = velocities.velocity_link_5_wy * poses.rotation_link_5_zz
+    let wrench_link_4_mx_6 = velocities.velocity_link_5_wy * poses.rotation_link_5_zz
         + velocities.velocity_link_5_wz * poses.rotation_link_4_yy;
-    let minus_twist_link_4_wy = velocities.velocity_link_5_wz * poses.rotation_link_4_xy
+    let wrench_link_4_mx_8 = velocities.velocity_link_5_wz * poses.rotation_link_4_xy
         + velocities.velocity_link_5_wx * poses.rotation_link_5_zz;
-    let twist_link_4_wz = velocities.velocity_link_5_wy * poses.rotation_link_4_xy
+    let wrench_link_4_mx_10 = velocities.velocity_link_5_wy * poses.rotation_link_4_xy
         - velocities.velocity_link_5_wx * poses.rotation_link_4_yy;
-    let twist_link_4_vx = velocities.velocity_link_5_wy * screws.screw_joint_5_vz
+    let wrench_link_4_my_12 = velocities.velocity_link_5_wy * screws.screw_joint_5_vz
         - velocities.velocity_link_5_wz * screws.screw_joint_5_vy
         + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
             + velocities.velocity_link_5_vz * poses.rotation_link_4_yy);
-    let twist_link_4_vy = velocities.velocity_link_5_wz * screws.screw_joint_5_vx
+    let wrench_link_4_mx_14 = velocities.velocity_link_5_wz * screws.screw_joint_5_vx
         - velocities.velocity_link_5_wx * screws.screw_joint_5_vz
         - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
             + velocities.velocity_link_5_vx * poses.rotation_link_5_zz);
-    let twist_link_4_vz = velocities.velocity_link_5_wx * screws.screw_joint_5_vy
+    let wrench_link_4_mx_12 = velocities.velocity_link_5_wx * screws.screw_joint_5_vy
         - velocities.velocity_link_5_wy * screws.screw_joint_5_vx
         + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
             - velocities.velocity_link_5_vx * poses.rotation_link_4_yy);
     let wrench_link_4_mx = factor_link_5_xz * poses.rotation_link_5_zz
         - (factor_link_5_xy * poses.rotation_link_4_yy + three_joint_5_x_2)
-        + (inertias.composite_link_5_xx * twist_link_4_wx
-            - inertias.composite_link_5_xy * minus_twist_link_4_wy
-            + inertias.composite_link_5_xz * twist_link_4_wz
-            + (inertias.composite_link_5_hy * twist_link_4_vz
-                - inertias.composite_link_5_hz * twist_link_4_vy));
+        + (inertias.composite_link_5_xx * wrench_link_4_mx_6
+            - inertias.composite_link_5_xy * wrench_link_4_mx_8
+            + inertias.composite_link_5_xz * wrench_link_4_mx_10
+            + (inertias.composite_link_5_hy * wrench_link_4_mx_12
+                - inertias.composite_link_5_hz * wrench_link_4_mx_14));
     let wrench_link_4_my = factor_link_5_yz * poses.rotation_link_5_zz
         - (three_joint_5_y_4 + factor_link_5_yx * poses.rotation_link_4_xy)
-        + (inertias.composite_link_5_xy * twist_link_4_wx
-            - inertias.composite_link_5_yy * minus_twist_link_4_wy
-            + inertias.composite_link_5_yz * twist_link_4_wz
-            + (inertias.composite_link_5_hz * twist_link_4_vx
-                + inertias.minus_composite_link_5_hx * twist_link_4_vz));
+        + (inertias.composite_link_5_xy * wrench_link_4_mx_6
+            - inertias.composite_link_5_yy * wrench_link_4_mx_8
+            + inertias.composite_link_5_yz * wrench_link_4_mx_10
+            + (inertias.composite_link_5_hz * wrench_link_4_my_12
+                + inertias.minus_composite_link_5_hx * wrench_link_4_mx_12));
     let wrench_link_4_mz = three_joint_5_z_0
         - (factor_link_5_zy * poses.rotation_link_4_yy
             + factor_link_5_zx * poses.rotation_link_4_xy)
-        + (inertias.composite_link_5_xz * twist_link_4_wx
-            - inertias.composite_link_5_yz * minus_twist_link_4_wy
-            + inertias.composite_link_5_zz * twist_link_4_wz
-            - (inertias.minus_composite_link_5_hx * twist_link_4_vy
-                + inertias.composite_link_5_hy * twist_link_4_vx));
+        + (inertias.composite_link_5_xz * wrench_link_4_mx_6
+            - inertias.composite_link_5_yz * wrench_link_4_mx_8
+            + inertias.composite_link_5_zz * wrench_link_4_mx_10
+            - (inertias.minus_composite_link_5_hx * wrench_link_4_mx_14
+                + inertias.composite_link_5_hy * wrench_link_4_my_12));
     d_qdot[10][6] = reactions.reaction_joint_1_wx * wrench_link_4_mx
         + reactions.reaction_joint_1_wy * wrench_link_4_my
         + reactions.reaction_joint_1_wz * wrench_link_4_mz
         + turn_joint_1_x * screws.connection_joint_5_wx
         + turn_joint_1_y * screws.connection_joint_5_wy
         + turn_joint_1_z * screws.connection_joint_5_wz + 0.0;
-    let wrench_link_4_fx = twist_link_4_vx * 6.0
-        - (minus_twist_link_4_wy * inertias.composite_link_5_hz
-            + twist_link_4_wz * inertias.composite_link_5_hy)
+    let wrench_link_4_fx = wrench_link_4_my_12 * 6.0
+        - (wrench_link_4_mx_8 * inertias.composite_link_5_hz
+            + wrench_link_4_mx_10 * inertias.composite_link_5_hy)
         - (poses.rotation_link_4_yy * factor_link_5_pz
             + poses.rotation_link_5_zz * factor_link_5_py);
     let wrench_link_4_fy = poses.rotation_link_5_zz * factor_link_5_px
         + poses.rotation_link_4_xy * factor_link_5_pz
-        + (twist_link_4_vy * 6.0
-            - (twist_link_4_wz * inertias.minus_composite_link_5_hx
-                + twist_link_4_wx * inertias.composite_link_5_hz));
+        + (wrench_link_4_mx_14 * 6.0
+            - (wrench_link_4_mx_10 * inertias.minus_composite_link_5_hx
+                + wrench_link_4_mx_6 * inertias.composite_link_5_hz));
     let wrench_link_4_fz = poses.rotation_link_4_yy * factor_link_5_px
         - poses.rotation_link_4_xy * factor_link_5_py
-        + (twist_link_4_vz * 6.0
-            + (twist_link_4_wx * inertias.composite_link_5_hy
-                - minus_twist_link_4_wy * inertias.minus_composite_link_5_hx));
+        + (wrench_link_4_mx_12 * 6.0
+            + (wrench_link_4_mx_6 * inertias.composite_link_5_hy
+                - wrench_link_4_mx_8 * inertias.minus_composite_link_5_hx));
     d_qdot[10][7] = reactions.reaction_joint_2_wx * wrench_link_4_mx
         + reactions.reaction_joint_2_wy * wrench_link_4_my
         + reactions.reaction_joint_2_wz * wrench_link_4_mz
@@ -8668,6 +8594,52 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_4_x * screws.connection_joint_5_wx
         + turn_joint_4_y * screws.connection_joint_5_wy
         + turn_joint_4_z * screws.connection_joint_5_wz + 0.0;
+    let factor_outside_link_5_xx = factor_link_4_xx_0 + factor_outside_link_4_xx;
+    let factor_outside_link_5_yx = factor_link_4_yx_0 + factor_outside_link_4_yx;
+    let factor_outside_link_5_zx = factor_link_4_zx_0 + factor_outside_link_4_zx;
+    let factor_outside_link_5_xy = factor_link_4_xy_0 + factor_outside_link_4_xy;
+    let factor_outside_link_5_yy = factor_link_4_yy_0 + factor_outside_link_4_yy;
+    let factor_outside_link_5_zy = factor_link_4_zy_0 + factor_outside_link_4_zy;
+    let factor_outside_link_5_xz = factor_link_4_xz_0 + factor_outside_link_4_xz;
+    let factor_outside_link_5_yz = factor_link_4_yz_0 + factor_outside_link_4_yz;
+    let factor_outside_link_5_zz = factor_link_4_zz_0 + factor_outside_link_4_zz;
+    let factor_outside_link_5_px = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_4_px_0 + factor_outside_link_4_px;
+    let factor_outside_link_5_py = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_4_py_0 + factor_outside_link_4_py;
+    let factor_outside_link_5_pz = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_4_pz_0 + factor_outside_link_4_pz;
+    let turn_joint_5_x_0 = factor_outside_link_5_xx * screws.connection_joint_5_wx;
+    let turn_joint_5_y_2 = factor_outside_link_5_yy * screws.connection_joint_5_wy;
+    let turn_joint_5_z_4 = factor_outside_link_5_zz * screws.connection_joint_5_wz;
+    let turn_joint_5_x_9 = factor_link_5_xx * reactions.reaction_joint_5_wx;
+    let turn_joint_5_y_11 = factor_link_5_yy * reactions.reaction_joint_5_wy;
+    let turn_joint_5_z_13 = factor_link_5_zz * reactions.reaction_joint_5_wz;
+    let turn_joint_5_x = turn_joint_5_x_0
+        + factor_outside_link_5_yx * screws.connection_joint_5_wy
+        + factor_outside_link_5_zx * screws.connection_joint_5_wz
+        + (factor_outside_link_5_py * screws.connection_joint_5_vz
+            - factor_outside_link_5_pz * screws.connection_joint_5_vy)
+        - (turn_joint_5_x_9 + factor_link_5_yx * reactions.reaction_joint_5_wy
+            + factor_link_5_zx * reactions.reaction_joint_5_wz
+            + (factor_link_5_py * reactions.reaction_joint_5_vz
+                - factor_link_5_pz * reactions.reaction_joint_5_vy));
+    let turn_joint_5_y = factor_outside_link_5_xy * screws.connection_joint_5_wx
+        + turn_joint_5_y_2 + factor_outside_link_5_zy * screws.connection_joint_5_wz
+        + (factor_outside_link_5_pz * screws.connection_joint_5_vx
+            - factor_outside_link_5_px * screws.connection_joint_5_vz)
+        - (factor_link_5_xy * reactions.reaction_joint_5_wx + turn_joint_5_y_11
+            + factor_link_5_zy * reactions.reaction_joint_5_wz
+            + (factor_link_5_pz * reactions.reaction_joint_5_vx
+                - factor_link_5_px * reactions.reaction_joint_5_vz));
+    let turn_joint_5_z = factor_outside_link_5_xz * screws.connection_joint_5_wx
+        + factor_outside_link_5_yz * screws.connection_joint_5_wy + turn_joint_5_z_4
+        + (factor_outside_link_5_px * screws.connection_joint_5_vy
+            - factor_outside_link_5_py * screws.connection_joint_5_vx)
+        - (factor_link_5_xz * reactions.reaction_joint_5_wx
+            + factor_link_5_yz * reactions.reaction_joint_5_wy + turn_joint_5_z_13
+            + (factor_link_5_px * reactions.reaction_joint_5_vy
+                - factor_link_5_py * reactions.reaction_joint_5_vx));
     d_qdot[10][10] = reactions.reaction_joint_5_wx * wrench_link_4_mx
         + reactions.reaction_joint_5_wy * wrench_link_4_my
         + reactions.reaction_joint_5_wz * wrench_link_4_mz
@@ -8677,42 +8649,79 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_5_x * screws.connection_joint_5_wx
         + turn_joint_5_y * screws.connection_joint_5_wy
         + turn_joint_5_z * screws.connection_joint_5_wz + 0.0;
-    let d_qdot_11_10_0 = screws.connection_joint_5_wx * turn_joint_6_x
-        - (wrench_link_4_mx * screws.connection_joint_6_wx
-            + wrench_link_4_my * screws.connection_joint_6_wy
-            + wrench_link_4_mz * screws.connection_joint_6_wz
-            + wrench_link_4_fx * screws.connection_joint_6_vx
-            + wrench_link_4_fy * screws.connection_joint_6_vy
-            + wrench_link_4_fz * screws.connection_joint_6_vz)
-        + screws.connection_joint_5_wy * turn_joint_6_y
-        + screws.connection_joint_5_wz * turn_joint_6_z
-        - poses.rotation_link_4_xy * three_joint_6_x
-        - poses.rotation_link_4_yy * three_joint_6_y
-        + poses.rotation_link_5_zz * three_joint_6_z
-        + twist_link_4_wx * screws.inside_joint_6_mx;
-    d_qdot[10][11] = d_qdot_11_10_0 - minus_twist_link_4_wy * screws.inside_joint_6_my
-        + twist_link_4_wz * screws.inside_joint_6_mz
-        + twist_link_4_vx * screws.inside_joint_6_fx
-        + twist_link_4_vy * screws.inside_joint_6_fy
-        + twist_link_4_vz * screws.inside_joint_6_fz + 0.0;
-    let d_qdot_12_10_0 = screws.connection_joint_5_wx * turn_joint_7_x
-        - (wrench_link_4_mx * screws.connection_joint_7_wx
-            + wrench_link_4_my * screws.connection_joint_7_wy
-            + wrench_link_4_mz * screws.connection_joint_7_wz
-            + wrench_link_4_fx * screws.connection_joint_7_vx
-            + wrench_link_4_fy * screws.connection_joint_7_vy
-            + wrench_link_4_fz * screws.connection_joint_7_vz)
-        + screws.connection_joint_5_wy * turn_joint_7_y
-        + screws.connection_joint_5_wz * turn_joint_7_z
-        - poses.rotation_link_4_xy * three_joint_7_x
-        - poses.rotation_link_4_yy * three_joint_7_y
-        + poses.rotation_link_5_zz * three_joint_7_z
-        + twist_link_4_wx * screws.inside_joint_7_mx;
-    d_qdot[10][12] = d_qdot_12_10_0 - minus_twist_link_4_wy * screws.inside_joint_7_my
-        + twist_link_4_wz * screws.inside_joint_7_mz
-        + twist_link_4_vx * screws.inside_joint_7_fx
-        + twist_link_4_vy * screws.inside_joint_7_fy
-        + twist_link_4_vz * screws.inside_joint_7_fz + 0.0;
+    let wrench_outside_link_4_mx = factor_outside_link_5_xz
+        * screws.connection_joint_5_wz
+        + (factor_outside_link_5_xy * screws.connection_joint_5_wy + turn_joint_5_x_0)
+        - (factor_link_5_xz * reactions.reaction_joint_5_wz
+            + (factor_link_5_xy * reactions.reaction_joint_5_wy + turn_joint_5_x_9))
+        + (complements.complement_link_5_xx * wrench_link_4_mx_6
+            - complements.complement_link_5_xy * wrench_link_4_mx_8
+            + complements.complement_link_5_xz * wrench_link_4_mx_10
+            + (complements.complement_link_5_hy * wrench_link_4_mx_12
+                - complements.complement_link_5_hz * wrench_link_4_mx_14));
+    let wrench_outside_link_4_my = factor_outside_link_5_yz
+        * screws.connection_joint_5_wz
+        + (turn_joint_5_y_2 + factor_outside_link_5_yx * screws.connection_joint_5_wx)
+        - (factor_link_5_yz * reactions.reaction_joint_5_wz
+            + (turn_joint_5_y_11 + factor_link_5_yx * reactions.reaction_joint_5_wx))
+        + (complements.complement_link_5_xy * wrench_link_4_mx_6
+            - complements.complement_link_5_yy * wrench_link_4_mx_8
+            + complements.complement_link_5_yz * wrench_link_4_mx_10
+            + (complements.complement_link_5_hz * wrench_link_4_my_12
+                - complements.complement_link_5_hx * wrench_link_4_mx_12));
+    let wrench_outside_link_4_mz = turn_joint_5_z_4
+        + (factor_outside_link_5_zy * screws.connection_joint_5_wy
+            + factor_outside_link_5_zx * screws.connection_joint_5_wx)
+        - (turn_joint_5_z_13
+            + (factor_link_5_zy * reactions.reaction_joint_5_wy
+                + factor_link_5_zx * reactions.reaction_joint_5_wx))
+        + (complements.complement_link_5_xz * wrench_link_4_mx_6
+            - complements.complement_link_5_yz * wrench_link_4_mx_8
+            + complements.complement_link_5_zz * wrench_link_4_mx_10
+            + (complements.complement_link_5_hx * wrench_link_4_mx_14
+                - complements.complement_link_5_hy * wrench_link_4_my_12));
+    let wrench_outside_link_4_fx = screws.connection_joint_5_wy
+        * factor_outside_link_5_pz
+        - screws.connection_joint_5_wz * factor_outside_link_5_py
+        - (reactions.reaction_joint_5_wy * factor_link_5_pz
+            - reactions.reaction_joint_5_wz * factor_link_5_py)
+        + (wrench_link_4_my_12 * 11.5
+            - (wrench_link_4_mx_8 * complements.complement_link_5_hz
+                + wrench_link_4_mx_10 * complements.complement_link_5_hy));
+    let wrench_outside_link_4_fy = screws.connection_joint_5_wz
+        * factor_outside_link_5_px
+        - screws.connection_joint_5_wx * factor_outside_link_5_pz
+        - (reactions.reaction_joint_5_wz * factor_link_5_px
+            - reactions.reaction_joint_5_wx * factor_link_5_pz)
+        + (wrench_link_4_mx_14 * 11.5
+            + (wrench_link_4_mx_10 * complements.complement_link_5_hx
+                - wrench_link_4_mx_6 * complements.complement_link_5_hz));
+    let wrench_outside_link_4_fz = screws.connection_joint_5_wx
+        * factor_outside_link_5_py
+        - screws.connection_joint_5_wy * factor_outside_link_5_px
+        - (reactions.reaction_joint_5_wx * factor_link_5_py
+            - reactions.reaction_joint_5_wy * factor_link_5_px)
+        + (wrench_link_4_mx_12 * 11.5
+            + (wrench_link_4_mx_6 * complements.complement_link_5_hy
+                + wrench_link_4_mx_8 * complements.complement_link_5_hx));
+    d_qdot[10][11] = wrench_outside_link_4_mx * screws.connection_joint_6_wx
+        + wrench_outside_link_4_my * screws.connection_joint_6_wy
+        + wrench_outside_link_4_mz * screws.connection_joint_6_wz
+        + wrench_outside_link_4_fx * screws.connection_joint_6_vx
+        + wrench_outside_link_4_fy * screws.connection_joint_6_vy
+        + wrench_outside_link_4_fz * screws.connection_joint_6_vz
+        + reactions.reaction_joint_5_wx * three_joint_6_x
+        + reactions.reaction_joint_5_wy * three_joint_6_y
+        + reactions.reaction_joint_5_wz * three_joint_6_z + 0.0;
+    d_qdot[10][12] = wrench_outside_link_4_mx * screws.connection_joint_7_wx
+        + wrench_outside_link_4_my * screws.connection_joint_7_wy
+        + wrench_outside_link_4_mz * screws.connection_joint_7_wz
+        + wrench_outside_link_4_fx * screws.connection_joint_7_vx
+        + wrench_outside_link_4_fy * screws.connection_joint_7_vy
+        + wrench_outside_link_4_fz * screws.connection_joint_7_vz
+        + reactions.reaction_joint_5_wx * three_joint_7_x
+        + reactions.reaction_joint_5_wy * three_joint_7_y
+        + reactions.reaction_joint_5_wz * three_joint_7_z + 0.0;
     // D_q\u{307} column joint_6
     d_qdot[11][0] = 0.0;
     d_qdot[11][1] = 0.0;
@@ -8720,67 +8729,67 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[11][3] = 0.0;
     d_qdot[11][4] = 0.0;
     d_qdot[11][5] = 0.0;
-    let twist_link_5_wx = velocities.velocity_link_6_wy * poses.rotation_link_6_zz
+    let wrench_link_5_mx_6 = velocities.velocity_link_6_wy * poses.rotation_link_6_zz
         + velocities.velocity_link_6_wz * poses.rotation_link_5_yy;
-    let twist_link_5_wy = velocities.velocity_link_6_wz * poses.rotation_link_6_xz
+    let wrench_link_5_mx_8 = velocities.velocity_link_6_wz * poses.rotation_link_6_xz
         - velocities.velocity_link_6_wx * poses.rotation_link_6_zz;
-    let minus_twist_link_5_wz = velocities.velocity_link_6_wx * poses.rotation_link_5_yy
+    let wrench_link_5_mx_10 = velocities.velocity_link_6_wx * poses.rotation_link_5_yy
         + velocities.velocity_link_6_wy * poses.rotation_link_6_xz;
-    let twist_link_5_vx = velocities.velocity_link_6_wy * screws.screw_joint_6_vz
+    let wrench_link_5_my_12 = velocities.velocity_link_6_wy * screws.screw_joint_6_vz
         - velocities.velocity_link_6_wz * screws.screw_joint_6_vy
         + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
             + velocities.velocity_link_6_vz * poses.rotation_link_5_yy);
-    let twist_link_5_vy = velocities.velocity_link_6_wz * screws.screw_joint_6_vx
+    let wrench_link_5_mx_14 = velocities.velocity_link_6_wz * screws.screw_joint_6_vx
         - velocities.velocity_link_6_wx * screws.screw_joint_6_vz
         + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
             - velocities.velocity_link_6_vx * poses.rotation_link_6_zz);
-    let twist_link_5_vz = velocities.velocity_link_6_wx * screws.screw_joint_6_vy
+    let wrench_link_5_mx_12 = velocities.velocity_link_6_wx * screws.screw_joint_6_vy
         - velocities.velocity_link_6_wy * screws.screw_joint_6_vx
         - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
             + velocities.velocity_link_6_vy * poses.rotation_link_6_xz);
     let wrench_link_5_mx = factor_link_6_xz * poses.rotation_link_6_zz
         + (three_joint_6_x_0 - factor_link_6_xy * poses.rotation_link_5_yy)
-        + (inertias.composite_link_6_xx * twist_link_5_wx
-            + inertias.composite_link_6_xy * twist_link_5_wy
-            - inertias.composite_link_6_xz * minus_twist_link_5_wz
-            - (inertias.minus_composite_link_6_hy * twist_link_5_vz
-                + inertias.composite_link_6_hz * twist_link_5_vy));
+        + (inertias.composite_link_6_xx * wrench_link_5_mx_6
+            + inertias.composite_link_6_xy * wrench_link_5_mx_8
+            - inertias.composite_link_6_xz * wrench_link_5_mx_10
+            - (inertias.minus_composite_link_6_hy * wrench_link_5_mx_12
+                + inertias.composite_link_6_hz * wrench_link_5_mx_14));
     let wrench_link_5_my = factor_link_6_yz * poses.rotation_link_6_zz
         + (factor_link_6_yx * poses.rotation_link_6_xz - three_joint_6_y_2)
-        + (inertias.composite_link_6_xy * twist_link_5_wx
-            + inertias.composite_link_6_yy * twist_link_5_wy
-            - inertias.composite_link_6_yz * minus_twist_link_5_wz
-            + (inertias.composite_link_6_hz * twist_link_5_vx
-                + inertias.minus_composite_link_6_hx * twist_link_5_vz));
+        + (inertias.composite_link_6_xy * wrench_link_5_mx_6
+            + inertias.composite_link_6_yy * wrench_link_5_mx_8
+            - inertias.composite_link_6_yz * wrench_link_5_mx_10
+            + (inertias.composite_link_6_hz * wrench_link_5_my_12
+                + inertias.minus_composite_link_6_hx * wrench_link_5_mx_12));
     let wrench_link_5_mz = three_joint_6_z_4
         + (factor_link_6_zx * poses.rotation_link_6_xz
             - factor_link_6_zy * poses.rotation_link_5_yy)
-        + (inertias.composite_link_6_xz * twist_link_5_wx
-            + inertias.composite_link_6_yz * twist_link_5_wy
-            - inertias.composite_link_6_zz * minus_twist_link_5_wz
-            + (inertias.minus_composite_link_6_hy * twist_link_5_vx
-                - inertias.minus_composite_link_6_hx * twist_link_5_vy));
+        + (inertias.composite_link_6_xz * wrench_link_5_mx_6
+            + inertias.composite_link_6_yz * wrench_link_5_mx_8
+            - inertias.composite_link_6_zz * wrench_link_5_mx_10
+            + (inertias.minus_composite_link_6_hy * wrench_link_5_my_12
+                - inertias.minus_composite_link_6_hx * wrench_link_5_mx_14));
     d_qdot[11][6] = reactions.reaction_joint_1_wx * wrench_link_5_mx
         + reactions.reaction_joint_1_wy * wrench_link_5_my
         + reactions.reaction_joint_1_wz * wrench_link_5_mz
         + turn_joint_1_x * screws.connection_joint_6_wx
         + turn_joint_1_y * screws.connection_joint_6_wy
         + turn_joint_1_z * screws.connection_joint_6_wz + 0.0;
-    let wrench_link_5_fx = twist_link_5_vx * 4.0
-        + (twist_link_5_wy * inertias.composite_link_6_hz
-            - minus_twist_link_5_wz * inertias.minus_composite_link_6_hy)
+    let wrench_link_5_fx = wrench_link_5_my_12 * 4.0
+        + (wrench_link_5_mx_8 * inertias.composite_link_6_hz
+            - wrench_link_5_mx_10 * inertias.minus_composite_link_6_hy)
         - (poses.rotation_link_5_yy * factor_link_6_pz
             + poses.rotation_link_6_zz * factor_link_6_py);
     let wrench_link_5_fy = poses.rotation_link_6_zz * factor_link_6_px
         - poses.rotation_link_6_xz * factor_link_6_pz
-        + (twist_link_5_vy * 4.0
-            + (minus_twist_link_5_wz * inertias.minus_composite_link_6_hx
-                - twist_link_5_wx * inertias.composite_link_6_hz));
+        + (wrench_link_5_mx_14 * 4.0
+            + (wrench_link_5_mx_10 * inertias.minus_composite_link_6_hx
+                - wrench_link_5_mx_6 * inertias.composite_link_6_hz));
     let wrench_link_5_fz = poses.rotation_link_6_xz * factor_link_6_py
         + poses.rotation_link_5_yy * factor_link_6_px
-        + (twist_link_5_vz * 4.0
-            + (twist_link_5_wy * inertias.minus_composite_link_6_hx
-                - twist_link_5_wx * inertias.minus_composite_link_6_hy));
+        + (wrench_link_5_mx_12 * 4.0
+            + (wrench_link_5_mx_8 * inertias.minus_composite_link_6_hx
+                - wrench_link_5_mx_6 * inertias.minus_composite_link_6_hy));
     d_qdot[11][7] = reactions.reaction_joint_2_wx * wrench_link_5_mx
         + reactions.reaction_joint_2_wy * wrench_link_5_my
         + reactions.reaction_joint_2_wz * wrench_link_5_mz
@@ -8817,6 +8826,52 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_5_x * screws.connection_joint_6_wx
         + turn_joint_5_y * screws.connection_joint_6_wy
         + turn_joint_5_z * screws.connection_joint_6_wz + 0.0;
+    let factor_outside_link_6_xx = factor_link_5_xx_0 + factor_outside_link_5_xx;
+    let factor_outside_link_6_yx = factor_link_5_yx_0 + factor_outside_link_5_yx;
+    let factor_outside_link_6_zx = factor_link_5_zx_0 + factor_outside_link_5_zx;
+    let factor_outside_link_6_xy = factor_link_5_xy_0 + factor_outside_link_5_xy;
+    let factor_outside_link_6_yy = factor_link_5_yy_0 + factor_outside_link_5_yy;
+    let factor_outside_link_6_zy = factor_link_5_zy_0 + factor_outside_link_5_zy;
+    let factor_outside_link_6_xz = factor_link_5_xz_0 + factor_outside_link_5_xz;
+    let factor_outside_link_6_yz = factor_link_5_yz_0 + factor_outside_link_5_yz;
+    let factor_outside_link_6_zz = factor_link_5_zz_0 + factor_outside_link_5_zz;
+    let factor_outside_link_6_px = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_5_px_0 + factor_outside_link_5_px;
+    let factor_outside_link_6_py = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_5_py_0 + factor_outside_link_5_py;
+    let factor_outside_link_6_pz = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_5_pz_0 + factor_outside_link_5_pz;
+    let turn_joint_6_x_0 = factor_outside_link_6_xx * screws.connection_joint_6_wx;
+    let turn_joint_6_y_2 = factor_outside_link_6_yy * screws.connection_joint_6_wy;
+    let turn_joint_6_z_4 = factor_outside_link_6_zz * screws.connection_joint_6_wz;
+    let turn_joint_6_x_9 = factor_link_6_xx * reactions.reaction_joint_6_wx;
+    let turn_joint_6_y_11 = factor_link_6_yy * reactions.reaction_joint_6_wy;
+    let turn_joint_6_z_13 = factor_link_6_zz * reactions.reaction_joint_6_wz;
+    let turn_joint_6_x = turn_joint_6_x_0
+        + factor_outside_link_6_yx * screws.connection_joint_6_wy
+        + factor_outside_link_6_zx * screws.connection_joint_6_wz
+        + (factor_outside_link_6_py * screws.connection_joint_6_vz
+            - factor_outside_link_6_pz * screws.connection_joint_6_vy)
+        - (turn_joint_6_x_9 + factor_link_6_yx * reactions.reaction_joint_6_wy
+            + factor_link_6_zx * reactions.reaction_joint_6_wz
+            + (factor_link_6_py * reactions.reaction_joint_6_vz
+                - factor_link_6_pz * reactions.reaction_joint_6_vy));
+    let turn_joint_6_y = factor_outside_link_6_xy * screws.connection_joint_6_wx
+        + turn_joint_6_y_2 + factor_outside_link_6_zy * screws.connection_joint_6_wz
+        + (factor_outside_link_6_pz * screws.connection_joint_6_vx
+            - factor_outside_link_6_px * screws.connection_joint_6_vz)
+        - (factor_link_6_xy * reactions.reaction_joint_6_wx + turn_joint_6_y_11
+            + factor_link_6_zy * reactions.reaction_joint_6_wz
+            + (factor_link_6_pz * reactions.reaction_joint_6_vx
+                - factor_link_6_px * reactions.reaction_joint_6_vz));
+    let turn_joint_6_z = factor_outside_link_6_xz * screws.connection_joint_6_wx
+        + factor_outside_link_6_yz * screws.connection_joint_6_wy + turn_joint_6_z_4
+        + (factor_outside_link_6_px * screws.connection_joint_6_vy
+            - factor_outside_link_6_py * screws.connection_joint_6_vx)
+        - (factor_link_6_xz * reactions.reaction_joint_6_wx
+            + factor_link_6_yz * reactions.reaction_joint_6_wy + turn_joint_6_z_13
+            + (factor_link_6_px * reactions.reaction_joint_6_vy
+                - factor_link_6_py * reactions.reaction_joint_6_vx));
     d_qdot[11][11] = reactions.reaction_joint_6_wx * wrench_link_5_mx
         + reactions.reaction_joint_6_wy * wrench_link_5_my
         + reactions.reaction_joint_6_wz * wrench_link_5_mz
@@ -8826,24 +8881,70 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_6_x * screws.connection_joint_6_wx
         + turn_joint_6_y * screws.connection_joint_6_wy
         + turn_joint_6_z * screws.connection_joint_6_wz + 0.0;
-    let d_qdot_12_11_0 = screws.connection_joint_6_wx * turn_joint_7_x
-        - (wrench_link_5_mx * screws.connection_joint_7_wx
-            + wrench_link_5_my * screws.connection_joint_7_wy
-            + wrench_link_5_mz * screws.connection_joint_7_wz
-            + wrench_link_5_fx * screws.connection_joint_7_vx
-            + wrench_link_5_fy * screws.connection_joint_7_vy
-            + wrench_link_5_fz * screws.connection_joint_7_vz)
-        + screws.connection_joint_6_wy * turn_joint_7_y
-        + screws.connection_joint_6_wz * turn_joint_7_z
-        + poses.rotation_link_6_xz * three_joint_7_x
-        - poses.rotation_link_5_yy * three_joint_7_y
-        + poses.rotation_link_6_zz * three_joint_7_z
-        + twist_link_5_wx * screws.inside_joint_7_mx;
-    d_qdot[11][12] = d_qdot_12_11_0 + twist_link_5_wy * screws.inside_joint_7_my
-        - minus_twist_link_5_wz * screws.inside_joint_7_mz
-        + twist_link_5_vx * screws.inside_joint_7_fx
-        + twist_link_5_vy * screws.inside_joint_7_fy
-        + twist_link_5_vz * screws.inside_joint_7_fz + 0.0;
+    let wrench_outside_link_5_mx = factor_outside_link_6_xz
+        * screws.connection_joint_6_wz
+        + (factor_outside_link_6_xy * screws.connection_joint_6_wy + turn_joint_6_x_0)
+        - (factor_link_6_xz * reactions.reaction_joint_6_wz
+            + (factor_link_6_xy * reactions.reaction_joint_6_wy + turn_joint_6_x_9))
+        + (complements.complement_link_6_xx * wrench_link_5_mx_6
+            + complements.complement_link_6_xy * wrench_link_5_mx_8
+            - complements.complement_link_6_xz * wrench_link_5_mx_10
+            + (complements.complement_link_6_hy * wrench_link_5_mx_12
+                - complements.complement_link_6_hz * wrench_link_5_mx_14));
+    let wrench_outside_link_5_my = factor_outside_link_6_yz
+        * screws.connection_joint_6_wz
+        + (turn_joint_6_y_2 + factor_outside_link_6_yx * screws.connection_joint_6_wx)
+        - (factor_link_6_yz * reactions.reaction_joint_6_wz
+            + (turn_joint_6_y_11 + factor_link_6_yx * reactions.reaction_joint_6_wx))
+        + (complements.complement_link_6_xy * wrench_link_5_mx_6
+            + complements.complement_link_6_yy * wrench_link_5_mx_8
+            - complements.complement_link_6_yz * wrench_link_5_mx_10
+            + (complements.complement_link_6_hz * wrench_link_5_my_12
+                - complements.complement_link_6_hx * wrench_link_5_mx_12));
+    let wrench_outside_link_5_mz = turn_joint_6_z_4
+        + (factor_outside_link_6_zy * screws.connection_joint_6_wy
+            + factor_outside_link_6_zx * screws.connection_joint_6_wx)
+        - (turn_joint_6_z_13
+            + (factor_link_6_zy * reactions.reaction_joint_6_wy
+                + factor_link_6_zx * reactions.reaction_joint_6_wx))
+        + (complements.complement_link_6_xz * wrench_link_5_mx_6
+            + complements.complement_link_6_yz * wrench_link_5_mx_8
+            - complements.complement_link_6_zz * wrench_link_5_mx_10
+            + (complements.complement_link_6_hx * wrench_link_5_mx_14
+                - complements.complement_link_6_hy * wrench_link_5_my_12));
+    let wrench_outside_link_5_fx = screws.connection_joint_6_wy
+        * factor_outside_link_6_pz
+        - screws.connection_joint_6_wz * factor_outside_link_6_py
+        - (reactions.reaction_joint_6_wy * factor_link_6_pz
+            - reactions.reaction_joint_6_wz * factor_link_6_py)
+        + (wrench_link_5_my_12 * 13.5
+            + (wrench_link_5_mx_8 * complements.complement_link_6_hz
+                + wrench_link_5_mx_10 * complements.complement_link_6_hy));
+    let wrench_outside_link_5_fy = screws.connection_joint_6_wz
+        * factor_outside_link_6_px
+        - screws.connection_joint_6_wx * factor_outside_link_6_pz
+        - (reactions.reaction_joint_6_wz * factor_link_6_px
+            - reactions.reaction_joint_6_wx * factor_link_6_pz)
+        + (wrench_link_5_mx_14 * 13.5
+            - (wrench_link_5_mx_10 * complements.complement_link_6_hx
+                + wrench_link_5_mx_6 * complements.complement_link_6_hz));
+    let wrench_outside_link_5_fz = screws.connection_joint_6_wx
+        * factor_outside_link_6_py
+        - screws.connection_joint_6_wy * factor_outside_link_6_px
+        - (reactions.reaction_joint_6_wx * factor_link_6_py
+            - reactions.reaction_joint_6_wy * factor_link_6_px)
+        + (wrench_link_5_mx_12 * 13.5
+            + (wrench_link_5_mx_6 * complements.complement_link_6_hy
+                - wrench_link_5_mx_8 * complements.complement_link_6_hx));
+    d_qdot[11][12] = wrench_outside_link_5_mx * screws.connection_joint_7_wx
+        + wrench_outside_link_5_my * screws.connection_joint_7_wy
+        + wrench_outside_link_5_mz * screws.connection_joint_7_wz
+        + wrench_outside_link_5_fx * screws.connection_joint_7_vx
+        + wrench_outside_link_5_fy * screws.connection_joint_7_vy
+        + wrench_outside_link_5_fz * screws.connection_joint_7_vz
+        + reactions.reaction_joint_6_wx * three_joint_7_x
+        + reactions.reaction_joint_6_wy * three_joint_7_y
+        + reactions.reaction_joint_6_wz * three_joint_7_z + 0.0;
     // D_q\u{307} column joint_7
     d_qdot[12][0] = 0.0;
     d_qdot[12][1] = 0.0;
@@ -8851,56 +8952,57 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     d_qdot[12][3] = 0.0;
     d_qdot[12][4] = 0.0;
     d_qdot[12][5] = 0.0;
-    let twist_link_6_wx = velocities.velocity_link_7_wy * poses.rotation_link_6_zy
+    let wrench_link_6_mx_6 = velocities.velocity_link_7_wy * poses.rotation_link_6_zy
         + velocities.velocity_link_7_wz * poses.minus_rotation_link_6_yy;
-    let minus_twist_link_6_wy = velocities.velocity_link_7_wz
+    let wrench_link_6_mx_8 = velocities.velocity_link_7_wz
         * poses.minus_rotation_link_6_xy
         + velocities.velocity_link_7_wx * poses.rotation_link_6_zy;
-    let twist_link_6_wz = velocities.velocity_link_7_wy * poses.minus_rotation_link_6_xy
+    let wrench_link_6_mx_10 = velocities.velocity_link_7_wy
+        * poses.minus_rotation_link_6_xy
         - velocities.velocity_link_7_wx * poses.minus_rotation_link_6_yy;
-    let twist_link_6_vx = velocities.velocity_link_7_wy * screws.screw_joint_7_vz
+    let wrench_link_6_my_12 = velocities.velocity_link_7_wy * screws.screw_joint_7_vz
         - velocities.velocity_link_7_wz * screws.screw_joint_7_vy
         + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
             + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy);
-    let twist_link_6_vy = velocities.velocity_link_7_wz * screws.screw_joint_7_vx
+    let wrench_link_6_mx_14 = velocities.velocity_link_7_wz * screws.screw_joint_7_vx
         - velocities.velocity_link_7_wx * screws.screw_joint_7_vz
         - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
             + velocities.velocity_link_7_vx * poses.rotation_link_6_zy);
-    let twist_link_6_vz = velocities.velocity_link_7_wx * screws.screw_joint_7_vy
+    let wrench_link_6_mx_12 = velocities.velocity_link_7_wx * screws.screw_joint_7_vy
         - velocities.velocity_link_7_wy * screws.screw_joint_7_vx
         + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
             - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy);
     let wrench_link_6_mx = factor_link_7_xz * poses.rotation_link_6_zy
         - (factor_link_7_xy * poses.minus_rotation_link_6_yy + three_joint_7_x_2)
-        + (inertias.inertia_link_7_xx * twist_link_6_wx
-            - inertias.inertia_link_7_xy * minus_twist_link_6_wy
-            + inertias.inertia_link_7_xz * twist_link_6_wz
-            - (inertias.minus_inertia_link_7_hy * twist_link_6_vz
-                + inertias.inertia_link_7_hz * twist_link_6_vy));
+        + (inertias.inertia_link_7_xx * wrench_link_6_mx_6
+            - inertias.inertia_link_7_xy * wrench_link_6_mx_8
+            + inertias.inertia_link_7_xz * wrench_link_6_mx_10
+            - (inertias.minus_inertia_link_7_hy * wrench_link_6_mx_12
+                + inertias.inertia_link_7_hz * wrench_link_6_mx_14));
     let wrench_link_6_my = factor_link_7_yz * poses.rotation_link_6_zy
         - (three_joint_7_y_4 + factor_link_7_yx * poses.minus_rotation_link_6_xy)
-        + (inertias.inertia_link_7_xy * twist_link_6_wx
-            - inertias.inertia_link_7_yy * minus_twist_link_6_wy
-            + inertias.inertia_link_7_yz * twist_link_6_wz
-            + (inertias.inertia_link_7_hz * twist_link_6_vx
-                + inertias.minus_inertia_link_7_hx * twist_link_6_vz));
+        + (inertias.inertia_link_7_xy * wrench_link_6_mx_6
+            - inertias.inertia_link_7_yy * wrench_link_6_mx_8
+            + inertias.inertia_link_7_yz * wrench_link_6_mx_10
+            + (inertias.inertia_link_7_hz * wrench_link_6_my_12
+                + inertias.minus_inertia_link_7_hx * wrench_link_6_mx_12));
     let wrench_link_6_mz = three_joint_7_z_0
         - (factor_link_7_zy * poses.minus_rotation_link_6_yy
             + factor_link_7_zx * poses.minus_rotation_link_6_xy)
-        + (inertias.inertia_link_7_xz * twist_link_6_wx
-            - inertias.inertia_link_7_yz * minus_twist_link_6_wy
-            + inertias.inertia_link_7_zz * twist_link_6_wz
-            + (inertias.minus_inertia_link_7_hy * twist_link_6_vx
-                - inertias.minus_inertia_link_7_hx * twist_link_6_vy));
+        + (inertias.inertia_link_7_xz * wrench_link_6_mx_6
+            - inertias.inertia_link_7_yz * wrench_link_6_mx_8
+            + inertias.inertia_link_7_zz * wrench_link_6_mx_10
+            + (inertias.minus_inertia_link_7_hy * wrench_link_6_my_12
+                - inertias.minus_inertia_link_7_hx * wrench_link_6_mx_14));
     d_qdot[12][6] = reactions.reaction_joint_1_wx * wrench_link_6_mx
         + reactions.reaction_joint_1_wy * wrench_link_6_my
         + reactions.reaction_joint_1_wz * wrench_link_6_mz
         + turn_joint_1_x * screws.connection_joint_7_wx
         + turn_joint_1_y * screws.connection_joint_7_wy
         + turn_joint_1_z * screws.connection_joint_7_wz + 0.0;
-    let wrench_link_6_fx = twist_link_6_vx * 2.0
-        + (twist_link_6_wz * inertias.minus_inertia_link_7_hy
-            - minus_twist_link_6_wy * inertias.inertia_link_7_hz)
+    let wrench_link_6_fx = wrench_link_6_my_12 * 2.0
+        + (wrench_link_6_mx_10 * inertias.minus_inertia_link_7_hy
+            - wrench_link_6_mx_8 * inertias.inertia_link_7_hz)
         - (poses.minus_rotation_link_6_yy
             * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
             + poses.rotation_link_6_zy
@@ -8909,16 +9011,16 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
         + poses.minus_rotation_link_6_xy
             * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-        + (twist_link_6_vy * 2.0
-            - (twist_link_6_wz * inertias.minus_inertia_link_7_hx
-                + twist_link_6_wx * inertias.inertia_link_7_hz));
+        + (wrench_link_6_mx_14 * 2.0
+            - (wrench_link_6_mx_10 * inertias.minus_inertia_link_7_hx
+                + wrench_link_6_mx_6 * inertias.inertia_link_7_hz));
     let wrench_link_6_fz = poses.minus_rotation_link_6_yy
         * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
         - poses.minus_rotation_link_6_xy
             * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-        + (twist_link_6_vz * 2.0
-            - (twist_link_6_wx * inertias.minus_inertia_link_7_hy
-                + minus_twist_link_6_wy * inertias.minus_inertia_link_7_hx));
+        + (wrench_link_6_mx_12 * 2.0
+            - (wrench_link_6_mx_6 * inertias.minus_inertia_link_7_hy
+                + wrench_link_6_mx_8 * inertias.minus_inertia_link_7_hx));
     d_qdot[12][7] = reactions.reaction_joint_2_wx * wrench_link_6_mx
         + reactions.reaction_joint_2_wy * wrench_link_6_my
         + reactions.reaction_joint_2_wz * wrench_link_6_mz
@@ -8964,6 +9066,57 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         + turn_joint_6_x * screws.connection_joint_7_wx
         + turn_joint_6_y * screws.connection_joint_7_wy
         + turn_joint_6_z * screws.connection_joint_7_wz + 0.0;
+    let factor_outside_link_7_xx = factor_link_6_xx_0 + factor_outside_link_6_xx;
+    let factor_outside_link_7_yx = factor_link_6_yx_0 + factor_outside_link_6_yx;
+    let factor_outside_link_7_zx = factor_link_6_zx_0 + factor_outside_link_6_zx;
+    let factor_outside_link_7_xy = factor_link_6_xy_0 + factor_outside_link_6_xy;
+    let factor_outside_link_7_yy = factor_link_6_yy_0 + factor_outside_link_6_yy;
+    let factor_outside_link_7_zy = factor_link_6_zy_0 + factor_outside_link_6_zy;
+    let factor_outside_link_7_xz = factor_link_6_xz_0 + factor_outside_link_6_xz;
+    let factor_outside_link_7_yz = factor_link_6_yz_0 + factor_outside_link_6_yz;
+    let factor_outside_link_7_zz = factor_link_6_zz_0 + factor_outside_link_6_zz;
+    let factor_outside_link_7_px = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_6_px_0 + factor_outside_link_6_px;
+    let factor_outside_link_7_py = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_6_py_0 + factor_outside_link_6_py;
+    let factor_outside_link_7_pz = common_d_qdot_d_qdot_xi_kinetic_energy
+        .factor_link_6_pz_0 + factor_outside_link_6_pz;
+    let turn_joint_7_x = factor_outside_link_7_xx * screws.connection_joint_7_wx
+        + factor_outside_link_7_yx * screws.connection_joint_7_wy
+        + factor_outside_link_7_zx * screws.connection_joint_7_wz
+        + (factor_outside_link_7_py * screws.connection_joint_7_vz
+            - factor_outside_link_7_pz * screws.connection_joint_7_vy)
+        - (factor_link_7_xx * reactions.reaction_joint_7_wx
+            + factor_link_7_yx * reactions.reaction_joint_7_wy
+            + factor_link_7_zx * reactions.reaction_joint_7_wz
+            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
+                * reactions.reaction_joint_7_vz
+                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
+                    * reactions.reaction_joint_7_vy));
+    let turn_joint_7_y = factor_outside_link_7_xy * screws.connection_joint_7_wx
+        + factor_outside_link_7_yy * screws.connection_joint_7_wy
+        + factor_outside_link_7_zy * screws.connection_joint_7_wz
+        + (factor_outside_link_7_pz * screws.connection_joint_7_vx
+            - factor_outside_link_7_px * screws.connection_joint_7_vz)
+        - (factor_link_7_xy * reactions.reaction_joint_7_wx
+            + factor_link_7_yy * reactions.reaction_joint_7_wy
+            + factor_link_7_zy * reactions.reaction_joint_7_wz
+            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
+                * reactions.reaction_joint_7_vx
+                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
+                    * reactions.reaction_joint_7_vz));
+    let turn_joint_7_z = factor_outside_link_7_xz * screws.connection_joint_7_wx
+        + factor_outside_link_7_yz * screws.connection_joint_7_wy
+        + factor_outside_link_7_zz * screws.connection_joint_7_wz
+        + (factor_outside_link_7_px * screws.connection_joint_7_vy
+            - factor_outside_link_7_py * screws.connection_joint_7_vx)
+        - (factor_link_7_xz * reactions.reaction_joint_7_wx
+            + factor_link_7_yz * reactions.reaction_joint_7_wy
+            + factor_link_7_zz * reactions.reaction_joint_7_wz
+            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
+                * reactions.reaction_joint_7_vy
+                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
+                    * reactions.reaction_joint_7_vx));
     d_qdot[12][12] = reactions.reaction_joint_7_wx * wrench_link_6_mx
         + reactions.reaction_joint_7_wy * wrench_link_6_my
         + reactions.reaction_joint_7_wz * wrench_link_6_mz
@@ -9817,7 +9970,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.inertia_link_1_hy * minus_twist_link_1_vz)
         - (wrench_link_1_mx_0_8 * velocities.velocity_link_1_wz
             + wrench_link_1_mx_0_10 * velocities.minus_velocity_base_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_2_pz_1
+            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
                 * velocities.velocity_link_1_vy
                 - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
                     * velocities.minus_velocity_base_vz));
@@ -9827,7 +9980,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.minus_inertia_link_1_hx * minus_twist_link_1_vz)
         - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
             * velocities.minus_velocity_base_vz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_2_pz_1
+            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
                 * velocities.velocity_link_1_vx
             - (wrench_link_1_mx_0_10 * velocities.minus_velocity_base_wx
                 + wrench_link_1_my_0_14 * velocities.velocity_link_1_wz));
@@ -10430,11 +10583,11 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
         + twist_link_1_wy * inertias.inertia_link_1_hz
         - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
             * velocities.velocity_link_1_wz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_2_pz_1
+            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
                 * velocities.minus_velocity_base_wy) - minus_wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = minus_twist_link_1_wx * inertias.inertia_link_1_hz
         - minus_twist_link_1_vy * 2.0
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_2_pz_1
+        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
             * velocities.minus_velocity_base_wx
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
                 * velocities.velocity_link_1_wz) - minus_wrench_outside_link_1_fy;
@@ -12919,7 +13072,7 @@ pub fn kinetic_energy(
             + velocities.velocity_link_1_vy
                 * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
             + velocities.minus_velocity_base_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_2_pz_1)
+                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1)
         + (velocities.velocity_link_2_wx
             * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yz_0_1_1
                 - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_zy_0_0_1

@@ -954,7 +954,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (2; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (8×8, by columns; Λ's · 1/s)
 ///
-/// 333 operations: 163 + −, 167 ×, 3 ÷; 2 sin cos; about 4.0 KiB of code.
+/// 341 operations: 166 + −, 172 ×, 3 ÷; 2 sin cos; about 4.1 KiB of code.
 pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1072,19 +1072,20 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
         - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
     let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
-    let twist_base_vx = velocities.velocity_link_1_wz * poses.origin_link_1_x
+    let wrench_base_mz_4 = velocities.velocity_link_1_wz * poses.origin_link_1_x
         - velocities.minus_velocity_link_1_vy;
-    let minus_twist_base_vy = velocities.velocity_link_1_wz * poses.com_y
+    let wrench_base_mz_2 = velocities.velocity_link_1_wz * poses.com_y
         + velocities.velocity_link_1_vx;
     let wrench_base_mz = factor_link_1_zz
-        - (inertias.composite_link_1_hx * minus_twist_base_vy
-            + inertias.composite_link_1_hy * twist_base_vx);
-    let wrench_base_fy = factor_link_1_px - minus_twist_base_vy * 1.75;
-    let turn_joint_1_z = factor_outside_link_1_zz * screws.connection_joint_1_wz
+        - (inertias.composite_link_1_hx * wrench_base_mz_2
+            + inertias.composite_link_1_hy * wrench_base_mz_4);
+    let wrench_base_fy = factor_link_1_px - wrench_base_mz_2 * 1.75;
+    let turn_joint_1_z_0 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
+    let turn_joint_1_z_5 = factor_link_1_zz * reactions.reaction_joint_1_wz;
+    let turn_joint_1_z = turn_joint_1_z_0
         + (factor_outside_link_1_px * screws.connection_joint_1_vy
             + factor_outside_link_1_py * screws.minus_connection_joint_1_vx)
-        - (factor_link_1_zz * reactions.reaction_joint_1_wz
-            - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
+        - (turn_joint_1_z_5 - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
     d_qdot[6][6] = reactions.reaction_joint_1_wz * wrench_base_mz
         - reactions.minus_reaction_joint_1_vy * wrench_base_fy
         + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
@@ -1093,25 +1094,21 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let factor_link_2_py = velocities.velocity_link_2_wz * inertias.inertia_link_2_hx
         - velocities.minus_velocity_link_2_vy * 0.75;
     let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
-    let factor_outside_link_2_zz = factor_link_1_zz_0 + factor_outside_link_1_zz;
-    let factor_outside_link_2_px = factor_link_1_px_0 + factor_outside_link_1_px;
-    let factor_outside_link_2_py = factor_link_1_py_0 + factor_outside_link_1_py;
-    let wrench_base_fx = twist_base_vx * 1.75 - factor_link_1_py;
-    let turn_joint_2_z = factor_outside_link_2_zz * screws.connection_joint_2_wz
-        + (factor_outside_link_2_px * screws.connection_joint_2_vy
-            - factor_outside_link_2_py * screws.connection_joint_2_vx)
-        - (factor_link_2_zz * reactions.reaction_joint_2_wz
-            + (factor_link_2_px * reactions.reaction_joint_2_vy
-                - factor_link_2_py * reactions.reaction_joint_2_vx));
+    let wrench_outside_base_mz = turn_joint_1_z_0 - turn_joint_1_z_5
+        + (inertias.minus_inertia_base_hx * wrench_base_mz_2
+            + inertias.minus_inertia_base_hy * wrench_base_mz_4);
+    let wrench_outside_base_fx = reactions.reaction_joint_1_wz * factor_link_1_py
+        - screws.connection_joint_1_wz * factor_outside_link_1_py
+        + wrench_base_mz_4 * 2.0;
+    let wrench_outside_base_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
+        - reactions.reaction_joint_1_wz * factor_link_1_px - wrench_base_mz_2 * 2.0;
     let three_joint_2_z = factor_link_2_zz
         - (factor_link_2_px * poses.origin_link_2_x
             + factor_link_2_py * poses.origin_link_2_y);
-    d_qdot[6][7] = screws.connection_joint_1_wz * turn_joint_2_z
-        - (wrench_base_mz * screws.connection_joint_2_wz
-            + wrench_base_fx * screws.connection_joint_2_vx
-            + wrench_base_fy * screws.connection_joint_2_vy) + three_joint_2_z
-        + twist_base_vx * screws.inside_joint_2_fx
-        - minus_twist_base_vy * screws.inside_joint_2_fy + 0.0;
+    d_qdot[6][7] = wrench_outside_base_mz * screws.connection_joint_2_wz
+        + wrench_outside_base_fx * screws.connection_joint_2_vx
+        + wrench_outside_base_fy * screws.connection_joint_2_vy
+        + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
     // D_q\u{307} column joint_2
     d_qdot[7][0] = 0.0;
     d_qdot[7][1] = 0.0;
@@ -1119,18 +1116,27 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[7][3] = 0.0;
     d_qdot[7][4] = 0.0;
     d_qdot[7][5] = 0.0;
-    let twist_link_1_vx = velocities.velocity_link_2_wz * poses.origin_link_2_x
+    let wrench_link_1_mz_4 = velocities.velocity_link_2_wz * poses.origin_link_2_x
         - velocities.minus_velocity_link_2_vy;
-    let twist_link_1_vy = velocities.velocity_link_2_wz * poses.origin_link_2_y
+    let wrench_link_1_mz_2 = velocities.velocity_link_2_wz * poses.origin_link_2_y
         - velocities.velocity_link_2_vx;
     let wrench_link_1_mz = factor_link_2_zz
-        + (inertias.inertia_link_2_hx * twist_link_1_vy
-            - inertias.inertia_link_2_hy * twist_link_1_vx);
-    let wrench_link_1_fy = factor_link_2_px + twist_link_1_vy * 0.75;
+        + (inertias.inertia_link_2_hx * wrench_link_1_mz_2
+            - inertias.inertia_link_2_hy * wrench_link_1_mz_4);
+    let wrench_link_1_fy = factor_link_2_px + wrench_link_1_mz_2 * 0.75;
     d_qdot[7][6] = reactions.reaction_joint_1_wz * wrench_link_1_mz
         - reactions.minus_reaction_joint_1_vy * wrench_link_1_fy
         + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
-    let wrench_link_1_fx = twist_link_1_vx * 0.75 - factor_link_2_py;
+    let factor_outside_link_2_zz = factor_link_1_zz_0 + factor_outside_link_1_zz;
+    let factor_outside_link_2_px = factor_link_1_px_0 + factor_outside_link_1_px;
+    let factor_outside_link_2_py = factor_link_1_py_0 + factor_outside_link_1_py;
+    let wrench_link_1_fx = wrench_link_1_mz_4 * 0.75 - factor_link_2_py;
+    let turn_joint_2_z = factor_outside_link_2_zz * screws.connection_joint_2_wz
+        + (factor_outside_link_2_px * screws.connection_joint_2_vy
+            - factor_outside_link_2_py * screws.connection_joint_2_vx)
+        - (factor_link_2_zz * reactions.reaction_joint_2_wz
+            + (factor_link_2_px * reactions.reaction_joint_2_vy
+                - factor_link_2_py * reactions.reaction_joint_2_vx));
     d_qdot[7][7] = reactions.reaction_joint_2_wz * wrench_link_1_mz
         + reactions.reaction_joint_2_vx * wrench_link_1_fx
         + reactions.reaction_joint_2_vy * wrench_link_1_fy

@@ -87,8 +87,9 @@ impl<T: Real> Moving<'_, '_, '_, T> {
 
     /// `Γ'_q(q̇)` into a block.
     ///
-    /// With z_i = Dᵒ_iᵀ A_i − Dᶜ_iᵀ ŝ_i every entry is z_i·A_j (angular parts) and, where i is j or above it, ŝ_i·g_j;
-    /// elsewhere −A_i·g_j; where j is above i also s_i·(Dᶜ_i s_j + Iᶜ_i ṡ_j).
+    /// With g_j = Iᶜ_j ṡ_j + Dᶜ_j s_j and z_i = Dᵒ_iᵀ A_i − Dᶜ_iᵀ ŝ_i the entry is ŝ_i·g_j + z_i·A_j where i is j or above it,
+    /// A_i·(Iᵒ_j ṡ_j + Dᵒ_j A_j − Dᶜ_j ŝ_j) + (Dᶜ_iᵀ s_i)·ŝ_j where j is above i, and z_i·A_j − A_i·g_j elsewhere. Only differences
+    /// that are small where the entry is small are formed (docs/mathematics.md §3.5).
     fn christoffel(&mut self, mut out: Square<'_, '_, T>) {
         let (model, data) = (self.model, &mut *self.data);
         let bodies = model.bodies();
@@ -103,9 +104,11 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         for j in 0..joints {
             let (screw, velocity) = (data.screw[j], data.velocity[j + 1]);
             let (inside, outside) = (&data.factor[j + 1], &data.factor_outside[j + 1]);
-            data.twist[j] = velocity.ad(screw);
-            data.wrench[j] = inside.apply(screw.angular) + data.composite[j + 1] * data.twist[j];
-            let z = outside.apply_transpose(data.connection[j]) - inside.apply_transpose(data.reaction[j]);
+            let (connection, reaction, turning) = (data.connection[j], data.reaction[j], velocity.ad(screw));
+            data.wrench[j] = inside.apply(screw.angular) + data.composite[j + 1] * turning;
+            data.wrench_outside[j] =
+                outside.apply(connection.angular) - inside.apply(reaction.angular) + data.complement[j + 1] * turning;
+            let z = outside.apply_transpose(connection) - inside.apply_transpose(reaction);
             data.six_rows.set(j, data.wrench[j].to_array());
             data.three_rows.set(j, z.into());
             data.three_rows_more.set(j, inside.apply_transpose(screw).into());
@@ -123,11 +126,10 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         for j in 0..joints {
             let end = bodies[j + 1].end - 1;
             let connection: [T; 3] = data.connection[j].angular.into();
-            let above = (-data.wrench[j]).to_array();
-            data.connection_rows.dot_both(above, z, connection, j + 1..end, row);
-            below.add_dot::<3>(data.screw[j].angular.into(), j + 1..end, row);
-            data.inside_rows.add_dot(data.twist[j].to_array(), j + 1..end, row);
-            data.connection_rows.dot_both(above, z, connection, end..joints, row);
+            let reaction: [T; 3] = data.reaction[j].angular.into();
+            let (above, aside) = (data.wrench_outside[j].to_array(), (-data.wrench[j]).to_array());
+            data.connection_rows.dot_both(above, below, reaction, j + 1..end, row);
+            data.connection_rows.dot_both(aside, z, connection, end..joints, row);
             out.column(j, j + 1..joints, |i| row[i]);
         }
     }
