@@ -3,6 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use frs::nalgebra::{Matrix3, Vector3};
+use frs::spatial::Pose;
+use frs::{Model, Workspace};
 use serde_json::Value;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -32,6 +35,32 @@ fn scene(name: &str, rest: &str) -> PathBuf {
     path
 }
 
+/// Names of columns, and rows.
+fn trajectory(folder: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
+    let table = std::fs::read_to_string(folder.join("trajectory.csv")).unwrap();
+    let mut lines = table.lines();
+    let names = lines.next().unwrap().split(',').map(str::to_owned).collect();
+    (names, lines.map(|line| line.split(',').map(|number| number.parse().unwrap()).collect()).collect())
+}
+
+/// The page of a scene, which ended with this exit code.
+fn report(scene: &Path, code: i32) -> String {
+    let out = scene.with_file_name("out");
+    let output = frs(&["simulate", scene.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(code), "{}", text(&output.stderr));
+    std::fs::read_to_string(out.join("report.html")).unwrap()
+}
+
+/// What moves in a page.
+fn motion(report: &str) -> Value {
+    let (_, data) = report.split_once("<script type=\"application/json\" id=\"motion\">").unwrap();
+    serde_json::from_str(data.split_once("</script>").unwrap().0).unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
 #[test]
 fn a_table_and_pictures_are_written_and_told() {
     let out = folder("written").join("made");
@@ -44,14 +73,11 @@ fn a_table_and_pictures_are_written_and_told() {
         let drawn = std::fs::read_to_string(out.join(picture).with_extension("svg")).unwrap();
         assert!(drawn.starts_with("<svg") && drawn.ends_with("</svg>\n") && !drawn.contains("NaN"), "{picture}");
     }
-    assert_eq!(std::fs::read_dir(&out).unwrap().count(), pictures.len() + 1, "and nothing beside");
+    assert!(told.contains("report.html") && std::fs::exists(out.join("report.html")).unwrap());
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), pictures.len() + 2, "and nothing beside");
 
-    let table = std::fs::read_to_string(out.join("trajectory.csv")).unwrap();
-    let mut lines = table.lines();
-    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let column = |name: &str| names.iter().position(|n| *n == name).unwrap_or_else(|| panic!("{name} in {names:?}"));
-    let rows: Vec<Vec<f64>> =
-        lines.map(|line| line.split(',').map(|number| number.parse().unwrap()).collect()).collect();
+    let (names, rows) = trajectory(&out);
+    let column = |name: &str| names.iter().position(|n| n == name).unwrap_or_else(|| panic!("{name} in {names:?}"));
     assert_eq!(rows.len(), 801);
     assert!(rows.iter().all(|row| row.len() == names.len()));
     assert_eq!((rows[0][column("time")], rows[800][column("time")]), (0.0, 4.0));
@@ -59,6 +85,84 @@ fn a_table_and_pictures_are_written_and_told() {
     assert_eq!(rows[0][column("q.joint_4")], 1.0);
     // The base turns about its y axis: −sin of the angle stands in row z, column x.
     assert!(rows[100][column("pose.r_zx")] < -0.09 && rows[100][column("pose.r_xz")] > 0.09);
+}
+
+#[test]
+fn a_report_needs_nothing_beside_itself() {
+    let page = report(&scene("alone", "[start]\nqd = { joint_2 = 0.5 }"), 0);
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    let outside = page.replace("http://www.w3.org/2000/svg", "");
+    for word in ["http:", "https:", "//www", "src=", "href=", "@import", "url(", "fetch(", "import("] {
+        assert!(!outside.contains(word), "{word}");
+    }
+    assert_eq!(page.matches("<figure><svg").count(), 6);
+    let told = ["the whole motion was computed", "energy and work differ by", "rotation is one to"];
+    assert!(told.iter().all(|part| page.contains(part)), "the summary");
+    let motion = motion(&page);
+    let lines = page.matches("class=\"name\"").count();
+    assert!(
+        motion["values"].as_array().unwrap().iter().all(|row| numbers(row).len() == lines),
+        "a value for each name"
+    );
+}
+
+#[test]
+fn names_cannot_break_a_report() {
+    const NAME: &str = "</script><img>&{style}";
+    let path = scene("names", "");
+    let robot = path.with_file_name("robot.urdf");
+    let urdf = std::fs::read_to_string(&robot).unwrap();
+    let written = "&lt;/script>&lt;img>&amp;{style}";
+    std::fs::write(&robot, urdf.replace("joint_1", written).replace("lwr_satellite", written)).unwrap();
+    let page = report(&path, 0);
+    assert_eq!((page.matches("</script").count(), page.matches("<img").count()), (2, 0));
+    assert!(page.contains("<h1>&lt;/script&gt;&lt;img&gt;&amp;{style} "));
+    assert_eq!(motion(&page)["joints"][0]["name"].as_str(), Some(NAME));
+}
+
+#[test]
+fn a_report_has_few_frames_however_many_samples() {
+    for (name, rest, most) in
+        [("often", "samples_per_second = 2000", 31), ("once", "[start]\nqd = { joint_2 = 1e200 }", 1)]
+    {
+        let path = scene(name, rest);
+        let motion = motion(&report(&path, i32::from(most == 1)));
+        let times = numbers(&motion["times"]);
+        let (_, rows) = trajectory(&path.with_file_name("out"));
+        assert!(times.len() <= most && times.len() * 3 >= most * 2, "{name}: {}", times.len());
+        assert_eq!((times[0], times[times.len() - 1]), (0.0, rows[rows.len() - 1][0]), "{name}");
+        assert_eq!(motion["points"].as_array().unwrap().len(), times.len());
+    }
+}
+
+/// Units by which a point of a page differs from where it is: half a unit by rounding, and the last digits of doubles.
+const ROUNDING: f64 = 0.51;
+
+#[test]
+fn joints_of_a_report_are_where_the_core_puts_them() {
+    let path = scene("places", "[start]\nmu = [0, 0.5, 0, 1, 0, 0]\nq = { joint_2 = 0.7 }\nqd = { joint_4 = 2 }");
+    let motion = motion(&report(&path, 0));
+    let (names, rows) = trajectory(&path.with_file_name("out"));
+    let model = Model::from_urdf(frs::urdf::LWR_SATELLITE).unwrap();
+    let mut work = Workspace::new(&model);
+    let unit = motion["unit"].as_f64().unwrap();
+    let (times, joints) = (numbers(&motion["times"]), motion["joints"].as_array().unwrap());
+    assert_eq!((joints.len(), names[13].as_str()), (7, "q.joint_1"));
+    for (time, points) in times.iter().zip(motion["points"].as_array().unwrap()) {
+        let row = rows.iter().find(|row| row[0] == *time).unwrap();
+        let pose = Pose::new(Matrix3::from_row_slice(&row[4..13]), Vector3::from_row_slice(&row[1..4]));
+        let shape = work.shape(&row[13..20]);
+        let points = numbers(points);
+        let seen = |point: usize| Vector3::from_row_slice(&points[3 * point..3 * point + 3]);
+        for joint in joints {
+            let link = model.link(&joint["name"].as_str().unwrap().replace("joint", "link")).unwrap();
+            let expected = (pose * shape.link_pose(link)).translation / unit;
+            let difference = seen(joint["point"].as_u64().unwrap() as usize) - expected;
+            assert!(difference.amax() < ROUNDING, "{joint} at {time} s: {difference}");
+        }
+        let com = pose.transform(shape.com()) / unit;
+        assert!((seen(points.len() / 3 - 1) - com).amax() < ROUNDING, "centre of mass at {time} s");
+    }
 }
 
 #[test]
@@ -114,17 +218,17 @@ fn explain_tells_what_is_computed_and_what_is_not() {
         (
             "paper",
             &[
-                "[base_wrench], line",
+                "[wrench], line",
                 "Momentum: driven",
-                "from 0.51 s to 0.55 s",
+                "the steps meet 0.51, 0.55 s exactly",
                 "20 numbers",
                 "Λ_b μ̇ = F₁",
-                "gravity, joint_torque, friction, spring",
+                "gravity, drag, contact, joint_torque, friction, spring",
             ][..],
         ),
         (
             "tumbling",
-            &["[spring], line 14", "Momentum: conserved", "14 numbers", "μ = Λ_b⁻¹ Ad_{g₁}ᵀ J", "the equation of μ"],
+            &["[spring], line 14", "Momentum: conserved", "14 numbers", "Λ_c μ_c = R₁ᵀ h", "the equation of μ"],
         ),
         ("reach", &["[regulator], line", "Momentum: zero", "Λ_q q̈ = τ − Γ'_q(q̇) q̇\n", "all terms with μ"]),
     ] {

@@ -9,3 +9,4 @@ pub mod integrate;
 pub mod motion;
 pub mod run;
 pub mod scene;
+pub mod signal;

@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 
 use frs_core::{Evaluator, FloatingBase, Model, Quantity, Workspace, urdf};
 use frs_sim::effects::{Decoupling, Gains, Regulator};
-use frs_sim::motion::Instant;
 use frs_sim::run::{End, Sample, run};
 use frs_sim::scene::{Force, Scene};
 use nalgebra::{DMatrix, DVector};
@@ -46,10 +45,9 @@ fn both(model: &Model) -> [(Gains, Vec<Sample>); 2] {
 /// The decoupling torque of a regulator at the state of a sample, but with the shape velocity `qd`.
 fn decoupling(model: &Model, gains: &Gains, decoupling: Decoupling, sample: &Sample, qd: &[f64]) -> DVector<f64> {
     let gains = Gains { decoupling, ..gains.clone() };
-    let mut regulator = Regulator::new(Evaluator::new(model), gains);
-    let Sample { time, pose, q, mu, .. } = sample;
-    let instant = Instant { time: *time, pose, q, qd, mu: *mu };
-    DVector::from_column_slice(regulator.decoupling_torque(&instant))
+    let mut work = Workspace::new(model);
+    let mut shape = work.shape(&sample.q);
+    DVector::from_column_slice(Regulator::new(gains).decoupling_torque(&mut shape.moving(qd), sample.mu))
 }
 
 fn norm(numbers: &[f64]) -> f64 {

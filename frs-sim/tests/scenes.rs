@@ -69,8 +69,10 @@ fn the_momentum_case_is_derived() {
         ("[spring]\nstiffness = 1\n[friction]\nviscous = 1", Case::Zero),
         ("[start]\nmu = [0, 0.1, 0, 0, 0, 0]", Case::Conserved),
         ("[start]\nbase_twist = [0, 0, 0, 0, 0, 0]\nqd = { joint_2 = 1 }", Case::Conserved),
-        ("[gravity]\nacceleration = [0, 0, -9.81]", Case::Driven),
-        ("[[base_wrench]]\nforce = [1, 0, 0]\nstart = 0.1\nend = 0.2", Case::Driven),
+        ("[gravity]\nacceleration = [0, 0, -9.81]", Case::Ballistic),
+        ("[gravity]\nacceleration = [0, 0, -9.81]\n[wrench]\nforce = [1, 0, 0]", Case::Driven),
+        ("[drag]\nlink = 'base'\ntranslational = [1, 1, 1]", Case::Driven),
+        ("[[wrench]]\nforce = [1, 0, 0]\nstart = 0.1\nend = 0.2", Case::Driven),
     ];
     for (text, case) in cases {
         assert_eq!(scene(text).case(), case, "{text}");
@@ -125,18 +127,15 @@ fn what_is_wrong_is_told_in_place() {
         ),
         ("[gravity]", "scene.toml:3:1: gravity.acceleration: missing; expected three numbers"),
         ("[friction]\nviscous = -1", "scene.toml:4:11: friction.viscous: found -1; expected no negative number"),
-        ("[base_wrench]", "scene.toml:3:1: base_wrench: no wrench; expected moment, force, or both"),
+        ("[wrench]", "scene.toml:3:1: wrench: no wrench; expected moment, force, or both"),
         (
-            "[[base_wrench]]\nforce = [1, 0, 0]\nend = 0.1\n[[base_wrench]]\nforce = [1, 0, 0]\nstart = 0.2\nend = 0.1",
-            "scene.toml:6:1: base_wrench: it acts from 0.2 s to 0.1 s; expected a start before the end",
+            "[[wrench]]\nforce = [1, 0, 0]\nend = 0.1\n[[wrench]]\nforce = [1, 0, 0]\nstart = 0.2\nend = 0.1",
+            "scene.toml:6:1: wrench: it acts from 0.2 s to 0.1 s; expected a start before the end",
         ),
+        ("[wrench]\nforce = [1, 0, 0]\nstart = 0.5", "scene.toml:3:1: wrench: it acts from 0.5 s to inf s; expected"),
         (
-            "[base_wrench]\nforce = [1, 0, 0]\nstart = 0.5",
-            "scene.toml:3:1: base_wrench: it acts from 0.5 s to inf s; expected",
-        ),
-        (
-            "[base_wrench]\nforce = [1, 0, 0]\nframe = 'wrld'",
-            "scene.toml:5:9: base_wrench.frame: found 'wrld'; did you mean 'world'?",
+            "[wrench]\nforce = [1, 0, 0]\naxes = 'wrld'",
+            "scene.toml:5:8: wrench.axes: found 'wrld'; did you mean 'world'?",
         ),
         (
             "[joint_torque]\ntau = { joint_1 = 'a' }",
@@ -209,8 +208,8 @@ fn an_effect_costs_its_own_operations_and_an_absent_one_none() {
     ] {
         assert_eq!(operations(&scene(text)), none + cost, "{text}");
     }
-    let pulse = "[base_wrench]\nforce = [1, 0, 0]\nstart = 0.2\nend = 0.3";
-    let always = "[base_wrench]\nforce = [1, 0, 0]";
+    let pulse = "[wrench]\nforce = [1, 0, 0]\nstart = 0.2\nend = 0.3";
+    let always = "[wrench]\nforce = [1, 0, 0]";
     assert_eq!(operations(&scene(always)), operations(&scene(pulse)) + 6, "a pulse costs nothing before it begins");
     // Momentum that is conserved is one solve more than momentum that is zero.
     let conserved = operations(&scene("[start]\nmomentum = [1, 0, 0, 0, 0, 0]"));
@@ -238,7 +237,7 @@ fn joint_effects_of_size_zero_change_no_bit() {
 fn effects_on_the_momentum_of_size_zero_change_the_motion_by_its_accuracy() {
     const ACCURACY: f64 = 1e-6;
     let without = flown(&scene(SWING));
-    for zero in ["[gravity]\nacceleration = [0, 0, 0]", "[base_wrench]\nforce = [0, 0, 0]\nstart = 0.1\nend = 0.3"] {
+    for zero in ["[gravity]\nacceleration = [0, 0, 0]", "[wrench]\nforce = [0, 0, 0]\nstart = 0.1\nend = 0.3"] {
         let with = flown(&scene(&format!("{SWING}{zero}")));
         for (one, other) in with.samples.iter().zip(&without.samples) {
             let apart = one.q.iter().zip(&other.q).fold(0.0, |apart: f64, (a, b)| apart.max((a - b).abs()));
@@ -253,7 +252,7 @@ fn a_pulse_changes_the_momentum_by_force_times_time() {
     /// Sums of a few hundred rounded steps.
     const ROUNDING: f64 = 1e-9;
     let record =
-        flown(&scene(&format!("{SWING}[base_wrench]\nforce = [3, 0, 4]\nframe = 'world'\nstart = 0.123\nend = 0.321")));
+        flown(&scene(&format!("{SWING}[wrench]\nforce = [3, 0, 4]\naxes = 'world'\nstart = 0.123\nend = 0.321")));
     let change = |time: f64| {
         let sample = record.samples.iter().rfind(|sample| sample.time <= time).unwrap();
         (sample.momentum - record.samples[0].momentum).force

@@ -32,7 +32,7 @@ impl Explain {
         effects(&mut out, &scene, &costs)?;
         momentum(&mut out, &scene)?;
         state(&mut out, &scene, &model)?;
-        writeln!(out, "\nEquations\n{}", equations(scene.case()))?;
+        writeln!(out, "\nEquations\n{}", equations(&scene))?;
         writeln!(
             out,
             "\nOne evaluation of them\n  as the simulator computes them: {}\n  without what is constant here or not used: {}",
@@ -50,19 +50,20 @@ fn effects(out: &mut impl Write, scene: &Scene, costs: &Costs) -> io::Result<()>
     rows.load_preset(presets::NOTHING);
     for (named, cost) in scene.forces.iter().zip(&costs.effects) {
         let (key, line) = (named.force.key(), named.line);
-        rows.add_row([&format!("  [{key}], line {line}"), named.force.equation(), &cost.to_string()]);
+        let cost = cost.map_or("part of the equations".to_owned(), |cost| cost.to_string());
+        rows.add_row([&format!("  [{key}], line {line}"), named.force.equation(), &cost]);
     }
     writeln!(out, "Effects\n{rows}")?;
     for named in &scene.forces {
-        if let Force::BaseWrench(wrench) = &named.force {
-            let until =
-                if wrench.during().end.is_finite() { format!("{} s", wrench.during().end) } else { "the end".into() };
-            writeln!(
-                out,
-                "  [base_wrench], line {}: from {} s to {until}; the steps meet these times exactly",
-                named.line,
-                wrench.during().start
-            )?;
+        let knots = named.force.knots();
+        if !knots.is_empty() {
+            let times: Vec<String> = knots.iter().map(f64::to_string).collect();
+            let (key, line) = (named.force.key(), named.line);
+            writeln!(out, "  [{key}], line {line}: the steps meet {} s exactly", times.join(", "))?;
+        }
+        if matches!(named.force, Force::Stops { .. } | Force::Contact(_)) {
+            let (key, line) = (named.force.key(), named.line);
+            writeln!(out, "  [{key}], line {line}: the steps meet the instants of touching and leaving")?;
         }
     }
     Ok(())
@@ -70,11 +71,16 @@ fn effects(out: &mut impl Write, scene: &Scene, costs: &Costs) -> io::Result<()>
 
 fn momentum(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     let case = scene.case();
-    let driving: Vec<_> = scene.forces.iter().filter(|named| named.force.drives_momentum()).collect();
+    let falls = |force: &Force| matches!(force, Force::Gravity(_));
+    let drives = |force: &Force| force.drives_momentum() || falls(force);
+    let driving: Vec<_> = scene.forces.iter().filter(|named| drives(&named.force)).collect();
     let why = match case {
         Case::Driven => {
             let named: Vec<_> = driving.iter().map(|n| format!("[{}] in line {}", n.force.key(), n.line)).collect();
             format!("{} can change it", named.join(", "))
+        }
+        Case::Ballistic => {
+            "gravity alone changes it, and not about the centre of mass, which falls on a parabola".into()
         }
         Case::Conserved => "no effect can change it, and at the start it is not zero".into(),
         Case::Zero => "no effect can change it, and at the start it is zero".into(),
@@ -86,7 +92,7 @@ fn state(out: &mut impl Write, scene: &Scene, model: &Model) -> io::Result<()> {
     let (n, case) = (model.dof(), scene.case());
     let mu = match case {
         Case::Driven => "6 for μ, ".to_owned(),
-        Case::Conserved => "none for μ, which follows from the momentum, ".to_owned(),
+        Case::Conserved | Case::Ballistic => "none for μ, which follows from the momentum, ".to_owned(),
         Case::Zero => "none for μ, which is 0, ".to_owned(),
     };
     let numbers = 2 * n + case.numbers();
@@ -96,17 +102,31 @@ fn state(out: &mut impl Write, scene: &Scene, model: &Model) -> io::Result<()> {
     )
 }
 
-/// The equations of motion that are left in a case.
-fn equations(case: Case) -> &'static str {
-    match case {
-        Case::Zero => "  Λ_q q̈ = τ − Γ'_q(q̇) q̇\n  ġ₁ = g₁ (−A_l q̇)^",
-        Case::Conserved => {
-            "  Λ_q q̈ = τ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇\n  μ = Λ_b⁻¹ Ad_{g₁}ᵀ J,  J constant\n  ġ₁ = g₁ (μ − A_l q̇)^"
-        }
-        Case::Driven => {
-            "  Λ_q q̈ = τ − A_lᵀ F₁ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇\n  Λ_b μ̇ = F₁ + ad_{V₁}ᵀ Λ_b μ − P(q̇) μ\n  ġ₁ = g₁ V₁^,  V₁ = μ − A_l q̇"
-        }
-    }
+/// The equations of motion that are left.
+fn equations(scene: &Scene) -> String {
+    let any = |of: fn(&Force) -> bool| scene.forces.iter().any(|named| of(&named.force));
+    let inertia = if any(|force| matches!(force, Force::Rotors(_))) { "(Λ_q + J)" } else { "Λ_q" };
+    let (shape, momentum) = match scene.case() {
+        Case::Zero => ("τ − Γ'_q(q̇) q̇", "ġ₁ = g₁ (−A_l q̇)^"),
+        Case::Conserved => (
+            "τ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇",
+            "Λ_c μ_c = R₁ᵀ h,  h constant (about the centre of mass)\n  ġ₁ = g₁ (μ − A_l q̇)^",
+        ),
+        Case::Ballistic => (
+            "τ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇",
+            "Λ_c μ_c = R₁ᵀ (h + [0; m a t]),  h constant (about the centre of mass)\n  ġ₁ = g₁ (μ − A_l q̇)^",
+        ),
+        Case::Driven => (
+            "τ − A_lᵀ F₁ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇",
+            "Λ_b μ̇ = F₁ + ad_{V₁}ᵀ Λ_b μ − P(q̇) μ\n  ġ₁ = g₁ V₁^,  V₁ = μ − A_l q̇",
+        ),
+    };
+    let given = if any(|force| matches!(force, Force::Prescribed(..))) {
+        "\n  for joints on a course τ is what this takes, for the others q̈"
+    } else {
+        ""
+    };
+    format!("  {inertia} q̈ = {shape}{given}\n  {momentum}")
 }
 
 fn left_out(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
@@ -118,7 +138,7 @@ fn left_out(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     }
     match scene.case() {
         Case::Zero => writeln!(out, "  all terms with μ, and the equation of μ"),
-        Case::Conserved => writeln!(out, "  the equation of μ"),
+        Case::Conserved | Case::Ballistic => writeln!(out, "  the equation of μ"),
         Case::Driven => writeln!(out, "  nothing of the equations"),
     }
 }

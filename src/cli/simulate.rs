@@ -1,8 +1,9 @@
-//! `frs simulate`: what happens in a scene, as a table and as pictures.
+//! `frs simulate`: what happens in a scene, as a table, as pictures and as a page that moves.
 
 mod chart;
 mod pictures;
 mod report;
+mod summary;
 mod trajectory;
 
 use std::ops::ControlFlow;
@@ -11,16 +12,17 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use frs_sim::run::{End, run};
+use frs_sim::run::run;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use self::report::Report;
+use self::summary::Summary;
 use super::{Failure, scene, write};
 
 /// Compute the motion of a scene and write it down.
 ///
-/// Writes trajectory.csv (time, pose, shape, locked velocity, energy, momentum, torques) and pictures (SVG) of the shape, its
-/// rates, the locked velocity, the torques, the energy and the momentum. Ctrl-C keeps what was computed.
+/// Writes trajectory.csv (time, pose, shape, locked velocity, energy, momentum, torques), pictures (SVG) of the shape, its
+/// rates, the locked velocity, the torques, the energy and the momentum, and report.html, in which the robot moves beside them.
+/// Ctrl-C keeps what was computed.
 #[derive(Args)]
 #[command(
     after_help = "Exit codes: 0 ok, 1 the motion could not be continued or was stopped (what was computed is written), 2 bad input."
@@ -54,23 +56,23 @@ impl Simulate {
         });
         progress.finish_and_clear();
 
+        let charts = pictures::all(&model, &record.samples);
+        let summary = Summary::new(&scene, &model, &record);
         let mut files = vec![("trajectory.csv", trajectory::table(&model, &record.samples))];
-        files.extend(pictures::all(&model, &record.samples));
+        files.extend(charts.iter().map(|(name, chart)| (*name, chart.svg())));
+        files.push(("report.html", report::page(&self.scene, &model, &record.samples, &summary, &charts)?));
         for (name, text) in &files {
             write(&self.out.join(name), text)?;
         }
-        let files = files.into_iter().map(|(name, _)| name).collect();
-        let report = Report::new(&scene, &model, &record, files);
+        let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
         if self.json {
-            report.json()?
+            summary.json(&names)?
         } else {
-            report.print()?
+            summary.print(&names)?
         }
-        let time = report.time();
-        match record.end {
-            End::Whole => Ok(()),
-            End::Stopped => Err(Failure::Check(format!("stopped at t = {time} s; what was computed is written"))),
-            End::Failed(error) => Err(Failure::Check(format!("{error}; what was computed is written"))),
+        match summary.ending() {
+            None => Ok(()),
+            Some(ending) => Err(Failure::Check(format!("{ending}; what was computed is written"))),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::Real;
 use crate::spatial::{Twist, Wrench};
-use crate::sweep::{Moving, articulated_accelerations, newton_euler, project};
+use crate::sweep::{Data, Moving, articulated_accelerations, newton_euler, project};
 
 use super::factor::{factor, solve};
 
@@ -27,24 +27,23 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `tau` does not have n entries or `xi_dot` 6+n.
     pub fn forward_dynamics(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, tau: &[T], xi_dot: &mut [T]) {
-        let com = self.com();
-        let (centroidal, wrench) = (mu.at(com), base_wrench.at(com));
+        self.factored_acceleration(mu, base_wrench, tau, &mut xi_dot[6..]);
+        xi_dot[..6].copy_from_slice(&self.locked_acceleration(mu, base_wrench).to_array());
+    }
+
+    /// q̈ by factoring Λ_q.
+    fn factored_acceleration(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, tau: &[T], acceleration: &mut [T]) {
         let mut matrix = std::mem::take(&mut self.data.matrix);
         self.shape_inertia(&mut matrix);
-
-        let (model, data) = (self.model, &mut *self.data);
-        newton_euler(model, data, centroidal, Twist::zero(), |_| T::zero());
-        let acceleration = &mut xi_dot[6..];
-        project(model, data, acceleration);
-        let mut carried = std::mem::take(&mut data.vector);
-        model.gather(&mut carried, |j| data.connection[j].dot(wrench));
-        for ((x, &tau), &carried) in acceleration.iter_mut().zip(tau).zip(&carried) {
-            *x = tau - carried - *x;
+        let com = self.com();
+        self.required_torques(mu.at(com), base_wrench.at(com), None);
+        let Data { vector, vector_more, .. } = &*self.data;
+        for (((x, &tau), &carried), &bias) in acceleration.iter_mut().zip(tau).zip(vector_more).zip(vector) {
+            *x = tau - carried - bias;
         }
         factor(&mut matrix);
         solve(&matrix, acceleration);
-        (data.vector, data.matrix) = (carried, matrix);
-        self.locked_acceleration(centroidal, wrench, xi_dot);
+        self.data.matrix = matrix;
     }
 
     /// `ξ̇ = [μ̇; q̈]` as [`forward_dynamics`](Self::forward_dynamics), in O(n) by an articulated-body sweep:
@@ -55,14 +54,116 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `tau` does not have n entries or `xi_dot` 6+n.
     pub fn forward_dynamics_articulated(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, tau: &[T], xi_dot: &mut [T]) {
+        self.shape_acceleration(mu, base_wrench, tau, &mut xi_dot[6..]);
+        xi_dot[..6].copy_from_slice(&self.locked_acceleration(mu, base_wrench).to_array());
+    }
+
+    /// The shape's half `q̈` (length n) of [`forward_dynamics_articulated`](Self::forward_dynamics_articulated): all that is to be
+    /// integrated where the momentum is known.
+    ///
+    /// # Panics
+    /// If `tau` or `qdd` does not have n entries.
+    pub fn shape_acceleration(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, tau: &[T], qdd: &mut [T]) {
+        assert!(
+            tau.len() == self.model.dof() && qdd.len() == tau.len(),
+            "tau and q̈ must have one entry per coordinate"
+        );
         if self.model.has_mimic() {
-            return self.forward_dynamics(mu, base_wrench, tau, xi_dot);
+            return self.factored_acceleration(mu, base_wrench, tau, qdd);
         }
         let com = self.com();
-        let (centroidal, wrench) = (mu.at(com), base_wrench.at(com));
-        articulated_accelerations(self.model, self.data, centroidal, wrench, tau);
-        self.model.gather(&mut xi_dot[6..], |j| self.data.row[j]);
-        self.locked_acceleration(centroidal, wrench, xi_dot);
+        articulated_accelerations(self.model, self.data, mu.at(com), base_wrench.at(com), tau);
+        self.model.gather(qdd, |j| self.data.row[j]);
+    }
+
+    /// Hybrid dynamics: some joints are given torques and accelerate, others are given accelerations and need torques.
+    ///
+    /// Coordinate i is of the second kind where `given[i]`: there `qdd[i]` is read and `tau[i]` written, elsewhere `tau[i]` is read
+    /// and `qdd[i]` written. With f for the free and g for the given ones, `b` for all terms without accelerations,
+    /// `(Λ_q + J)_ff q̈_f = τ_f − b_f − Λ_q,fg q̈_g` and `τ_g = [(Λ_q + J) q̈ + b]_g`: Λ is block diagonal, so that μ̇ does not enter.
+    /// `rotor` is the diagonal of J, what the drives' rotors add to the shape inertia (kg·m², kg).
+    ///
+    /// # Panics
+    /// If a slice does not have n entries.
+    pub fn hybrid_dynamics(
+        &mut self,
+        mu: Twist<T>,
+        base_wrench: Wrench<T>,
+        rotor: &[T],
+        given: &[bool],
+        tau: &mut [T],
+        qdd: &mut [T],
+    ) {
+        let n = self.model.dof();
+        assert!(
+            [rotor.len(), given.len(), tau.len(), qdd.len()] == [n; 4],
+            "each slice must have one entry per coordinate"
+        );
+        let com = self.com();
+        let (mu, wrench) = (mu.at(com), base_wrench.at(com));
+        if given.contains(&false) {
+            let mut matrix = std::mem::take(&mut self.data.matrix);
+            self.shape_inertia(&mut matrix);
+            self.required_torques(mu, wrench, None);
+            for i in 0..n {
+                matrix[(i, i)] += rotor[i];
+            }
+            for i in (0..n).filter(|&i| !given[i]) {
+                qdd[i] = tau[i] - self.data.vector_more[i] - self.data.vector[i];
+                for k in (0..n).filter(|&k| given[k]) {
+                    qdd[i] -= matrix[(i, k)] * qdd[k];
+                }
+            }
+            // What is given solves an equation of its own.
+            for k in (0..n).filter(|&k| given[k]) {
+                matrix.row_mut(k).fill(T::zero());
+                matrix.column_mut(k).fill(T::zero());
+                matrix[(k, k)] = T::one();
+            }
+            factor(&mut matrix);
+            solve(&matrix, qdd);
+            self.data.matrix = matrix;
+        }
+        if given.contains(&true) {
+            self.required_torques(mu, wrench, Some(qdd));
+            for k in (0..n).filter(|&k| given[k]) {
+                tau[k] = self.data.vector[k] + self.data.vector_more[k] + rotor[k] * qdd[k];
+            }
+        }
+    }
+
+    /// The shape's half of [`inverse_dynamics`](Self::inverse_dynamics) without a wrench on the base: the torques
+    /// `τ = Λ_q q̈ + [D_q̇ ξ − D_μ ξ]_q` (length n) that give `q̈`.
+    ///
+    /// # Panics
+    /// If `qdd` or `tau` does not have n entries.
+    pub fn shape_torque(&mut self, mu: Twist<T>, qdd: &[T], tau: &mut [T]) {
+        self.required_torques(mu.at(self.com()), Wrench::zero(), Some(qdd));
+        tau.copy_from_slice(&self.data.vector);
+    }
+
+    /// The torques that joint accelerations (none: 0) and the motion require, into `data.vector`, and those that a wrench on the base
+    /// requires, into `data.vector_more`. Twist and wrench in the centroidal frame.
+    fn required_torques(&mut self, mu: Twist<T>, wrench: Wrench<T>, qdd: Option<&[T]>) {
+        let (model, data) = (self.model, &mut *self.data);
+        let (mut torque, mut carried) = (std::mem::take(&mut data.vector), std::mem::take(&mut data.vector_more));
+        match qdd {
+            None => newton_euler(model, data, mu, Twist::zero(), |_| T::zero()),
+            Some(qdd) => {
+                let acceleration = |j: usize| {
+                    let drive = model.bodies()[j + 1].drive;
+                    qdd[drive.coordinate] * drive.ratio
+                };
+                let mut base = Twist::zero();
+                for j in 0..model.joints() {
+                    base = base - data.connection[j] * acceleration(j);
+                }
+                newton_euler(model, data, mu, base, acceleration);
+            }
+        }
+        project(model, data, &mut torque);
+        model.gather(&mut carried, |j| data.connection[j].dot(wrench));
+        (data.vector, data.vector_more) = (torque, carried);
     }
 
     /// The base wrench `F₁` (base frame, returned) and joint torques `τ` (length n) that give `ξ̇ = [μ̇; q̈]`, in O(n).
@@ -76,30 +177,18 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let mu_dot = Twist::from_array(std::array::from_fn(|i| xi_dot[i])).at(com);
         let required = self.locked_momentum(mu_dot) + self.locked_rate() * centroidal - self.momentum_rate(centroidal);
 
-        let (model, data) = (self.model, &mut *self.data);
-        let joint_acceleration = |j: usize| {
-            let drive = model.bodies()[j + 1].drive;
-            qdd[drive.coordinate] * drive.ratio
-        };
-        let mut base = Twist::zero();
-        for j in 0..model.joints() {
-            base = base - data.connection[j] * joint_acceleration(j);
+        self.required_torques(centroidal, required, Some(qdd));
+        for ((tau, &torque), &carried) in tau.iter_mut().zip(&self.data.vector).zip(&self.data.vector_more) {
+            *tau = torque + carried;
         }
-        newton_euler(model, data, centroidal, base, joint_acceleration);
-        project(model, data, tau);
-        let mut carried = std::mem::take(&mut data.vector);
-        model.gather(&mut carried, |j| data.connection[j].dot(required));
-        for (tau, &carried) in tau.iter_mut().zip(&carried) {
-            *tau += carried;
-        }
-        data.vector = carried;
         required.at(-com)
     }
 
-    /// μ̇ from the momentum equation, into the first six entries of `xi_dot`; arguments in the centroidal frame.
-    fn locked_acceleration(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, xi_dot: &mut [T]) {
-        let rate = self.momentum_rate(mu) - self.locked_rate() * mu + base_wrench;
-        let acceleration = self.locked_solve(rate).at(-self.com());
-        xi_dot[..6].copy_from_slice(&acceleration.to_array());
+    /// The momentum's half of the equations, `μ̇ = Λ_b⁻¹ (F₁ + ad_{V₁}ᵀ Λ_b μ − P(q̇) μ)` (all base frame).
+    pub fn locked_acceleration(&mut self, mu: Twist<T>, base_wrench: Wrench<T>) -> Twist<T> {
+        let com = self.com();
+        let mu = mu.at(com);
+        let rate = self.momentum_rate(mu) - self.locked_rate() * mu + base_wrench.at(com);
+        self.locked_solve(rate).at(-com)
     }
 }

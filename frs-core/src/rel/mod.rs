@@ -9,7 +9,7 @@ mod derivative;
 mod equations;
 mod factor;
 mod inertia;
-mod jacobian;
+mod links;
 mod momentum;
 mod vectors;
 

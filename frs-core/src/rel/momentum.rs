@@ -12,7 +12,13 @@ impl<T: Real> Shape<'_, '_, T> {
 
     /// `μ = Λ_b⁻¹ p`, the locked velocity with the body momentum `p` (both base frame): [`body_momentum`](Self::body_momentum) undone.
     pub fn velocity_of_momentum(&self, momentum: Wrench<T>) -> Twist<T> {
-        self.locked_solve(momentum.at(self.com())).at(-self.com())
+        self.velocity_of_centroidal_momentum(momentum.at(self.com()))
+    }
+
+    /// μ (base frame) from the momentum `h` about the centre of mass in base axes: [`centroidal_momentum`](Self::centroidal_momentum)
+    /// undone.
+    pub fn velocity_of_centroidal_momentum(&self, momentum: Wrench<T>) -> Twist<T> {
+        self.locked_solve(momentum).at(-self.com())
     }
 
     /// The momentum about the centre of mass, in base axes.

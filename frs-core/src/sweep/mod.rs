@@ -99,6 +99,7 @@ pub(crate) struct Data<T: Real> {
     pub six_rows_more: Columns<T, 6>,
     /// Per coordinate.
     pub vector: Vec<T>,
+    pub vector_more: Vec<T>,
     pub matrix: DMatrix<T>,
     /// Per body.
     pub twist: Vec<Twist<T>>,
@@ -152,6 +153,7 @@ impl<'m, T: Real> Workspace<'m, T> {
             six_rows: Columns::new(joints),
             six_rows_more: Columns::new(joints),
             vector: vec![T::zero(); model.dof()],
+            vector_more: vec![T::zero(); model.dof()],
             matrix: DMatrix::zeros(model.dof(), model.dof()),
             twist: twist.clone(),
             twist_more: twist,

@@ -1,8 +1,8 @@
 //! Every public quantity equals the sum over links that defines it.
 
 use frs_core::Curvature;
-use frs_core::spatial::Pose;
-use nalgebra::{DVector, Matrix3, Vector1, Vector3, Vector6};
+use frs_core::spatial::{Pose, Wrench};
+use nalgebra::{DVector, Matrix3, Matrix6xX, Vector1, Vector3, Vector6};
 use proptest::prelude::*;
 
 use crate::algebra::{adjoint, adjoint_inverse};
@@ -162,6 +162,27 @@ proptest! {
                 close(&six_by(spec.dof(), |out| robot.link_jacobian(number, out)), &k.j, ROUNDING)?;
                 let generalized = six_by(spec.dof(), |out| robot.generalized_jacobian(number, out));
                 close(&generalized, &k.jt, ROUNDING)?;
+            }
+            Ok(())
+        })?;
+    }
+
+    #[test]
+    fn wrenches_on_links_do_the_work_of_links(case in case()) {
+        case.judge(|spec, robot| {
+            let mu = twist(&case.mu);
+            let (base, wrench) = (robot.base_twist(mu), Wrench::from_array([0.7, -0.3, 0.5, 1.1, -0.8, 0.4]));
+            for link in 0..robot.model().links().len() {
+                let mut jacobian = Matrix6xX::zeros(spec.dof());
+                robot.link_jacobian(link, &mut jacobian);
+                let own = robot.link_pose(link).act_inverse(base).to_vector() + &jacobian * &case.qd;
+                close(&robot.link_twist(link, mu).to_vector(), &own, ROUNDING)?;
+                let mut tau = vec![0.0; spec.dof()];
+                let on_base = robot.add_link_wrench(link, wrench, &mut tau);
+                let power = base.dot(on_base) + DVector::from_vec(tau).dot(&case.qd);
+                let expected = own.dot(&wrench.to_vector());
+                let size = own.norm() + 1.0;
+                close(&Vector1::new(power / size), &Vector1::new(expected / size), ROUNDING)?;
             }
             Ok(())
         })?;

@@ -6,7 +6,7 @@
 //!
 //! It accelerates all mass alike, so it enters as the acceleration of the frame: `ξ̇` gets `[0; γ; 0]` (docs/mathematics.md §2).
 
-use frs_core::Real;
+use frs_core::{Moving, Real};
 use nalgebra::Vector3;
 
 use super::Effect;
@@ -20,7 +20,7 @@ pub struct Gravity {
 }
 
 impl<T: Real> Loads<T> for Gravity {
-    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
+    fn add(&mut self, instant: &Instant<'_, T>, _: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
         let fall = instant.pose.rotation.transpose() * Vector3::from(self.acceleration.map(T::from_f64));
         load.gravity.iter_mut().zip(&fall).for_each(|(gravity, &fall)| *gravity += fall);
     }

@@ -1,36 +1,52 @@
 //! Forces that a scene can name, one file each.
 
-mod base_wrench;
+mod computed_torque;
+mod contact;
+mod drag;
+mod end_effector;
 mod friction;
 mod gravity;
 mod joint_torque;
 mod regulator;
 mod spring;
+mod stops;
+mod wrench;
 
-use frs_core::Real;
+use frs_core::{Moving, Real};
 
 use crate::motion::{Instant, Load, Loads};
 
-pub use base_wrench::{BaseWrench, Frame};
-pub use friction::Friction;
+pub use computed_torque::ComputedTorque;
+pub use contact::Contact;
+pub use drag::Drag;
+pub use end_effector::{EndEffector, Target};
+pub use friction::{Coulomb, Viscous};
 pub use gravity::Gravity;
 pub use joint_torque::JointTorque;
 pub use regulator::{Decoupling, Gains, Regulator};
 pub use spring::Spring;
+pub use stops::Stops;
+pub use wrench::{Axes, LinkWrench};
 
-/// Forces that are smooth in time but for jumps at known times.
+/// Forces that are smooth but for events: times that are known, and states in which something is met or left.
 ///
-/// Whoever integrates stops at each of [`events`](Self::events) and says [`enter`](Self::enter) there: until then the forces are
-/// those of one side, so that no step straddles a jump, not even with its last evaluation.
+/// Whoever integrates stops at each known time and says [`enter`](Self::enter) there, and stops where one of [`gaps`](Self::gaps)
+/// passes 0 and says [`touch`](Self::touch). Between events the forces are those of one side, so that no step
+/// straddles a jump, not even with its last evaluation.
 pub trait Effect<T: Real>: Loads<T> {
-    /// Times at which the forces jump, s.
-    fn events(&self) -> Vec<f64> {
-        Vec::new()
-    }
-
     /// The motion goes on from `time` (s): the forces are those after it.
     fn enter(&mut self, time: f64) {
         let _ = time;
+    }
+
+    /// Adds distances to the list, always as many: what they are from is touched where one is negative.
+    fn gaps(&self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, gaps: &mut Vec<T>) {
+        let _ = (instant, robot, gaps);
+    }
+
+    /// The forces are those with the gap of this number (counted from 0 within this effect) closed, or open.
+    fn touch(&mut self, gap: usize, closed: bool) {
+        let _ = (gap, closed);
     }
 }
 
@@ -39,17 +55,36 @@ pub trait Effect<T: Real>: Loads<T> {
 pub struct Effects<'m, T: Real = f64>(pub Vec<Box<dyn Effect<T> + 'm>>);
 
 impl<T: Real> Loads<T> for Effects<'_, T> {
-    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
-        self.0.iter_mut().for_each(|effect| effect.add(instant, load));
+    fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
+        self.0.iter_mut().for_each(|effect| effect.add(instant, robot, load));
     }
 }
 
-impl<T: Real> Effect<T> for Effects<'_, T> {
-    fn events(&self) -> Vec<f64> {
-        self.0.iter().flat_map(|effect| effect.events()).collect()
+impl<T: Real> Effects<'_, T> {
+    /// The motion goes on from `time` (s).
+    pub fn enter(&mut self, time: f64) {
+        self.0.iter_mut().for_each(|effect| effect.enter(time));
     }
 
-    fn enter(&mut self, time: f64) {
-        self.0.iter_mut().for_each(|effect| effect.enter(time));
+    /// All gaps in `gaps`, and whose they are in `owners`: the effect's number, and the gap's within it.
+    pub fn gaps(
+        &self,
+        instant: &Instant<'_, T>,
+        robot: &mut Moving<'_, '_, '_, T>,
+        gaps: &mut Vec<T>,
+        owners: &mut Vec<[usize; 2]>,
+    ) {
+        gaps.clear();
+        owners.clear();
+        for (number, effect) in self.0.iter().enumerate() {
+            let first = gaps.len();
+            effect.gaps(instant, robot, gaps);
+            owners.extend((first..gaps.len()).map(|gap| [number, gap - first]));
+        }
+    }
+
+    /// Closes or opens a gap.
+    pub fn touch(&mut self, [effect, gap]: [usize; 2], closed: bool) {
+        self.0[effect].touch(gap, closed);
     }
 }

@@ -14,7 +14,8 @@
 //!
 //! Source: the paper, Theorem 1 and its example; docs/mathematics.md §2.
 
-use frs_core::{FloatingBase, Quantity, Real};
+use frs_core::spatial::Twist;
+use frs_core::{Moving, Real};
 
 use super::Effect;
 use crate::motion::{Instant, Load, Loads};
@@ -43,47 +44,33 @@ pub struct Gains {
     pub decoupling: Decoupling,
 }
 
-/// Regulation of the shape by a robot that knows its own dynamics.
+/// Regulation of the shape about a set point.
 #[derive(Clone, Debug)]
-pub struct Regulator<R, T: Real = f64> {
-    robot: R,
+pub struct Regulator<T: Real = f64> {
     gains: Gains,
     coupling: Vec<T>,
     d_mu_xi: Vec<T>,
 }
 
-impl<R: FloatingBase<T>, T: Real> Regulator<R, T> {
-    /// Regulation with `gains`; the decoupling is computed by `robot`.
-    ///
-    /// # Panics
-    /// If the robot does not answer what the decoupling takes ([`Quantity::CouplingTorque`], for `TauBar` also
-    /// [`Quantity::DMuXi`]).
-    pub fn new(robot: R, gains: Gains) -> Self {
-        let asked: &[Quantity] = match gains.decoupling {
-            Decoupling::None => &[],
-            Decoupling::Coupling => &[Quantity::CouplingTorque],
-            Decoupling::TauBar => &[Quantity::CouplingTorque, Quantity::DMuXi],
-        };
-        for quantity in asked {
-            assert!(robot.answers(*quantity), "the robot must answer {}", quantity.name());
-        }
-        let n = robot.dof();
-        Self { robot, gains, coupling: vec![T::zero(); n], d_mu_xi: vec![T::zero(); 6 + n] }
+impl<T: Real> Regulator<T> {
+    /// Regulation with `gains`.
+    pub fn new(gains: Gains) -> Self {
+        let n = gains.set_point.len();
+        Self { gains, coupling: vec![T::zero(); n], d_mu_xi: vec![T::zero(); 6 + n] }
     }
 
-    /// τ_d at an instant, N·m, N.
-    pub fn decoupling_torque(&mut self, instant: &Instant<'_, T>) -> &[T] {
-        let Self { robot, gains, coupling, d_mu_xi } = self;
-        let (q, qd, mu) = (instant.q, instant.qd, instant.mu.to_array());
+    /// τ_d of a robot with locked velocity μ, N·m, N.
+    pub fn decoupling_torque(&mut self, robot: &mut Moving<'_, '_, '_, T>, mu: Twist<T>) -> &[T] {
+        let Self { gains, coupling, d_mu_xi } = self;
         if gains.decoupling != Decoupling::None {
-            robot.answer(Quantity::CouplingTorque, &[q, &mu], &mut [coupling]);
+            robot.coupling_torque(mu, coupling);
         }
         match gains.decoupling {
             Decoupling::None => {}
             Decoupling::Coupling => coupling.iter_mut().for_each(|torque| *torque = -*torque),
             Decoupling::TauBar => {
                 // The shape's half of D_μ ξ is c − 2 B_2 q̇, so −c + B_2 q̇ is half the sum of it and c, negated.
-                robot.answer(Quantity::DMuXi, &[q, qd, &mu], &mut [d_mu_xi]);
+                robot.d_mu_xi(mu, d_mu_xi);
                 let minus_half = T::from_f64(-0.5);
                 for (torque, &whole) in coupling.iter_mut().zip(&d_mu_xi[6..]) {
                     *torque = minus_half * (*torque + whole);
@@ -94,10 +81,10 @@ impl<R: FloatingBase<T>, T: Real> Regulator<R, T> {
     }
 }
 
-impl<R: FloatingBase<T>, T: Real> Loads<T> for Regulator<R, T> {
-    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
+impl<T: Real> Loads<T> for Regulator<T> {
+    fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
         if self.gains.decoupling != Decoupling::None {
-            let decoupling = self.decoupling_torque(instant);
+            let decoupling = self.decoupling_torque(robot, instant.mu);
             load.tau.iter_mut().zip(decoupling).for_each(|(tau, &torque)| *tau += torque);
         }
         let Gains { set_point, stiffness, damping, .. } = &self.gains;
@@ -108,4 +95,4 @@ impl<R: FloatingBase<T>, T: Real> Loads<T> for Regulator<R, T> {
     }
 }
 
-impl<R: FloatingBase<T>, T: Real> Effect<T> for Regulator<R, T> {}
+impl<T: Real> Effect<T> for Regulator<T> {}

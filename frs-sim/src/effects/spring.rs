@@ -6,7 +6,7 @@
 //!
 //! They store `½ Σ k_j (q_j − r_j)²` and leave the momentum alone.
 
-use frs_core::Real;
+use frs_core::{Moving, Real};
 
 use super::Effect;
 use crate::motion::{Instant, Load, Loads};
@@ -21,7 +21,7 @@ pub struct Spring {
 }
 
 impl<T: Real> Loads<T> for Spring {
-    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
+    fn add(&mut self, instant: &Instant<'_, T>, _: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
         for (((tau, &stiffness), &rest), &q) in load.tau.iter_mut().zip(&self.stiffness).zip(&self.rest).zip(instant.q)
         {
             *tau -= T::from_f64(stiffness) * (q - T::from_f64(rest));

@@ -134,6 +134,11 @@ impl<T: Real + Into<f64>> Adaptive<T> {
         self.time
     }
 
+    /// Where the last step began, s.
+    pub fn last_start(&self) -> T {
+        self.start
+    }
+
     /// The state there.
     pub fn state(&self) -> &State<T> {
         &self.state
@@ -216,6 +221,13 @@ impl<T: Real + Into<f64>> Adaptive<T> {
     pub fn at(&mut self, system: &mut impl System<T>, time: T, state: &mut State<T>) {
         let theta = (time - self.start) / self.length;
         self.method.interpolate(system, self.start, self.length, &self.before, theta, state);
+    }
+
+    /// Goes back to `time` (s) within the last step, whose states [`at`](Self::at) still knows: something happens there.
+    pub fn cut(&mut self, system: &mut impl System<T>, time: T) {
+        let mut state = self.state.clone();
+        self.at(system, time, &mut state);
+        (self.time, self.state, self.known) = (time, state, false);
     }
 
     /// Estimated error of the step just made, in units of what is allowed; infinite where it is no number.

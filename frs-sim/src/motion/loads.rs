@@ -1,7 +1,7 @@
 //! Forces on a robot in motion.
 
-use frs_core::Real;
 use frs_core::spatial::{Pose, Twist, Wrench};
+use frs_core::{Moving, Real};
 
 /// A robot at an instant, as forces see it.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +30,11 @@ pub struct Load<T: Real = f64> {
 }
 
 impl<T: Real> Load<T> {
+    /// No load on n joints.
+    pub fn zero(n: usize) -> Self {
+        Self { base_wrench: Wrench::zero(), gravity: [T::zero(); 3], tau: vec![T::zero(); n] }
+    }
+
     /// No load.
     pub fn clear(&mut self) {
         self.base_wrench = Wrench::zero();
@@ -42,24 +47,24 @@ impl<T: Real> Load<T> {
 ///
 /// Where the momentum is [`Zero`](super::Zero) or [`Conserved`](super::Conserved), only joint torques may be added.
 pub trait Loads<T: Real> {
-    /// Adds the forces at an instant.
-    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>);
+    /// Adds the forces at an instant. `robot` is the robot in that state: what was swept for its motion answers here, too.
+    fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>);
 }
 
 impl<T: Real> Loads<T> for () {
-    fn add(&mut self, _: &Instant<'_, T>, _: &mut Load<T>) {}
+    fn add(&mut self, _: &Instant<'_, T>, _: &mut Moving<'_, '_, '_, T>, _: &mut Load<T>) {}
 }
 
 impl<T: Real, A: Loads<T>, B: Loads<T>> Loads<T> for (A, B) {
-    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
-        self.0.add(instant, load);
-        self.1.add(instant, load);
+    fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
+        self.0.add(instant, robot, load);
+        self.1.add(instant, robot, load);
     }
 }
 
-/// A function of the instant: `|instant, load| …`.
-impl<T: Real, F: FnMut(&Instant<'_, T>, &mut Load<T>)> Loads<T> for F {
-    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
-        self(instant, load);
+/// A function of the instant: `|instant, robot, load| …`.
+impl<T: Real, F: FnMut(&Instant<'_, T>, &mut Moving<'_, '_, '_, T>, &mut Load<T>)> Loads<T> for F {
+    fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
+        self(instant, robot, load);
     }
 }

@@ -1,63 +1,75 @@
 //! What is known about the momentum of a motion.
 
 use frs_core::spatial::{Pose, Twist, Wrench};
-use frs_core::{FloatingBase, Quantity, Real};
+use frs_core::{Real, Shape};
+use nalgebra::Vector3;
 
 /// How a motion knows its locked velocity μ.
 pub trait Momentum<T: Real> {
     /// Numbers of a state that are integrated for it: 6 for μ, or none.
     const NUMBERS: usize;
 
-    /// What the robot must answer for it.
-    const QUANTITIES: &'static [Quantity];
-
-    /// μ at a pose and a shape; `numbers` are those integrated for it.
-    fn locked_velocity(&self, robot: &mut impl FloatingBase<T>, pose: &Pose<T>, q: &[T], numbers: &[T]) -> Twist<T>;
+    /// μ of a robot in a shape, at a time (s) and a pose; `numbers` are those integrated for it.
+    fn locked_velocity(&self, time: T, pose: &Pose<T>, shape: &Shape<'_, '_, T>, numbers: &[T]) -> Twist<T>;
 }
 
 /// No momentum, and nothing that gives one: μ = 0. The base moves as the shape's connection says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zero;
 
-/// No wrench acts: the momentum about the world's origin stays what it is, and `μ = Λ_b⁻¹ Ad_{g₁}ᵀ J` is not integrated.
-///
-/// A fall under uniform gravity alone is of this kind in a frame that falls with the robot.
+/// No wrench acts: momentum stays what it is, and μ is not integrated but follows from it,
+/// with h the momentum about the centre of mass in world axes, `Λ_c μ_c = [R₁ᵀ h_ω; R₁ᵀ h_v]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conserved<T: Real = f64> {
-    /// The momentum J (moment in kg·m²/s, force in kg·m/s), about the origin and in the axes of the world.
+    /// Momentum h about the centre of mass, world axes (kg·m²/s, kg·m/s); both halves are constant.
     pub momentum: Wrench<T>,
 }
 
-/// Wrenches or gravity act: μ is integrated.
+/// Uniform gravity and no other wrench: [`Conserved`] but for `ḣ_v = m a`. Gravity pulls on all mass alike, so that the shape and the
+/// angular momentum do not notice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ballistic<T: Real = f64> {
+    /// Momentum about the centre of mass at time 0, world axes (kg·m²/s, kg·m/s).
+    pub momentum: Wrench<T>,
+    /// `m a`, the weight (N, world axes).
+    pub weight: Vector3<T>,
+}
+
+/// Wrenches act: μ is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Driven;
 
 impl<T: Real> Momentum<T> for Zero {
     const NUMBERS: usize = 0;
-    const QUANTITIES: &'static [Quantity] = &[];
 
-    fn locked_velocity(&self, _: &mut impl FloatingBase<T>, _: &Pose<T>, _: &[T], _: &[T]) -> Twist<T> {
+    fn locked_velocity(&self, _: T, _: &Pose<T>, _: &Shape<'_, '_, T>, _: &[T]) -> Twist<T> {
         Twist::zero()
     }
 }
 
 impl<T: Real> Momentum<T> for Conserved<T> {
     const NUMBERS: usize = 0;
-    const QUANTITIES: &'static [Quantity] = &[Quantity::VelocityOfMomentum];
 
-    fn locked_velocity(&self, robot: &mut impl FloatingBase<T>, pose: &Pose<T>, q: &[T], _: &[T]) -> Twist<T> {
-        let body = pose.inverse().act_wrench(self.momentum).to_array();
-        let mut mu = [T::zero(); 6];
-        robot.answer(Quantity::VelocityOfMomentum, &[q, &body], &mut [&mut mu]);
-        Twist::from_array(mu)
+    fn locked_velocity(&self, _: T, pose: &Pose<T>, shape: &Shape<'_, '_, T>, _: &[T]) -> Twist<T> {
+        let turned = Pose::new(pose.rotation.transpose(), Vector3::zeros()).act_wrench(self.momentum);
+        shape.velocity_of_centroidal_momentum(turned)
+    }
+}
+
+impl<T: Real> Momentum<T> for Ballistic<T> {
+    const NUMBERS: usize = 0;
+
+    fn locked_velocity(&self, time: T, pose: &Pose<T>, shape: &Shape<'_, '_, T>, numbers: &[T]) -> Twist<T> {
+        let Wrench { moment, force } = self.momentum;
+        Conserved { momentum: Wrench::new(moment, force + self.weight * time) }
+            .locked_velocity(time, pose, shape, numbers)
     }
 }
 
 impl<T: Real> Momentum<T> for Driven {
     const NUMBERS: usize = 6;
-    const QUANTITIES: &'static [Quantity] = &[];
 
-    fn locked_velocity(&self, _: &mut impl FloatingBase<T>, _: &Pose<T>, _: &[T], numbers: &[T]) -> Twist<T> {
+    fn locked_velocity(&self, _: T, _: &Pose<T>, _: &Shape<'_, '_, T>, numbers: &[T]) -> Twist<T> {
         Twist::from_array(std::array::from_fn(|i| numbers[i]))
     }
 }

@@ -2,19 +2,23 @@
 //!
 //! All keys: docs/scenes.md. What is known about the momentum is not said in a scene; it follows from what is.
 
+mod force;
 mod forces;
 mod problem;
 mod reader;
 mod start;
+mod timing;
 
 use frs_core::model::Place;
 use frs_core::spatial::Twist;
-use frs_core::{Evaluator, Model, Real};
+use frs_core::{Model, Real};
+use nalgebra::Vector3;
 
-use crate::effects::{Effect, Effects, Regulator};
+use crate::effects::{ComputedTorque, Effect, Effects, EndEffector, Regulator, Stops};
+use crate::motion::{Course, Drives};
 use reader::{Reader, Table};
 
-pub use forces::{EFFECTS, Force, Named};
+pub use force::{EFFECTS, Force, Named};
 pub use problem::{Problem, SceneError};
 pub use start::Start;
 
@@ -25,6 +29,8 @@ pub enum Case {
     Zero,
     /// It stays what it is: [`Conserved`](crate::motion::Conserved).
     Conserved,
+    /// Gravity changes its linear half, in a way that is known: [`Ballistic`](crate::motion::Ballistic).
+    Ballistic,
     /// Something changes it: [`Driven`](crate::motion::Driven).
     Driven,
 }
@@ -35,6 +41,7 @@ impl Case {
         match self {
             Self::Zero => "zero",
             Self::Conserved => "conserved",
+            Self::Ballistic => "ballistic",
             Self::Driven => "driven",
         }
     }
@@ -93,7 +100,7 @@ impl Scene {
         let reader = Reader::new(file, text);
         let entries = reader.parse()?;
         let root = Table::root(&reader, &entries);
-        root.only(&[&KEYS[..], &forces::EFFECTS].concat());
+        root.only(&[&KEYS[..], &EFFECTS].concat());
 
         let duration = root.required("duration", "how long the motion lasts, s").and_then(|item| item.positive());
         let accuracy = root.get("accuracy").map_or(Some(ACCURACY), |item| {
@@ -111,8 +118,9 @@ impl Scene {
             }
             item.refuse(format!("found {samples}; expected at most {MOST_SAMPLES:e} samples in all"))
         });
-        let start = start::read(&root, model);
         let forces = forces::read(&root, model, duration.unwrap_or(f64::INFINITY));
+        forces::contradictions(&root, model, &forces);
+        let start = start::read(&root, model, &forces);
         let scene = (|| {
             Some(Self {
                 duration: duration?,
@@ -125,10 +133,13 @@ impl Scene {
         reader.finish(scene)
     }
 
-    /// What is known about the momentum: driven if a force can change it, else what it is at the start.
+    /// What is known about the momentum: driven if a force can change it, ballistic if only gravity can, else what it is at the
+    /// start.
     pub fn case(&self) -> Case {
         if self.forces.iter().any(|named| named.force.drives_momentum()) {
             Case::Driven
+        } else if self.forces.iter().any(|named| matches!(named.force, Force::Gravity(_))) {
+            Case::Ballistic
         } else if self.start.mu == Twist::zero() {
             Case::Zero
         } else {
@@ -136,16 +147,51 @@ impl Scene {
         }
     }
 
-    /// The forces as effects over any scalar, for a robot over that scalar.
+    /// Acceleration of free fall, world axes (m/s²): the sum of all `[gravity]`.
+    pub fn gravity(&self) -> Vector3<f64> {
+        let each = self.forces.iter().filter_map(|named| match &named.force {
+            Force::Gravity(gravity) => Some(Vector3::from(gravity.acceleration)),
+            _ => None,
+        });
+        each.sum()
+    }
+
+    /// The forces as effects over any scalar; without gravity where that is known to move the centre of mass alone.
     pub fn effects<'m, T: Real>(&self, model: &'m Model<T>) -> Effects<'m, T> {
-        let each = self.forces.iter().map(|named| match &named.force {
-            Force::Gravity(gravity) => Box::new(*gravity) as Box<dyn Effect<T>>,
-            Force::BaseWrench(wrench) => Box::new(wrench.clone()),
-            Force::JointTorque(torque) => Box::new(torque.clone()),
-            Force::Friction(friction) => Box::new(friction.clone()),
-            Force::Spring(spring) => Box::new(spring.clone()),
-            Force::Regulator(gains) => Box::new(Regulator::new(Evaluator::new(model), gains.clone())),
+        let each = self.forces.iter().filter_map(|named| -> Option<Box<dyn Effect<T>>> {
+            Some(match &named.force {
+                Force::Gravity(_) if self.case() == Case::Ballistic => return None,
+                Force::Rotors(_) | Force::Prescribed(..) => return None,
+                Force::Gravity(gravity) => Box::new(*gravity),
+                Force::Wrench(wrench) => wrench.clone(),
+                Force::Drag(drag) => Box::new(drag.clone()),
+                Force::Contact(contact) => Box::new(contact.clone()),
+                Force::JointTorque(torque) => Box::new(torque.clone()),
+                Force::Viscous(friction) => Box::new(friction.clone()),
+                Force::Coulomb(friction) => Box::new(friction.clone()),
+                Force::Spring(spring) => Box::new(spring.clone()),
+                Force::Stops { stiffness, dissipation } => Box::new(Stops::new(model, *stiffness, *dissipation)),
+                Force::Regulator(gains) => Box::new(Regulator::new(gains.clone())),
+                Force::ComputedTorque(courses, bandwidth) => Box::new(ComputedTorque::new(courses.clone(), *bandwidth)),
+                Force::EndEffector(target) => Box::new(EndEffector::new(target.clone())),
+            })
         });
         Effects(each.collect())
+    }
+
+    /// Rotors and courses of the joints; none if the scene names none.
+    pub fn drives<T: Real>(&self) -> Option<Drives<T>> {
+        let n = self.start.q.len();
+        let (mut rotor, mut courses): (Vec<f64>, Vec<Option<Course>>) = (vec![0.0; n], vec![None; n]);
+        let mut any = false;
+        for named in &self.forces {
+            match &named.force {
+                Force::Rotors(inertia) => rotor.iter_mut().zip(inertia).for_each(|(sum, inertia)| *sum += inertia),
+                Force::Prescribed(coordinate, course) => courses[*coordinate] = Some(course.clone()),
+                _ => continue,
+            }
+            any = true;
+        }
+        any.then(|| Drives::new(&rotor, courses))
     }
 }

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 use frs_core::Model;
 use frs_core::model::Place;
@@ -72,6 +73,12 @@ pub struct Item<'r, 't> {
 impl<'r, 't> Table<'r, 't> {
     pub fn root(reader: &'r Reader<'t>, entries: &'r DeTable<'t>) -> Self {
         Self { reader, path: String::new(), span: 0..0, entries }
+    }
+
+    /// A table that is not there: empty.
+    pub fn empty(&self, key: &str) -> Self {
+        static NONE: LazyLock<DeTable<'static>> = LazyLock::new(DeTable::default);
+        Self { reader: self.reader, path: self.path_of(key), span: 0..0, entries: &NONE }
     }
 
     /// Notes every key that is none of `known`.
@@ -190,6 +197,39 @@ impl<'r, 't> Item<'r, 't> {
         if number > 0.0 { Some(number) } else { self.refuse(format!("found {number}; expected a number above 0")) }
     }
 
+    pub fn not_negative(&self) -> Option<f64> {
+        let number = self.number()?;
+        if number >= 0.0 { Some(number) } else { self.refuse(format!("found {number}; expected no negative number")) }
+    }
+
+    /// Increasing times, one at least.
+    pub fn times(&self) -> Option<Vec<f64>> {
+        let times = self.list("increasing times, s")?;
+        if times.is_empty() || times.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return self.refuse(format!("found {times:?}; expected times that increase, one at least"));
+        }
+        Some(times)
+    }
+
+    /// The number of the link with this name.
+    pub fn link(&self, model: &Model) -> Option<usize> {
+        let names = model.links().iter().map(|link| link.name.as_str());
+        self.name(&names.collect::<Vec<_>>(), "the name of a link")
+    }
+
+    /// The number of the coordinate with this name.
+    pub fn coordinate(&self, model: &Model) -> Option<usize> {
+        let names = model.coordinates().iter().map(|coordinate| coordinate.name.as_str());
+        self.name(&names.collect::<Vec<_>>(), "the name of a coordinate")
+    }
+
+    /// The place of this text among `names`.
+    fn name(&self, names: &[&str], what: &str) -> Option<usize> {
+        let text = self.text(what)?;
+        let place = names.iter().position(|name| *name == text);
+        place.or_else(|| self.refuse(format!("found '{text}'; {}", expected_of(text, names))))
+    }
+
     /// A list of `N` finite numbers.
     pub fn numbers<const N: usize>(&self, what: &str) -> Option<[f64; N]> {
         let list = self.list(what)?;
@@ -197,12 +237,16 @@ impl<'r, 't> Item<'r, 't> {
         <[f64; N]>::try_from(list).ok().or_else(|| self.refuse(format!("found {count} numbers; expected {N}: {what}")))
     }
 
-    fn list(&self, what: &str) -> Option<Vec<f64>> {
+    /// The entries of a list.
+    pub fn items(&self, what: &str) -> Option<Vec<Self>> {
         let DeValue::Array(entries) = self.value else { return self.expected(what) };
-        let each =
-            entries.iter().map(|entry| Item { span: entry.span(), value: entry.get_ref(), ..self.clone() }.number());
+        Some(entries.iter().map(|entry| Item { span: entry.span(), value: entry.get_ref(), ..self.clone() }).collect())
+    }
+
+    /// Finite numbers.
+    pub fn list(&self, what: &str) -> Option<Vec<f64>> {
         // Every entry is read, so that all problems are told.
-        each.collect::<Vec<_>>().into_iter().collect()
+        self.items(what)?.iter().map(Item::number).collect::<Vec<_>>().into_iter().collect()
     }
 
     /// One number per coordinate: a list, or a table by name in which what is not named is 0.

@@ -2,7 +2,9 @@
 
 use frs_core::spatial::{Pose, Twist, Wrench};
 use frs_core::{Model, Workspace};
+use nalgebra::Vector3;
 
+use super::force::{Force, Named};
 use super::reader::Table;
 
 /// A motion at time 0.
@@ -18,6 +20,12 @@ pub struct Start {
     pub mu: Twist<f64>,
     /// Momentum about the world's origin.
     pub momentum: Wrench<f64>,
+    /// Momentum about the centre of mass, world axes.
+    pub centroidal: Wrench<f64>,
+    /// Centre of mass, m, world.
+    pub com: Vector3<f64>,
+    /// Total mass, kg.
+    pub mass: f64,
 }
 
 /// How the motion of the whole can be given.
@@ -25,13 +33,12 @@ const WAYS: [&str; 3] = ["mu", "base_twist", "momentum"];
 
 const SIX: &str = "six numbers, angular part first";
 
-pub fn read(root: &Table<'_, '_>, model: &Model) -> Option<Start> {
+pub fn read(root: &Table<'_, '_>, model: &Model, forces: &[Named]) -> Option<Start> {
     let zeros = || Some(vec![0.0; model.dof()]);
-    let Some(item) = root.get("start") else {
-        let (pose, q) = (Pose::identity(), vec![0.0; model.dof()]);
-        return Some(Start { pose, qd: q.clone(), q, mu: Twist::zero(), momentum: Wrench::zero() });
+    let table = match root.get("start") {
+        Some(item) => item.table()?,
+        None => root.empty("start"),
     };
-    let table = item.table()?;
     table.only(&["pose", "q", "qd", "mu", "base_twist", "momentum"]);
     let pose = table.get("pose").map_or(Some(Pose::identity()), |item| read_pose(&item.table()?));
     let q = table.get("q").map_or_else(zeros, |item| item.coordinates(model));
@@ -42,7 +49,24 @@ pub fn read(root: &Table<'_, '_>, model: &Model) -> Option<Start> {
         return item.refuse(format!("{first} is given, too; expected {first} or {second}: one follows from the other"));
     }
     let motion = given.first().map_or(Some(("mu", [0.0; 6])), |(way, item)| Some((*way, item.numbers(SIX)?)));
-    let (pose, q, qd, (way, motion)) = (pose?, q?, qd?, motion?);
+    let (pose, mut q, mut qd, (way, motion)) = (pose?, q?, qd?, motion?);
+    for named in forces {
+        if let Force::Prescribed(i, course) = &named.force {
+            let mut course = course.clone();
+            course.enter(0.0);
+            let [value, rate, _] = course.at(0.0);
+            for (key, given, value) in [("q", &mut q[*i], value), ("qd", &mut qd[*i], rate)] {
+                if *given != 0.0 && *given != value {
+                    let name = &model.coordinates()[*i].name;
+                    let (given, line) = (*given, named.line);
+                    return table.get(key)?.refuse(format!(
+                        "found {given} for {name}; expected {value}, where its course of line {line} begins, or nothing"
+                    ));
+                }
+                *given = value;
+            }
+        }
+    }
 
     let mut work = Workspace::new(model);
     let mut shape = work.shape(&q);
@@ -53,11 +77,14 @@ pub fn read(root: &Table<'_, '_>, model: &Model) -> Option<Start> {
     };
     let momentum = pose.act_wrench(shape.body_momentum(mu));
     if mu.to_array().iter().chain(&momentum.to_array()).any(|x| !x.is_finite()) {
-        return item.refuse(
+        table.refuse(
             "the momentum here is not finite; expected a shape in which the robot is not singular; move the joints off it",
         );
+        return None;
     }
-    Some(Start { pose, q, qd, mu, momentum })
+    let centroidal = Pose::new(pose.rotation, Vector3::zeros()).act_wrench(shape.centroidal_momentum(mu));
+    let (com, mass) = (pose.transform(shape.com()), shape.locked_inertia().mass);
+    Some(Start { pose, q, qd, mu, momentum, centroidal, com, mass })
 }
 
 fn read_pose(table: &Table<'_, '_>) -> Option<Pose<f64>> {

@@ -1,11 +1,10 @@
 //! Operations, counted by recording them.
 
-use frs::Model;
 use frs::nalgebra::{Matrix3, Vector3};
-use frs::spatial::{Pose, Twist, Wrench};
+use frs::spatial::{Pose, Twist};
+use frs::{Model, Workspace};
 use frs_codegen::record::{Operation, Place, Recorded, record};
 use frs_codegen::{Counts, Graph, Precision};
-use frs_sim::effects::Effect;
 use frs_sim::integrate::{State, Tangent};
 use frs_sim::motion::{Instant, Load, Loads};
 use frs_sim::run::rate;
@@ -13,8 +12,8 @@ use frs_sim::scene::Scene;
 
 /// What one evaluation of a scene's equations performs.
 pub struct Costs {
-    /// Each effect, in the scene's order.
-    pub effects: Vec<Counts>,
+    /// Each effect, in the scene's order; none for those that change the equations instead of adding forces.
+    pub effects: Vec<Option<Counts>>,
     /// Everything.
     pub whole: Counts,
     /// What is left when constants are folded, equal terms shared, and unused ones dropped.
@@ -23,7 +22,7 @@ pub struct Costs {
 
 impl Costs {
     pub fn of(scene: &Scene, model: &Model) -> Self {
-        let events = scene.effects::<f64>(model).events();
+        let events: Vec<f64> = scene.forces.iter().flat_map(|named| named.force.knots()).collect();
         // Between two events the same forces act.
         let phases = events.into_iter().chain([0.0]).filter(|time| (0.0..scene.duration).contains(time));
         let each = phases.map(|time| of_phase(scene, model, time));
@@ -48,9 +47,13 @@ fn of_phase(scene: &Scene, model: &Model, time: f64) -> [Counts; 2] {
     [counted(tape[start as usize..].iter()), needed(&tape, &outputs)]
 }
 
-/// What an effect performs by itself, while it acts.
-fn of_effect(scene: &Scene, model: &Model, number: usize) -> Counts {
+/// What an effect performs by itself, while it acts and touches what it can touch.
+fn of_effect(scene: &Scene, model: &Model, number: usize) -> Option<Counts> {
     let alone = Scene { forces: vec![scene.forces[number].clone()], ..scene.clone() };
+    let first = alone.forces[0].force.knots().first().copied().unwrap_or(0.0);
+    if alone.effects::<f64>(model).0.is_empty() {
+        return None;
+    }
     let (start, tape) = record(|| {
         let model: Model<Recorded> = model.cast();
         let n = model.dof();
@@ -58,16 +61,21 @@ fn of_effect(scene: &Scene, model: &Model, number: usize) -> Counts {
         let state = inputs.state(2 * n);
         let mu = Twist::from_array(std::array::from_fn(|_| inputs.next()));
         let (q, qd) = state.flat.split_at(n);
+        let mut work = Workspace::new(&model);
+        let mut shape = work.shape(q);
+        let mut robot = shape.moving(qd);
         let mut effects = alone.effects(&model);
-        let start = effects.events().first().copied();
-        effects.enter(start.unwrap_or(0.0));
-        let base_wrench = Wrench::zero();
-        let time = inputs.next();
-        let mut load = Load { base_wrench, gravity: [time; 3], tau: vec![time; n] };
-        effects.add(&Instant { time, pose: &state.pose, q, qd, mu }, &mut load);
-        time.0
+        effects.enter(first);
+        let instant = Instant { time: inputs.next(), pose: &state.pose, q, qd, mu };
+        let (mut gaps, mut owners) = (Vec::new(), Vec::new());
+        effects.gaps(&instant, &mut robot, &mut gaps, &mut owners);
+        owners.iter().for_each(|owner| effects.touch(*owner, true));
+        let mut load = Load { gravity: [instant.time; 3], tau: vec![instant.time; n], ..Load::zero(n) };
+        let start = inputs.next();
+        effects.add(&instant, &mut robot, &mut load);
+        start.0
     });
-    counted(tape[start as usize..].iter())
+    Some(counted(tape[start as usize..].iter()))
 }
 
 fn counted<'a>(operations: impl Iterator<Item = &'a Operation>) -> Counts {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::cli::svg::{escaped, text, ticks};
 
-/// A picture.
+/// A picture. `report.html` finds panels and names of lines by their classes.
 pub struct Chart {
     pub title: &'static str,
     pub caption: String,
@@ -34,11 +34,13 @@ const HEIGHT: f64 = 210.0;
 const ORIGIN: [f64; 2] = [84.0, 72.0];
 const GAP: f64 = 46.0;
 
-/// Width of the picture: the names of the lines stand on the right.
+/// Width of the picture at least; the names of the lines stand on the right, a letter as wide as this.
 const PAGE: f64 = 860.0;
+const LETTER: f64 = 7.5;
 
-/// Height of a line's name.
+/// Height of a line's name, and where it begins right of the panel.
 const ROW: f64 = 17.0;
+const NAME: f64 = 43.0;
 
 /// Points that are nearer to each other than this in time are one (pixels).
 const DETAIL: f64 = 0.5;
@@ -48,9 +50,11 @@ impl Chart {
     pub fn svg(&self) -> String {
         let x = ORIGIN[0];
         let heights: Vec<f64> = self.panels.iter().map(|panel| (panel.lines.len() as f64 * ROW).max(HEIGHT)).collect();
+        let names = self.panels.iter().flat_map(|panel| &panel.lines).map(|(name, _)| name.chars().count());
+        let across = PAGE.max(x + WIDTH + NAME + LETTER * names.max().unwrap_or(0) as f64);
         let page = ORIGIN[1] + heights.iter().map(|height| height + GAP).sum::<f64>() + 14.0;
         let mut out = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {PAGE} {page}\" width=\"{PAGE}\" height=\"{page}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {across} {page}\" width=\"{across}\" height=\"{page}\" \
              font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"13\" fill=\"#222\">\n\
              <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n\
              <text x=\"{x}\" y=\"28\" font-size=\"17\">{}</text>\n<text x=\"{x}\" y=\"49\" fill=\"#555\">{}</text>\n",
@@ -68,7 +72,8 @@ impl Chart {
 
     fn panel(&self, out: &mut String, panel: &Panel, top: f64, height: f64) {
         let (left, bottom) = (ORIGIN[0], top + height);
-        let across = [0.0, self.times.last().copied().unwrap_or(0.0).max(f64::MIN_POSITIVE)];
+        let end = self.times.last().copied().filter(|end| *end > 0.0);
+        let across = [0.0, end.unwrap_or(1.0)];
         let up = range(panel);
         let place = |time: f64, value: f64| {
             [left + WIDTH * time / across[1], bottom - height * (value - up[0]) / (up[1] - up[0])]
@@ -86,7 +91,7 @@ impl Chart {
         }
         let _ = writeln!(
             out,
-            "<rect x=\"{left}\" y=\"{top}\" width=\"{WIDTH}\" height=\"{height}\" fill=\"none\" stroke=\"#222\"/>\n\
+            "<rect class=\"panel\" x=\"{left}\" y=\"{top}\" width=\"{WIDTH}\" height=\"{height}\" fill=\"none\" stroke=\"#222\"/>\n\
              <text transform=\"translate(22 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
             0.5 * (top + bottom),
             escaped(&panel.label)
@@ -95,12 +100,16 @@ impl Chart {
             let (colour, dash) = (COLOURS[i % COLOURS.len()], DASHES[i / COLOURS.len() % DASHES.len()]);
             let pen = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.6\" stroke-dasharray=\"{dash}\"");
             let path = self.path(values, place);
-            let (from, y) = (left + WIDTH + 14.0, top + 9.0 + ROW * i as f64);
+            let (right, y) = (left + WIDTH, top + 9.0 + ROW * i as f64);
             let _ = writeln!(
                 out,
-                "<path d=\"{path}\" stroke-linejoin=\"round\" {pen}/>\n<path d=\"M{from} {y}h22\" {pen}/>"
+                "<path d=\"{path}\" stroke-linejoin=\"round\" {pen}/>\n<path d=\"M{} {y}h22\" {pen}/>\n\
+                 <text class=\"name\" x=\"{}\" y=\"{}\">{}</text>",
+                right + 14.0,
+                right + NAME,
+                y + 4.5,
+                escaped(name)
             );
-            text(out, [from + 29.0, y + 4.5], "start", name);
         }
     }
 
@@ -110,7 +119,7 @@ impl Chart {
         let mut last = f64::NEG_INFINITY;
         for (i, (&time, &value)) in self.times.iter().zip(values).enumerate() {
             let [x, y] = place(time, value);
-            if x - last >= DETAIL || i + 1 == values.len() {
+            if value.is_finite() && (x - last >= DETAIL || i + 1 == values.len()) {
                 let _ = write!(path, "{}{x:.1} {y:.1}", if path.is_empty() { 'M' } else { 'L' });
                 last = x;
             }
@@ -123,7 +132,7 @@ impl Chart {
 fn range(panel: &Panel) -> [f64; 2] {
     /// Of what is drawn, the share that is left free above and below.
     const MARGIN: f64 = 0.06;
-    let values = || panel.lines.iter().flat_map(|(_, values)| values.iter().copied());
+    let values = || panel.lines.iter().flat_map(|(_, values)| values.iter().copied()).filter(|value| value.is_finite());
     let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     let margin = if high > low { MARGIN * (high - low) } else { 1.0 };
     [low - margin, high + margin]

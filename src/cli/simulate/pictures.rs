@@ -8,11 +8,11 @@ use super::chart::{Chart, Panel};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Names of files and their texts.
-pub fn all(model: &Model, samples: &[Sample]) -> Vec<(&'static str, String)> {
+/// Names of files and what is drawn in them.
+pub fn all(model: &Model, samples: &[Sample]) -> Vec<(&'static str, Chart)> {
     let chart = |title, panels| {
         let times = samples.iter().map(|sample| sample.time).collect();
-        Chart { title, caption: model.name().to_owned(), times, panels }.svg()
+        Chart { title, caption: model.name().to_owned(), times, panels }
     };
     let three = |label: &str, of: &dyn Fn(&Sample) -> [f64; 3]| Panel {
         label: label.to_owned(),

@@ -1,105 +1,78 @@
-//! How a run went, in a few numbers.
+//! `report.html`: a motion as one page that needs nothing beside itself.
 
-use std::io::{self, Write};
+mod frames;
+mod skeleton;
 
-use comfy_table::{Table, presets};
+use std::path::Path;
+
 use frs::Model;
-use frs::nalgebra::Matrix3;
-use frs_sim::run::{End, Record, Sample};
-use frs_sim::scene::{Case, Scene};
+use frs_sim::run::Sample;
 use serde_json::json;
 
+use self::skeleton::Skeleton;
+use super::chart::Chart;
+use super::summary::Summary;
 use crate::cli::Failure;
-use crate::cli::table::{self, significant};
+use crate::cli::svg::escaped;
+use crate::cli::table;
 
-/// What is told at the end.
-pub struct Report<'a> {
-    scene: &'a Scene,
-    model: &'a Model,
-    record: &'a Record,
-    files: Vec<&'static str>,
-    /// Largest |E − E(0) − W|, J.
-    energy: f64,
-    /// Largest change of an entry of the spatial momentum.
-    momentum: f64,
-    /// Largest entry of RᵀR − 1.
-    rotation: f64,
+/// The page's text.
+pub fn page(
+    scene: &Path,
+    model: &Model,
+    samples: &[Sample],
+    summary: &Summary,
+    charts: &[(&str, Chart)],
+) -> Result<String, Failure> {
+    let mut told = Vec::new();
+    table::robot(&mut told, model)?;
+    let told = String::from_utf8_lossy(&told);
+    let about = told.lines().next().unwrap_or_default().trim_start_matches(model.name()).trim_start_matches(": ");
+    let (state, result) = match summary.ending() {
+        None => ("whole", "the whole motion was computed".to_owned()),
+        Some(ending) => ("broken", ending),
+    };
+    let rows = summary.rows().into_iter();
+    let rows: String =
+        rows.map(|(what, amount)| format!("<tr><th scope=\"row\">{what}<td>{}\n", escaped(&amount))).collect();
+    let pictures: String = charts.iter().map(|(_, chart)| format!("<figure>{}</figure>\n", chart.svg())).collect();
+    let name = scene.file_name().unwrap_or_default().to_string_lossy();
+    Ok(format!(
+        include_str!("report/page.html"),
+        robot = escaped(model.name()),
+        scene = escaped(&name),
+        about = escaped(about),
+        style = include_str!("report/page.css"),
+        state = state,
+        result = escaped(&result),
+        rows = rows,
+        pictures = pictures,
+        motion = motion(model, samples, charts),
+        view = include_str!("report/view.js"),
+        player = include_str!("report/player.js"),
+    ))
 }
 
-impl<'a> Report<'a> {
-    pub fn new(scene: &'a Scene, model: &'a Model, record: &'a Record, files: Vec<&'static str>) -> Self {
-        let start = &record.samples[0];
-        let worst = |of: &dyn Fn(&Sample) -> f64| record.samples.iter().map(of).fold(0.0, f64::max);
-        let energy = worst(&|s| (s.kinetic_energy - start.kinetic_energy - s.work).abs());
-        let momentum = worst(&|s| largest(&(s.momentum - start.momentum).to_array()));
-        let rotation =
-            worst(&|s| largest((s.pose.rotation.transpose() * s.pose.rotation - Matrix3::identity()).as_slice()));
-        Self { scene, model, record, files, energy, momentum, rotation }
-    }
-
-    /// Where the run ended, s.
-    pub fn time(&self) -> f64 {
-        self.record.samples.last().map_or(0.0, |sample| sample.time)
-    }
-
-    /// A table for people.
-    pub fn print(&self) -> Result<(), Failure> {
-        let mut out = io::stdout().lock();
-        table::robot(&mut out, self.model)?;
-        let mut rows = Table::new();
-        rows.load_preset(presets::NOTHING);
-        let Record { samples, steps, evaluations, .. } = self.record;
-        let case = self.scene.case();
-        rows.add_row([
-            "computed",
-            &format!("{} s of {} s", significant(self.time()), significant(self.scene.duration)),
-        ]);
-        rows.add_row(["steps", &format!("{steps}, {evaluations} evaluations of the equations")]);
-        rows.add_row(["samples", &samples.len().to_string()]);
-        rows.add_row(["momentum", case.name()]);
-        let change = if case == Case::Driven { "momentum changed by" } else { "momentum drifted by" };
-        rows.add_row([change, &format!("{} kg·m²/s, kg·m/s at most", small(self.momentum))]);
-        rows.add_row(["kinetic energy", &self.energies()]);
-        rows.add_row(["energy and work differ by", &format!("{} J at most", small(self.energy))]);
-        rows.add_row(["rotation is one to", &small(self.rotation)]);
-        writeln!(out, "{rows}")?;
-        Ok(writeln!(out, "\nwritten: {}", self.files.join(", "))?)
-    }
-
-    fn energies(&self) -> String {
-        let [first, last] = [self.record.samples.first(), self.record.samples.last()]
-            .map(|sample| sample.map_or(0.0, |sample| sample.kinetic_energy));
-        format!("{} J at the start, {} J at the end", significant(first), significant(last))
-    }
-
-    /// One object for programs.
-    pub fn json(&self) -> Result<(), Failure> {
-        let end = match self.record.end {
-            End::Whole => "whole",
-            End::Stopped => "stopped",
-            End::Failed(_) => "failed",
-        };
-        let object = json!({
-            "robot": self.model.name(),
-            "momentum": self.scene.case().name(),
-            "end": end,
-            "time": self.time(),
-            "samples": self.record.samples.len(),
-            "steps": self.record.steps,
-            "evaluations": self.record.evaluations,
-            "momentum_change": self.momentum,
-            "energy_difference": self.energy,
-            "rotation_defect": self.rotation,
-            "files": self.files,
-        });
-        Ok(writeln!(io::stdout().lock(), "{object}")?)
-    }
-}
-
-fn largest(numbers: &[f64]) -> f64 {
-    numbers.iter().fold(0.0, |largest, number| largest.max(number.abs()))
-}
-
-fn small(number: f64) -> String {
-    if number == 0.0 { "0".into() } else { format!("{number:.1e}") }
+/// What moves, as JSON that may stand in a page: `<` is written by its number, so that no name ends the script.
+fn motion(model: &Model, samples: &[Sample], charts: &[(&str, Chart)]) -> String {
+    let skeleton = Skeleton::new(model);
+    let lines: Vec<&[f64]> = charts
+        .iter()
+        .flat_map(|(_, chart)| &chart.panels)
+        .flat_map(|panel| &panel.lines)
+        .map(|(_, values)| values.as_slice())
+        .collect();
+    let times: Vec<f64> = samples.iter().map(|sample| sample.time).collect();
+    let shown = frames::thinned(&times, skeleton.numbers() + lines.len());
+    let (unit, points) = skeleton.frames(model, shown.iter().map(|i| &samples[*i]));
+    json!({
+        "times": shown.iter().map(|i| frames::rounded(times[*i])).collect::<Vec<_>>(),
+        "unit": unit,
+        "points": points,
+        "joints": skeleton.joints,
+        "segments": skeleton.segments,
+        "values": shown.iter().map(|i| lines.iter().map(|line| frames::rounded(line[*i])).collect()).collect::<Vec<Vec<_>>>(),
+    })
+    .to_string()
+    .replace('<', "\\u003c")
 }

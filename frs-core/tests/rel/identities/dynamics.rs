@@ -41,6 +41,30 @@ proptest! {
         })?;
     }
 
+    /// Torques for some joints and accelerations for the others: what is found is what the whole motion has.
+    #[test]
+    fn hybrid_dynamics_is_part_forward_and_part_inverse(case in case(), mask in any::<u32>()) {
+        case.judge(|spec, robot| {
+            let (n, mu, wrench) = (spec.dof(), twist(&case.mu), wrench(&case.wrench));
+            let given: Vec<bool> = (0..n).map(|i| mask >> i & 1 == 1).collect();
+            let rotor: Vec<f64> = (0..n).map(|i| 0.05 * i as f64).collect();
+            let mu_rate = vector(6 + n, |out| robot.forward_dynamics(mu, wrench, case.tau.as_slice(), out)).fixed_rows::<6>(0).into_owned();
+            let mut tau = DVector::zeros(n);
+            robot.inverse_dynamics(mu, stack(&mu_rate, &case.y).as_slice(), tau.as_mut_slice());
+            tau += DVector::from_column_slice(&rotor).component_mul(&case.y);
+
+            let (mut found_tau, mut found) = (tau.clone(), case.y.clone());
+            for i in 0..n {
+                let unknown = if given[i] { &mut found_tau[i] } else { &mut found[i] };
+                *unknown = f64::NAN;
+            }
+            robot.hybrid_dynamics(mu, wrench, &rotor, &given, found_tau.as_mut_slice(), found.as_mut_slice());
+            let tolerance = ROUNDING * spec.shape_condition();
+            close(&found, &case.y, tolerance)?;
+            close(&found_tau, &tau, tolerance)
+        })?;
+    }
+
     /// M = Θᵀ diag(Λ_b, Λ_q) Θ with ξ = ΘV, Θ = [[1, A_l], [0, 1]].
     #[test]
     fn hamel_inertia_is_block_diagonal_in_locked_velocity(case in case()) {

@@ -1,0 +1,126 @@
+//! Scenes as motions: stepped from event to event, written down at regular times.
+
+mod flight;
+mod metered;
+
+use std::ops::ControlFlow;
+
+use frs_core::spatial::{Pose, Twist, Wrench};
+use frs_core::{Model, Real};
+
+use crate::effects::Effects;
+use crate::integrate::{IntegrationError, State, System, Tangent};
+use crate::motion::{Ballistic, Conserved, Driven, Momentum, Motion, Zero};
+
+use crate::scene::{Case, Scene, Start};
+use flight::Flight;
+
+/// A motion at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Time, s.
+    pub time: f64,
+    /// Pose g₁ of the base in the world.
+    pub pose: Pose<f64>,
+    /// Shape (rad, m).
+    pub q: Vec<f64>,
+    /// Shape velocity (rad/s, m/s).
+    pub qd: Vec<f64>,
+    /// Locked velocity, base frame (rad/s, m/s).
+    pub mu: Twist<f64>,
+    /// Kinetic energy, J.
+    pub kinetic_energy: f64,
+    /// Work that all forces did since the start, J.
+    pub work: f64,
+    /// Momentum about the world's origin (kg·m²/s, kg·m/s).
+    pub momentum: Wrench<f64>,
+    /// Joint torques (N·m, N); at a jump those before it.
+    pub tau: Vec<f64>,
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum End {
+    /// The whole duration was computed.
+    Whole,
+    /// The caller stopped it.
+    Stopped,
+    /// The motion could not be continued.
+    Failed(IntegrationError),
+}
+
+/// What a run leaves; all that was computed, however it ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// In the order of time; the first at 0, the last where the run ended.
+    pub samples: Vec<Sample>,
+    /// How it ended.
+    pub end: End,
+    /// Steps made.
+    pub steps: usize,
+    /// How often the right-hand side was evaluated to make them.
+    pub evaluations: usize,
+}
+
+/// Computes a scene; `each` is told the time after each step and may stop the run.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use frs_core::Model;
+/// use frs_sim::{run::run, scene::Scene};
+///
+/// let model = Model::from_urdf(frs_core::urdf::LWR_SATELLITE)?;
+/// let text = "robot = 'lwr_satellite.urdf'\nduration = 1\n[start]\nqd = { joint_2 = 0.5 }\nmomentum = [0.1, 0, 0, 0, 0, 0]";
+/// let scene = Scene::parse("example.toml", text, &model)?;
+/// let record = run(&scene, &model, |_| ControlFlow::Continue(()));
+/// let [first, .., last] = record.samples.as_slice() else { panic!("two samples at least") };
+/// assert!((last.kinetic_energy - first.kinetic_energy).abs() < 1e-9); // nothing does work
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn run(scene: &Scene, model: &Model, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
+    let effects = scene.effects(model);
+    let Start { centroidal: momentum, mass, .. } = scene.start;
+    match scene.case() {
+        Case::Zero => Flight::new(scene, model, Zero, effects).computed(each),
+        Case::Conserved => Flight::new(scene, model, Conserved { momentum }, effects).computed(each),
+        Case::Ballistic => {
+            let weight = scene.gravity() * mass;
+            Flight::new(scene, model, Ballistic { momentum, weight }, effects).computed(each)
+        }
+        Case::Driven => Flight::new(scene, model, Driven, effects).computed(each),
+    }
+}
+
+/// A right-hand side over the scalar `T`: time, state, and where the tangent goes.
+pub type Rate<'m, T> = Box<dyn FnMut(T, &State<T>, &mut Tangent<T>) + 'm>;
+
+/// The right-hand side of a scene over any scalar, with the forces that act from `time` (s) on; for instance to count its
+/// operations.
+pub fn rate<'m, T: Real>(scene: &Scene, model: &'m Model<T>, time: f64) -> Rate<'m, T> {
+    fn boxed<'m, T: Real, M: Momentum<T> + 'm>(
+        scene: &Scene,
+        model: &'m Model<T>,
+        momentum: M,
+        effects: Effects<'m, T>,
+        time: f64,
+    ) -> Rate<'m, T> {
+        let mut motion = Motion::new(model, momentum, effects);
+        if let Some(mut drives) = scene.drives() {
+            drives.enter(time);
+            motion = motion.with_drives(drives);
+        }
+        Box::new(move |time, state, rate| motion.rate(time, state, rate))
+    }
+    let mut effects = scene.effects(model);
+    effects.enter(time);
+    let momentum = Wrench::from_array(scene.start.centroidal.to_array().map(T::from_f64));
+    match scene.case() {
+        Case::Zero => boxed(scene, model, Zero, effects, time),
+        Case::Conserved => boxed(scene, model, Conserved { momentum }, effects, time),
+        Case::Ballistic => {
+            let weight = (scene.gravity() * scene.start.mass).map(T::from_f64);
+            boxed(scene, model, Ballistic { momentum, weight }, effects, time)
+        }
+        Case::Driven => boxed(scene, model, Driven, effects, time),
+    }
+}

@@ -1,0 +1,120 @@
+//! How a run went, in a few numbers.
+
+use std::io::{self, Write};
+
+use comfy_table::{Table, presets};
+use frs::Model;
+use frs::nalgebra::Matrix3;
+use frs_sim::run::{End, Record, Sample};
+use frs_sim::scene::{Case, Scene};
+use serde_json::json;
+
+use crate::cli::Failure;
+use crate::cli::table::{self, significant};
+
+/// What is told at the end.
+pub struct Summary<'a> {
+    scene: &'a Scene,
+    model: &'a Model,
+    record: &'a Record,
+    /// Largest |E − E(0) − W|, J.
+    energy: f64,
+    /// Largest change of an entry of the spatial momentum.
+    momentum: f64,
+    /// Largest entry of RᵀR − 1.
+    rotation: f64,
+}
+
+impl<'a> Summary<'a> {
+    pub fn new(scene: &'a Scene, model: &'a Model, record: &'a Record) -> Self {
+        let start = &record.samples[0];
+        let worst = |of: &dyn Fn(&Sample) -> f64| record.samples.iter().map(of).fold(0.0, f64::max);
+        let energy = worst(&|s| (s.kinetic_energy - start.kinetic_energy - s.work).abs());
+        let momentum = worst(&|s| largest(&(s.momentum - start.momentum).to_array()));
+        let rotation =
+            worst(&|s| largest((s.pose.rotation.transpose() * s.pose.rotation - Matrix3::identity()).as_slice()));
+        Self { scene, model, record, energy, momentum, rotation }
+    }
+
+    /// Where the run ended, s.
+    pub fn time(&self) -> f64 {
+        self.record.samples.last().map_or(0.0, |sample| sample.time)
+    }
+
+    /// Why the run did not reach its end, if it did not.
+    pub fn ending(&self) -> Option<String> {
+        match self.record.end {
+            End::Whole => None,
+            End::Stopped => Some(format!("stopped at t = {} s", self.time())),
+            End::Failed(error) => Some(error.to_string()),
+        }
+    }
+
+    /// What is told, and how much it is.
+    pub fn rows(&self) -> Vec<(&'static str, String)> {
+        let Record { samples, steps, evaluations, .. } = self.record;
+        let case = self.scene.case();
+        let change =
+            if matches!(case, Case::Driven | Case::Ballistic) { "momentum changed by" } else { "momentum drifted by" };
+        vec![
+            ("computed", format!("{} s of {} s", significant(self.time()), significant(self.scene.duration))),
+            ("steps", format!("{steps}, {evaluations} evaluations of the equations")),
+            ("samples", samples.len().to_string()),
+            ("momentum", case.name().to_owned()),
+            (change, format!("{} kg·m²/s, kg·m/s at most", small(self.momentum))),
+            ("kinetic energy", self.energies()),
+            ("energy and work differ by", format!("{} J at most", small(self.energy))),
+            ("rotation is one to", small(self.rotation)),
+        ]
+    }
+
+    /// A table for people.
+    pub fn print(&self, files: &[&str]) -> Result<(), Failure> {
+        let mut out = io::stdout().lock();
+        table::robot(&mut out, self.model)?;
+        let mut table = Table::new();
+        table.load_preset(presets::NOTHING);
+        for (what, amount) in self.rows() {
+            table.add_row([what, &amount]);
+        }
+        writeln!(out, "{table}")?;
+        Ok(writeln!(out, "\nwritten: {}", files.join(", "))?)
+    }
+
+    fn energies(&self) -> String {
+        let [first, last] = [self.record.samples.first(), self.record.samples.last()]
+            .map(|sample| sample.map_or(0.0, |sample| sample.kinetic_energy));
+        format!("{} J at the start, {} J at the end", significant(first), significant(last))
+    }
+
+    /// One object for programs.
+    pub fn json(&self, files: &[&str]) -> Result<(), Failure> {
+        let end = match self.record.end {
+            End::Whole => "whole",
+            End::Stopped => "stopped",
+            End::Failed(_) => "failed",
+        };
+        let object = json!({
+            "robot": self.model.name(),
+            "momentum": self.scene.case().name(),
+            "end": end,
+            "time": self.time(),
+            "samples": self.record.samples.len(),
+            "steps": self.record.steps,
+            "evaluations": self.record.evaluations,
+            "momentum_change": self.momentum,
+            "energy_difference": self.energy,
+            "rotation_defect": self.rotation,
+            "files": files,
+        });
+        Ok(writeln!(io::stdout().lock(), "{object}")?)
+    }
+}
+
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |largest, number| largest.max(number.abs()))
+}
+
+fn small(number: f64) -> String {
+    if number == 0.0 { "0".into() } else { format!("{number:.1e}") }
+}
