@@ -39,10 +39,14 @@ fn file(name: &str, content: &str) -> String {
 }
 
 #[test]
-fn alone_it_shows_the_default_robot_and_all_identities_hold() {
-    let output = frs(&[], "");
-    assert_eq!(output.status.code(), Some(0));
+fn alone_it_shows_the_default_robot_and_runs_the_example_of_the_paper() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("alone");
+    std::fs::create_dir_all(&folder).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_frs")).current_dir(&folder).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let shown = text(&output.stdout);
+    assert!(shown.contains("all the same, bit for bit") && shown.contains("4.0000 s of 4.0000 s"), "{shown}");
+    assert!(std::fs::read_to_string(folder.join("frs-paper/report.html")).unwrap().contains("lwr_satellite"));
     assert!(shown.contains("lwr_satellite: 8 links, 7 coordinates"));
     assert!(shown.contains("dΛ_b/dt = P(q̇)") && !shown.contains("BROKEN"), "{shown}");
 }

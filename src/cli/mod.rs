@@ -6,6 +6,7 @@ mod answer;
 mod curvature;
 mod diff;
 mod eval;
+mod example;
 mod explain;
 mod generate;
 mod options;
@@ -18,6 +19,7 @@ mod svg;
 mod table;
 mod verify;
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -28,8 +30,9 @@ use frs_codegen::fresh;
 
 /// Reduced Euler-Lagrange dynamics of floating-base robots.
 ///
-/// Without a subcommand: shows the default robot, a satellite with a seven-joint arm, and checks every identity of its
-/// equations on random states.
+/// Without a subcommand: shows the default robot, a satellite with a seven-joint arm, checks every identity of its equations on
+/// random states, and runs the example of the paper from end to end: generated code against the core, motion, and report, into
+/// the folder frs-paper.
 #[derive(Parser)]
 #[command(version, after_help = "Exit codes: 0 ok, 1 a check failed, 2 bad input.")]
 struct Cli {
@@ -109,9 +112,9 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
     })
 }
 
-/// Runs the command line and says how it ended.
-pub fn run() -> ExitCode {
-    let result = match Cli::parse().command {
+/// Executes a command that is given by its arguments.
+fn execute(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure> {
+    match Cli::parse_from(std::iter::once("frs".into()).chain(arguments)).command {
         None => overview::run(),
         Some(Command::Eval(eval)) => eval.run(),
         Some(Command::Generate(generate)) => generate.run(),
@@ -121,7 +124,12 @@ pub fn run() -> ExitCode {
         Some(Command::Oracle(oracle)) => oracle.run(),
         Some(Command::Simulate(simulate)) => simulate.run(),
         Some(Command::Explain(explain)) => explain.run(),
-    };
+    }
+}
+
+/// Runs the command line and says how it ended.
+pub fn run() -> ExitCode {
+    let result = execute(std::env::args_os().skip(1));
     match result {
         Ok(()) | Err(Failure::OutputClosed) => ExitCode::SUCCESS,
         Err(Failure::Check(message)) => {

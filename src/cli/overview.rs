@@ -1,4 +1,4 @@
-//! `frs` alone: the default robot, what its equations look like, and whether they hold.
+//! `frs` alone: the default robot, what its equations look like, whether they hold, and the paper's example.
 
 use std::io::{self, Write};
 
@@ -7,7 +7,7 @@ use frs::nalgebra::{DMatrix, Matrix6xX};
 use frs::spatial::Twist;
 use frs::{Curvature, Model, Workspace, identities};
 
-use super::{Failure, table};
+use super::{Failure, example, table};
 
 /// States on which the identities are checked.
 const STATES: usize = 1000;
@@ -41,11 +41,15 @@ pub fn run() -> Result<(), Failure> {
             identities::ROUNDING
         )));
     }
+    drop(out);
+    example::run()?;
+    let mut out = io::stdout().lock();
     writeln!(out, "Try next:")?;
     writeln!(out, "  frs eval ROBOT.urdf                         every quantity of your own robot at its zero pose")?;
     writeln!(out, "  frs eval ROBOT.urdf --states states.jsonl   the same at any states, as JSON lines")?;
-    writeln!(out, "  frs eval ROBOT.urdf --root hand             the same robot with another link as its base")?;
     writeln!(out, "  frs eval --help                             the format of states, and all quantities")?;
+    writeln!(out, "  frs verify ROBOT.urdf                       its generated code against the core, bit for bit")?;
+    writeln!(out, "  frs simulate SCENE.toml --out FOLDER        a scene of your own (docs/scenes.md)")?;
     Ok(())
 }
 
