@@ -279,6 +279,66 @@ fn a_hand_is_pulled_to_its_place_on_a_floating_base() {
     assert!((last(&record).pose.translation - record.samples[0].pose.translation).norm() > 1e-3, "the base gives way");
 }
 
+const TARGET: &str =
+    "[payload]\nlink = 'link_7'\nmass = 8\ncom = [0.02, -0.03, 0.2]\ninertia = [0.1, 0.2, 0.15, 0.01, 0, -0.02]\n";
+
+/// What is the same before and after: the momentum of robot and target about the world's origin, and the shape's.
+#[test]
+fn a_tumbling_target_brings_its_momentum() {
+    let model = satellite();
+    let twist = [0.3, -0.2, 0.4, 0.1, 0.2, -0.1];
+    let text = format!("{SWING}[friction]\nviscous = 0.1\n{TARGET}grasp = 0.5\ntwist = {twist:?}\n");
+    let record = flown(&model, &text);
+    let (before, after) = (&record.samples[50], last(&record));
+    assert!(before.time == 0.5 && record.samples.len() == 101);
+    // The target about the world's origin, as it is taken.
+    let link = model.link("link_7").unwrap();
+    let mut work = Workspace::new(&model);
+    let pose = before.pose * work.shape(&before.q).link_pose(link);
+    let place = pose.transform(Vector3::new(0.02, -0.03, 0.2));
+    let [turn, velocity] = [Vector3::from_column_slice(&twist[..3]), Vector3::from_column_slice(&twist[3..])];
+    let inertia = nalgebra::Matrix3::new(0.1, 0.01, 0.0, 0.01, 0.2, -0.02, 0.0, -0.02, 0.15);
+    let spin = pose.rotation * inertia * pose.rotation.transpose() * turn;
+    let moment = spin + place.cross(&(velocity * 8.0));
+    let gained = after.momentum - before.momentum;
+    assert!((gained.force - velocity * 8.0).norm() < 1e-9, "{gained:?}");
+    assert!((gained.moment - moment).norm() < 1e-9, "{gained:?} {moment:?}");
+    // Energy that the target brings, less what is lost when both become one.
+    let brought = 0.5 * (turn.dot(&spin) + 8.0 * velocity.norm_squared());
+    let jump = record.samples[51].work - before.work;
+    assert!(jump < brought && jump > brought - 5.0, "{jump} of {brought}");
+    let balance = after.kinetic_energy - record.samples[0].kinetic_energy - after.work;
+    assert!(balance.abs() < ACCUMULATED * 10.0, "{balance:e}");
+}
+
+/// A body that moves with the hand is taken without a jump; let go at once, it leaves no trace but rounding.
+#[test]
+fn a_body_that_moves_along_is_taken_and_let_go_without_a_jump() {
+    let model = satellite();
+    let [alone, held] = ["".to_owned(), format!("{TARGET}grasp = 0.5\nrelease = 0.500001\n")]
+        .map(|payload| flown(&model, &format!("{SWING}{payload}")));
+    for (one, other) in alone.samples.iter().zip(&held.samples) {
+        let apart = one.qd.iter().zip(&other.qd).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-4, "{}: {apart:e}", one.time);
+    }
+    let differ = last(&alone).qd != last(&held).qd;
+    assert!(differ, "the hand carried it for a microsecond");
+}
+
+/// Held from the start it is part of the robot.
+#[test]
+fn a_payload_from_the_start_is_a_heavier_link() {
+    let model = satellite();
+    let link = &model.links()[model.link("link_7").unwrap()];
+    let text = format!("{HEAD}{SWING}{TARGET}");
+    let scene = Scene::parse("scene.toml", &text, &model).unwrap();
+    let inertial = link.inertial.joined(scene.payloads().next().unwrap().inertial);
+    let laden = model.with_inertial("link_7", inertial).unwrap();
+    assert!(scene.handovers().is_empty() && (inertial.mass - link.inertial.mass - 8.0).abs() < ROUNDING);
+    let [held, part] = [flown(&model, &format!("{SWING}{TARGET}")), flown(&laden, SWING)];
+    assert_eq!(held.samples, part.samples);
+}
+
 #[test]
 fn a_centre_of_mass_in_free_fall_is_on_a_parabola_and_the_shape_does_not_notice() {
     let model = satellite();

@@ -82,6 +82,9 @@ fn momentum(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
         Case::Ballistic => {
             "gravity alone changes it, and not about the centre of mass, which falls on a parabola".into()
         }
+        Case::Conserved if !scene.handovers().is_empty() => {
+            "no force can change it, but a payload brings or takes some".into()
+        }
         Case::Conserved => "no effect can change it, and at the start it is not zero".into(),
         Case::Zero => "no effect can change it, and at the start it is zero".into(),
     };

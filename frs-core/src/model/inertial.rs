@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::Link;
 use crate::Real;
-use crate::spatial::Symmetric3;
+use crate::spatial::{Symmetric3, Twist, Wrench};
 
 /// A mass distribution: ten parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +24,22 @@ impl Inertial {
         com: Vector3::new(0.0, 0.0, 0.0),
         inertia: Symmetric3 { xx: 0.0, xy: 0.0, xz: 0.0, yy: 0.0, yz: 0.0, zz: 0.0 },
     };
+}
+
+impl<T: Real> Inertial<T> {
+    /// The mass distribution of two bodies fixed to each other, both in the same frame; one of them must have mass.
+    pub fn joined(self, other: Self) -> Self {
+        let mass = self.mass + other.mass;
+        let (share, apart) = (other.mass / mass, other.com - self.com);
+        let inertia = self.inertia + other.inertia + Symmetric3::point_mass(self.mass * share, apart);
+        Self { mass, com: self.com + apart * share, inertia }
+    }
+
+    /// The momentum about the frame's origin of a body that moves with the twist `V` (both in this frame).
+    pub fn momentum(self, twist: Twist<T>) -> Wrench<T> {
+        let force = twist.at(self.com).linear * self.mass;
+        Wrench::new(self.inertia * twist.angular + self.com.cross(&force), force)
+    }
 }
 
 /// What a body weighs that is made of `links`, in the frame in which they stood when they were [weighed](Link::weighed_at).

@@ -231,15 +231,10 @@ impl<T: Real> Model<T> {
 
     /// The same robot with rotations that are orthonormal to this scalar's digits, not only to those of a double.
     ///
-    /// For scalars wider than `f64`, after [`Model::cast`]: one Newton step `R ← R + ½R(1 − RᵀR)`, which doubles the digits.
+    /// For scalars wider than `f64`, after [`Model::cast`].
     pub fn orthonormalised(mut self) -> Self {
-        let half = T::from_f64(0.5);
-        let step = |pose: &mut Pose<T>| {
-            let rotation = pose.rotation;
-            pose.rotation += rotation * (Matrix3::identity() - rotation.transpose() * rotation) * half;
-        };
-        self.bodies.iter_mut().for_each(|body| step(&mut body.placement));
-        self.links.iter_mut().for_each(|link| step(&mut link.placement));
+        self.bodies.iter_mut().for_each(|body| body.placement = body.placement.orthonormalised());
+        self.links.iter_mut().for_each(|link| link.placement = link.placement.orthonormalised());
         self
     }
 }

@@ -56,6 +56,14 @@ impl<T: Real> Pose<T> {
         Self::new(rotation, translation)
     }
 
+    /// The same with a rotation nearer to one, where it is already one to rounding: a Newton step `R ← R + ½R(1 − RᵀR)`, which doubles
+    /// the digits.
+    pub fn orthonormalised(self) -> Self {
+        let rotation = self.rotation;
+        let defect = Matrix3::identity() - rotation.transpose() * rotation;
+        Self::new(rotation + rotation * defect * T::from_f64(0.5), self.translation)
+    }
+
     /// `R x + p`.
     #[inline(always)]
     pub fn transform(&self, point: Vector3<T>) -> Vector3<T> {

@@ -41,9 +41,9 @@ impl<T: Real> State<T> {
         Self { pose: Pose::identity(), flat: vec![T::zero(); dimension] }
     }
 
-    /// Sets `self` to `from` moved by the step `(ζ, Δx)`: `(g exp ζ, x + Δx)`.
+    /// Sets `self` to `from` moved by the step `(ζ, Δx)`: `(g exp ζ, x + Δx)`. Rounding does not add up: the rotation is made one again.
     pub fn set_moved(&mut self, from: &Self, step: &Tangent<T>) {
-        self.pose = from.pose * Pose::exp(step.twist);
+        self.pose = (from.pose * Pose::exp(step.twist)).orthonormalised();
         for ((x, &from), &step) in self.flat.iter_mut().zip(&from.flat).zip(&step.flat) {
             *x = from + step;
         }

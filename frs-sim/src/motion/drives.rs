@@ -95,15 +95,16 @@ impl<T: Real> Drives<T> {
         }
     }
 
-    /// Accelerations of the free joints into `qdd`, torques of the others into the load.
-    pub(super) fn accelerations(
-        &self,
-        robot: &mut Moving<'_, '_, '_, T>,
-        mu: Twist<T>,
-        load: &mut Load<T>,
-        qdd: &mut [T],
-    ) {
+    /// Accelerations of the free joints into `qdd`, torques of the others, whose accelerations are there, into the load.
+    pub fn accelerations(&self, robot: &mut Moving<'_, '_, '_, T>, mu: Twist<T>, load: &mut Load<T>, qdd: &mut [T]) {
         robot.hybrid_dynamics(mu, load.base_wrench, &self.rotor, &self.given, &mut load.tau, qdd);
+    }
+
+    /// Adds `J_i q̇_i`, the rotors' share of the shape's momentum.
+    pub fn add_rotors(&self, qd: &[T], momentum: &mut [T]) {
+        for ((sum, &rotor), &qd) in momentum.iter_mut().zip(&self.rotor).zip(qd) {
+            *sum += rotor * qd;
+        }
     }
 
     /// `½ Σ J_i q̇_i²`, J.

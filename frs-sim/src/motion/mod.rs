@@ -94,6 +94,18 @@ impl<'m, M: Momentum<T>, L: Loads<T>, T: Real> Motion<'m, M, L, T> {
         &self.load
     }
 
+    /// Goes on with a robot of the same joints and another mass distribution, from `time` (s) on, with momentum `momentum` about its
+    /// centre of mass (world axes) and total mass `mass` (kg).
+    pub fn change(&mut self, model: &'m Model<T>, time: T, momentum: Wrench<T>, mass: T) {
+        self.work = Workspace::new(model);
+        self.momentum.change(time, momentum, mass);
+    }
+
+    /// The drives.
+    pub fn drives(&self) -> Option<&Drives<T>> {
+        self.drives.as_ref()
+    }
+
     /// What exerts the forces, to be changed at an event.
     pub fn loads_mut(&mut self) -> &mut L {
         &mut self.loads

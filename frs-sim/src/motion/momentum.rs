@@ -11,6 +11,11 @@ pub trait Momentum<T: Real> {
 
     /// μ of a robot in a shape, at a time (s) and a pose; `numbers` are those integrated for it.
     fn locked_velocity(&self, time: T, pose: &Pose<T>, shape: &Shape<'_, '_, T>, numbers: &[T]) -> Twist<T>;
+
+    /// At a time (s) the robot becomes one of another mass (kg), with another momentum about its centre of mass (world axes).
+    ///
+    /// Not for [`Zero`], which has none.
+    fn change(&mut self, time: T, momentum: Wrench<T>, mass: T);
 }
 
 /// No momentum, and nothing that gives one: μ = 0. The base moves as the shape's connection says.
@@ -29,10 +34,14 @@ pub struct Conserved<T: Real = f64> {
 /// angular momentum do not notice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ballistic<T: Real = f64> {
-    /// Momentum about the centre of mass at time 0, world axes (kg·m²/s, kg·m/s).
+    /// Momentum about the centre of mass at the time `since`, world axes (kg·m²/s, kg·m/s).
     pub momentum: Wrench<T>,
-    /// `m a`, the weight (N, world axes).
-    pub weight: Vector3<T>,
+    /// a, acceleration of free fall, world axes (m/s²).
+    pub acceleration: Vector3<T>,
+    /// m, kg.
+    pub mass: T,
+    /// s.
+    pub since: T,
 }
 
 /// Wrenches act: μ is integrated.
@@ -45,6 +54,8 @@ impl<T: Real> Momentum<T> for Zero {
     fn locked_velocity(&self, _: T, _: &Pose<T>, _: &Shape<'_, '_, T>, _: &[T]) -> Twist<T> {
         Twist::zero()
     }
+
+    fn change(&mut self, _: T, _: Wrench<T>, _: T) {}
 }
 
 impl<T: Real> Momentum<T> for Conserved<T> {
@@ -54,6 +65,10 @@ impl<T: Real> Momentum<T> for Conserved<T> {
         let turned = Pose::new(pose.rotation.transpose(), Vector3::zeros()).act_wrench(self.momentum);
         shape.velocity_of_centroidal_momentum(turned)
     }
+
+    fn change(&mut self, _: T, momentum: Wrench<T>, _: T) {
+        self.momentum = momentum;
+    }
 }
 
 impl<T: Real> Momentum<T> for Ballistic<T> {
@@ -61,8 +76,12 @@ impl<T: Real> Momentum<T> for Ballistic<T> {
 
     fn locked_velocity(&self, time: T, pose: &Pose<T>, shape: &Shape<'_, '_, T>, numbers: &[T]) -> Twist<T> {
         let Wrench { moment, force } = self.momentum;
-        Conserved { momentum: Wrench::new(moment, force + self.weight * time) }
-            .locked_velocity(time, pose, shape, numbers)
+        let fallen = force + self.acceleration * (self.mass * (time - self.since));
+        Conserved { momentum: Wrench::new(moment, fallen) }.locked_velocity(time, pose, shape, numbers)
+    }
+
+    fn change(&mut self, since: T, momentum: Wrench<T>, mass: T) {
+        *self = Self { momentum, mass, since, ..*self };
     }
 }
 
@@ -72,4 +91,6 @@ impl<T: Real> Momentum<T> for Driven {
     fn locked_velocity(&self, _: T, _: &Pose<T>, _: &Shape<'_, '_, T>, numbers: &[T]) -> Twist<T> {
         Twist::from_array(std::array::from_fn(|i| numbers[i]))
     }
+
+    fn change(&mut self, _: T, _: Wrench<T>, _: T) {}
 }

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use frs_core::Model;
 use nalgebra::Vector3;
 
+use super::handover::Changed;
 use super::metered::Metered;
 use super::{End, Record, Sample};
 use crate::effects::Effects;
@@ -15,6 +16,11 @@ use crate::scene::{Case, Scene, Start};
 /// A run on its way.
 pub struct Flight<'s, 'm, M> {
     scene: &'s Scene,
+    /// The robot at the start, and from each handover on.
+    models: &'m [Model],
+    /// Which of them flies.
+    phase: usize,
+    fall: FreeFall,
     system: Metered<'m, M>,
     path: Adaptive,
     tangent: Tangent,
@@ -38,9 +44,9 @@ const PARTS: u32 = 8;
 const HALVINGS: u32 = 48;
 
 impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
-    pub fn new(scene: &'s Scene, model: &'m Model, momentum: M, effects: Effects<'m>) -> Self {
+    pub fn new(scene: &'s Scene, models: &'m [Model], momentum: M, effects: Effects<'m>) -> Self {
         let start = &scene.start;
-        let mut motion = Motion::new(model, momentum, effects);
+        let mut motion = Motion::new(&models[0], momentum, effects);
         if let Some(drives) = scene.drives() {
             motion = motion.with_drives(drives);
         }
@@ -51,7 +57,20 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         metered.flat.push(0.0);
         let tangent = Tangent::zero(metered.flat.len());
         let path = Adaptive::new(&DOP853, metered, 0.0, scene.accuracy);
-        Self { scene, system, path, tangent, touching: Touching::default(), samples: Vec::new(), steps: 0 }
+        let Start { com, centroidal, mass, .. } = *start;
+        let fall = FreeFall { since: 0.0, com, momentum: centroidal.force, mass, work: 0.0 };
+        Self {
+            scene,
+            models,
+            phase: 0,
+            fall,
+            system,
+            path,
+            tangent,
+            touching: Touching::default(),
+            samples: Vec::new(),
+            steps: 0,
+        }
     }
 
     pub fn computed(mut self, mut each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
@@ -71,7 +90,11 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         limits.push(duration);
         limits.sort_by(f64::total_cmp);
         let mut between = self.path.state().clone();
+        let handovers = self.scene.handovers();
         for limit in limits {
+            while handovers.get(self.phase).is_some_and(|time| *time <= self.path.time()) {
+                self.hand_over();
+            }
             self.enter();
             if self.samples.is_empty() {
                 self.meet(&between);
@@ -110,6 +133,21 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
             drives.enter(time);
         }
         self.path.event();
+    }
+
+    /// Goes on with the next of the models.
+    fn hand_over(&mut self) {
+        self.phase += 1;
+        let (time, mut state) = (self.path.time(), self.path.state().clone());
+        let com = self.system.com(time, &state);
+        if let Some(place) = self.fall_at(time) {
+            state.pose.translation = place - state.pose.rotation * com;
+        }
+        let work = self.gravity_work(time);
+        let changed = self.system.hand_over(&self.models[self.phase], self.scene.payloads(), time, &mut state);
+        let Changed { momentum, com, mass } = changed;
+        self.fall = FreeFall { since: time, com, momentum: momentum.force, mass, work };
+        *self.path.event() = state;
     }
 
     /// Finds out what is touched at the start.
@@ -163,40 +201,60 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
     }
 
     fn sample(&mut self, time: f64, state: &State) {
-        let free_fall = self.free_fall(time);
+        let (falling, gravity_work) = (self.fall_at(time), self.gravity_work(time));
         self.system.rate(time, state, &mut self.tangent);
         let Metered { motion, state: own, .. } = &mut self.system;
         let tau = motion.last_load().tau.clone();
         let (q, qd) = motion.shape(time, own);
         let (q, qd) = (q.to_vec(), qd.to_vec());
-        let (mu, com) = motion.ask(time, own, |robot, mu| (mu, robot.com()));
-        let mut work = state.flat[state.flat.len() - 1];
-        if let Some(free) = free_fall {
-            // Known better than by integration: where the centre of mass is, and what gravity did to it.
-            own.pose.translation = free.com - own.pose.rotation * com;
-            work += free.work;
+        let mu = motion.locked_velocity(time, own);
+        let place = motion.ask(time, own, |robot, _| robot.com());
+        let mut com = own.pose.transform(place);
+        if let Some(falling) = falling {
+            // Known better than by integration.
+            own.pose.translation = falling - own.pose.rotation * place;
+            com = falling;
         }
+        let work = state.flat[state.flat.len() - 1] + gravity_work;
         let (kinetic_energy, momentum) = (motion.kinetic_energy(time, own), motion.spatial_momentum(time, own));
-        self.samples.push(Sample { time, pose: own.pose, q, qd, mu, kinetic_energy, work, momentum, tau });
+        self.samples.push(Sample { time, pose: own.pose, q, qd, mu, kinetic_energy, com, work, momentum, tau });
     }
 
-    /// What the centre of mass does unless the momentum is driven.
-    fn free_fall(&self, time: f64) -> Option<FreeFall> {
-        let Start { com, mass, centroidal, .. } = &self.scene.start;
-        let fall = match self.scene.case() {
-            Case::Driven => return None,
-            Case::Ballistic => self.scene.gravity(),
-            Case::Zero | Case::Conserved => Vector3::zeros(),
-        };
-        let way = centroidal.force * (time / mass) + fall * (0.5 * time * time);
-        Some(FreeFall { com: com + way, work: fall.dot(&way) * mass })
+    /// Where the centre of mass is unless the momentum is driven.
+    fn fall_at(&self, time: f64) -> Option<Vector3<f64>> {
+        (self.scene.case() != Case::Driven).then(|| self.fall.com + self.fall.way(time, self.acceleration()))
+    }
+
+    /// What gravity did that the motion does not measure itself, J.
+    fn gravity_work(&self, time: f64) -> f64 {
+        let acceleration = self.acceleration();
+        self.fall.work + acceleration.dot(&self.fall.way(time, acceleration)) * self.fall.mass
+    }
+
+    /// Acceleration of a centre of mass that is not integrated.
+    fn acceleration(&self) -> Vector3<f64> {
+        if self.scene.case() == Case::Ballistic { self.scene.gravity() } else { Vector3::zeros() }
     }
 }
 
-/// A centre of mass that falls freely.
+/// A centre of mass on its way in free fall.
 struct FreeFall {
-    /// Where it is, m, world.
+    /// When it began, s.
+    since: f64,
+    /// Where it was then, m, world.
     com: Vector3<f64>,
-    /// What gravity did, J.
+    /// Its momentum then, kg·m/s.
+    momentum: Vector3<f64>,
+    /// kg.
+    mass: f64,
+    /// What gravity did until then, J.
     work: f64,
+}
+
+impl FreeFall {
+    /// How far it is at `time`, m.
+    fn way(&self, time: f64, acceleration: Vector3<f64>) -> Vector3<f64> {
+        let t = time - self.since;
+        self.momentum * (t / self.mass) + acceleration * (0.5 * t * t)
+    }
 }

@@ -53,10 +53,16 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
     }
 
     /// Takes what the motion knows of a state.
-    fn set(&mut self, state: &State) {
+    pub fn set(&mut self, state: &State) {
         let own = self.motion.dimension();
         self.state.pose = state.pose;
         self.state.flat.copy_from_slice(&state.flat[..own]);
+    }
+
+    /// The centre of mass in a state, base frame.
+    pub fn com(&mut self, time: f64, state: &State) -> Vector3<f64> {
+        self.set(state);
+        self.motion.ask(time, &self.state, |robot, _| robot.com())
     }
 
     /// Distances from what can be touched in a state, and whose they are.

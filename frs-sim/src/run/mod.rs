@@ -1,12 +1,14 @@
 //! Scenes as motions: stepped from event to event, written down at regular times.
 
 mod flight;
+mod handover;
 mod metered;
 
 use std::ops::ControlFlow;
 
 use frs_core::spatial::{Pose, Twist, Wrench};
 use frs_core::{Model, Real};
+use nalgebra::Vector3;
 
 use crate::effects::Effects;
 use crate::integrate::{IntegrationError, State, System, Tangent};
@@ -30,7 +32,9 @@ pub struct Sample {
     pub mu: Twist<f64>,
     /// Kinetic energy, J.
     pub kinetic_energy: f64,
-    /// Work that all forces did since the start, J.
+    /// Centre of mass, world (m).
+    pub com: Vector3<f64>,
+    /// Work that all forces did since the start, and energy that payloads brought and took, J.
     pub work: f64,
     /// Momentum about the world's origin (kg·m²/s, kg·m/s).
     pub momentum: Wrench<f64>,
@@ -79,15 +83,18 @@ pub struct Record {
 /// ```
 pub fn run(scene: &Scene, model: &Model, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
     let effects = scene.effects(model);
+    let times = std::iter::once(0.0).chain(scene.handovers());
+    let models: Vec<Model> = times.map(|time| scene.laden(model, time)).collect();
     let Start { centroidal: momentum, mass, .. } = scene.start;
     match scene.case() {
-        Case::Zero => Flight::new(scene, model, Zero, effects).computed(each),
-        Case::Conserved => Flight::new(scene, model, Conserved { momentum }, effects).computed(each),
+        Case::Zero => Flight::new(scene, &models, Zero, effects).computed(each),
+        Case::Conserved => Flight::new(scene, &models, Conserved { momentum }, effects).computed(each),
         Case::Ballistic => {
-            let weight = scene.gravity() * mass;
-            Flight::new(scene, model, Ballistic { momentum, weight }, effects).computed(each)
+            let acceleration = scene.gravity();
+            let ballistic = Ballistic { momentum, acceleration, mass, since: 0.0 };
+            Flight::new(scene, &models, ballistic, effects).computed(each)
         }
-        Case::Driven => Flight::new(scene, model, Driven, effects).computed(each),
+        Case::Driven => Flight::new(scene, &models, Driven, effects).computed(each),
     }
 }
 
@@ -95,7 +102,7 @@ pub fn run(scene: &Scene, model: &Model, each: impl FnMut(f64) -> ControlFlow<()
 pub type Rate<'m, T> = Box<dyn FnMut(T, &State<T>, &mut Tangent<T>) + 'm>;
 
 /// The right-hand side of a scene over any scalar, with the forces that act from `time` (s) on; for instance to count its
-/// operations.
+/// operations. `model` is the robot as it is [laden](Scene::laden) then.
 pub fn rate<'m, T: Real>(scene: &Scene, model: &'m Model<T>, time: f64) -> Rate<'m, T> {
     fn boxed<'m, T: Real, M: Momentum<T> + 'm>(
         scene: &Scene,
@@ -118,8 +125,8 @@ pub fn rate<'m, T: Real>(scene: &Scene, model: &'m Model<T>, time: f64) -> Rate<
         Case::Zero => boxed(scene, model, Zero, effects, time),
         Case::Conserved => boxed(scene, model, Conserved { momentum }, effects, time),
         Case::Ballistic => {
-            let weight = (scene.gravity() * scene.start.mass).map(T::from_f64);
-            boxed(scene, model, Ballistic { momentum, weight }, effects, time)
+            let (acceleration, mass) = (scene.gravity().map(T::from_f64), T::from_f64(scene.start.mass));
+            boxed(scene, model, Ballistic { momentum, acceleration, mass, since: T::zero() }, effects, time)
         }
         Case::Driven => boxed(scene, model, Driven, effects, time),
     }

@@ -1,5 +1,6 @@
 //! What a scene can name.
 
+use super::payload::Payload;
 use crate::effects::{
     Contact, Coulomb, Decoupling, Drag, Gains, Gravity, JointTorque, LinkWrench, Spring, Target, Viscous,
 };
@@ -36,6 +37,8 @@ pub enum Force {
     Rotors(Vec<f64>),
     /// `[prescribed]`: a coordinate and what it does
     Prescribed(usize, Course),
+    /// `[payload]`
+    Payload(Payload),
     /// `[regulator]`
     Regulator(Gains),
     /// `[computed_torque]`: courses, one per coordinate, and the bandwidth
@@ -54,7 +57,7 @@ pub struct Named {
 }
 
 /// Keys of a scene that are effects.
-pub const EFFECTS: [&str; 13] = [
+pub const EFFECTS: [&str; 14] = [
     "gravity",
     "wrench",
     "drag",
@@ -65,6 +68,7 @@ pub const EFFECTS: [&str; 13] = [
     "stops",
     "rotors",
     "prescribed",
+    "payload",
     "regulator",
     "computed_torque",
     "end_effector",
@@ -84,6 +88,7 @@ impl Force {
             Self::Stops { .. } => "stops",
             Self::Rotors(_) => "rotors",
             Self::Prescribed(..) => "prescribed",
+            Self::Payload(_) => "payload",
             Self::Regulator(_) => "regulator",
             Self::ComputedTorque(..) => "computed_torque",
             Self::EndEffector(_) => "end_effector",
@@ -110,6 +115,7 @@ impl Force {
             Self::Stops { .. } => "τ ± = k d (1 + c ḋ)",
             Self::Rotors(_) => "Λ_q += J",
             Self::Prescribed(..) => "q = q(t), τ as it takes",
+            Self::Payload(_) => "Λ_b, A_l, Λ_q, … of the robot with it",
             Self::Regulator(gains) => match gains.decoupling {
                 Decoupling::None => "τ −= K (q − q_d) + D q̇",
                 Decoupling::Coupling => "τ −= K (q − q_d) + D q̇ + c(μ)",
@@ -126,6 +132,7 @@ impl Force {
             Self::Wrench(wrench) => wrench.wrench.iter().flat_map(Signal::knots).copied().collect(),
             Self::JointTorque(torque) => torque.tau.iter().flat_map(Signal::knots).copied().collect(),
             Self::Prescribed(_, course) => course.knots().to_vec(),
+            Self::Payload(payload) => payload.grasp.into_iter().chain(payload.release).collect(),
             Self::ComputedTorque(courses, _) => courses.iter().flat_map(Course::knots).copied().collect(),
             _ => Vec::new(),
         };

@@ -3,6 +3,7 @@
 use frs_core::Model;
 
 use super::force::{EFFECTS, Force, Named};
+use super::payload;
 use super::reader::{Item, Table};
 use super::timing::{self, Timing};
 use crate::effects::{
@@ -26,6 +27,7 @@ pub fn read(root: &Table<'_, '_>, model: &Model, duration: f64) -> Vec<Named> {
                 "stops" => stops(&table, model).into_iter().collect(),
                 "rotors" => rotors(&table, model).into_iter().collect(),
                 "prescribed" => prescribed(&table, model).into_iter().collect(),
+                "payload" => payload::read(&table, model, duration).map(Force::Payload).into_iter().collect(),
                 "regulator" => regulator(&table, model).into_iter().collect(),
                 "computed_torque" => computed_torque(&table, model).into_iter().collect(),
                 _ => end_effector(&table, model).into_iter().collect::<Vec<_>>(),

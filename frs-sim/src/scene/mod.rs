@@ -4,6 +4,7 @@
 
 mod force;
 mod forces;
+mod payload;
 mod problem;
 mod reader;
 mod start;
@@ -19,6 +20,7 @@ use crate::motion::{Course, Drives};
 use reader::{Reader, Table};
 
 pub use force::{EFFECTS, Force, Named};
+pub use payload::Payload;
 pub use problem::{Problem, SceneError};
 pub use start::Start;
 
@@ -120,7 +122,7 @@ impl Scene {
         });
         let forces = forces::read(&root, model, duration.unwrap_or(f64::INFINITY));
         forces::contradictions(&root, model, &forces);
-        let start = start::read(&root, model, &forces);
+        let start = start::read(&root, &payload::laden(model, payloads(&forces), 0.0), &forces);
         let scene = (|| {
             Some(Self {
                 duration: duration?,
@@ -134,17 +136,36 @@ impl Scene {
     }
 
     /// What is known about the momentum: driven if a force can change it, ballistic if only gravity can, else what it is at the
-    /// start.
+    /// start, unless a payload brings some.
     pub fn case(&self) -> Case {
         if self.forces.iter().any(|named| named.force.drives_momentum()) {
             Case::Driven
         } else if self.forces.iter().any(|named| matches!(named.force, Force::Gravity(_))) {
             Case::Ballistic
-        } else if self.start.mu == Twist::zero() {
+        } else if self.start.mu == Twist::zero() && self.handovers().is_empty() {
             Case::Zero
         } else {
             Case::Conserved
         }
+    }
+
+    /// The robot with the payloads that it has from `time` (s) on.
+    pub fn laden(&self, model: &Model, time: f64) -> Model {
+        payload::laden(model, payloads(&self.forces), time)
+    }
+
+    /// Times at which payloads are taken or let go, s.
+    pub fn handovers(&self) -> Vec<f64> {
+        let each = self.forces.iter().filter(|named| matches!(named.force, Force::Payload(_)));
+        let mut times: Vec<f64> = each.flat_map(|named| named.force.knots()).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+
+    /// The payloads, held or not.
+    pub fn payloads(&self) -> impl Iterator<Item = &Payload> {
+        payloads(&self.forces)
     }
 
     /// Acceleration of free fall, world axes (m/s²): the sum of all `[gravity]`.
@@ -161,7 +182,7 @@ impl Scene {
         let each = self.forces.iter().filter_map(|named| -> Option<Box<dyn Effect<T>>> {
             Some(match &named.force {
                 Force::Gravity(_) if self.case() == Case::Ballistic => return None,
-                Force::Rotors(_) | Force::Prescribed(..) => return None,
+                Force::Rotors(_) | Force::Prescribed(..) | Force::Payload(_) => return None,
                 Force::Gravity(gravity) => Box::new(*gravity),
                 Force::Wrench(wrench) => wrench.clone(),
                 Force::Drag(drag) => Box::new(drag.clone()),
@@ -194,4 +215,11 @@ impl Scene {
         }
         any.then(|| Drives::new(&rotor, courses))
     }
+}
+
+fn payloads(forces: &[Named]) -> impl Iterator<Item = &Payload> {
+    forces.iter().filter_map(|named| match &named.force {
+        Force::Payload(payload) => Some(payload),
+        _ => None,
+    })
 }

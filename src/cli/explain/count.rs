@@ -34,7 +34,7 @@ impl Costs {
 /// What one evaluation performs with the forces that act from `time` on: all of it, and what is needed.
 fn of_phase(scene: &Scene, model: &Model, time: f64) -> [Counts; 2] {
     let ((start, outputs), tape) = record(|| {
-        let model: Model<Recorded> = model.cast();
+        let model: Model<Recorded> = scene.laden(model, time).cast();
         let mut inputs = Inputs::default();
         let state = inputs.state(2 * model.dof() + scene.case().numbers());
         let mut out = Tangent::zero(state.flat.len());

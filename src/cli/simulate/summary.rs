@@ -19,7 +19,7 @@ pub struct Summary<'a> {
     record: &'a Record,
     /// Largest |E − E(0) − W|, J.
     energy: f64,
-    /// Largest change of an entry of the spatial momentum.
+    /// Largest change of an entry of the momentum: of its angular half about the centre of mass where that is known to stay.
     momentum: f64,
     /// Largest entry of RᵀR − 1.
     rotation: f64,
@@ -30,7 +30,11 @@ impl<'a> Summary<'a> {
         let start = &record.samples[0];
         let worst = |of: &dyn Fn(&Sample) -> f64| record.samples.iter().map(of).fold(0.0, f64::max);
         let energy = worst(&|s| (s.kinetic_energy - start.kinetic_energy - s.work).abs());
-        let momentum = worst(&|s| largest(&(s.momentum - start.momentum).to_array()));
+        let spin = |s: &Sample| s.momentum.at(s.com).moment;
+        let momentum = match keeps_spin(scene) {
+            true => worst(&|s| largest((spin(s) - spin(start)).as_slice())),
+            false => worst(&|s| largest(&(s.momentum - start.momentum).to_array())),
+        };
         let rotation =
             worst(&|s| largest((s.pose.rotation.transpose() * s.pose.rotation - Matrix3::identity()).as_slice()));
         Self { scene, model, record, energy, momentum, rotation }
@@ -54,14 +58,16 @@ impl<'a> Summary<'a> {
     pub fn rows(&self) -> Vec<(&'static str, String)> {
         let Record { samples, steps, evaluations, .. } = self.record;
         let case = self.scene.case();
-        let change =
-            if matches!(case, Case::Driven | Case::Ballistic) { "momentum changed by" } else { "momentum drifted by" };
+        let (change, units) = match keeps_spin(self.scene) {
+            true => ("spin drifted by", "kg·m²/s at most, about the centre of mass"),
+            false => ("momentum changed by", "kg·m²/s, kg·m/s at most"),
+        };
         vec![
             ("computed", format!("{} s of {} s", significant(self.time()), significant(self.scene.duration))),
             ("steps", format!("{steps}, {evaluations} evaluations of the equations")),
             ("samples", samples.len().to_string()),
             ("momentum", case.name().to_owned()),
-            (change, format!("{} kg·m²/s, kg·m/s at most", small(self.momentum))),
+            (change, format!("{} {units}", small(self.momentum))),
             ("kinetic energy", self.energies()),
             ("energy and work differ by", format!("{} J at most", small(self.energy))),
             ("rotation is one to", small(self.rotation)),
@@ -109,6 +115,11 @@ impl<'a> Summary<'a> {
         });
         Ok(writeln!(io::stdout().lock(), "{object}")?)
     }
+}
+
+/// Whether nothing changes the momentum about the centre of mass, but for gravity its linear half.
+fn keeps_spin(scene: &Scene) -> bool {
+    scene.case() != Case::Driven && scene.handovers().is_empty()
 }
 
 fn largest(numbers: &[f64]) -> f64 {

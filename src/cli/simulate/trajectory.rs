@@ -17,6 +17,7 @@ pub fn table(model: &Model, samples: &[Sample]) -> String {
         .chain(joints("q"))
         .chain(joints("qd"))
         .chain(SIX.map(|name| format!("mu.{name}")))
+        .chain(axes.iter().map(|axis| format!("com.{axis}")))
         .chain(["kinetic_energy".to_owned(), "work".to_owned()])
         .chain(MOMENTUM.map(|name| format!("spatial_momentum.{name}")))
         .chain(joints("tau"))
@@ -30,6 +31,7 @@ pub fn table(model: &Model, samples: &[Sample]) -> String {
             .chain(sample.q.iter().copied())
             .chain(sample.qd.iter().copied())
             .chain(sample.mu.to_array())
+            .chain(sample.com.iter().copied())
             .chain([sample.kinetic_energy, sample.work])
             .chain(sample.momentum.to_array())
             .chain(sample.tau.iter().copied());

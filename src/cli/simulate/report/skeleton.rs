@@ -96,7 +96,7 @@ impl Skeleton {
         let shape = work.shape(&sample.q);
         let poses: Vec<Pose<f64>> = (0..links).map(|link| sample.pose * shape.link_pose(link)).collect();
         let points = self.points.iter().map(|point| poses[point.link].transform(point.at));
-        points.chain([sample.pose.transform(shape.com())]).collect()
+        points.chain([sample.com]).collect()
     }
 }
 
