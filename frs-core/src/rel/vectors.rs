@@ -2,7 +2,7 @@
 
 use crate::Real;
 use crate::spatial::{Twist, Wrench};
-use crate::sweep::{Moving, Shape, newton_euler, project};
+use crate::sweep::{Moving, Shape, newton_euler, project, subtree_sums};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The coupling torque `S(μ)ᵀ μ − A_lᵀ ad~_{Λ_bμ} μ` (length n): the (μ, μ) term of the shape equation.
@@ -52,6 +52,24 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         }
         self.data.vector = turned;
         out[..6].copy_from_slice(&upper.to_array());
+    }
+
+    /// `∂T/∂q` (length n), the gradient of the kinetic energy where the base twist and q̇ are held: per joint `h_j·ad_{V_p} s_j`, with
+    /// the momentum h of its subtree and the velocity of the body that it is on.
+    ///
+    /// # Panics
+    /// If `out` does not have n entries.
+    pub fn kinetic_gradient(&mut self, mu: Twist<T>, out: &mut [T]) {
+        let mu = mu.at(self.com());
+        let (model, data) = (self.model, &mut *self.data);
+        for (k, inertia) in data.inertia.iter().enumerate() {
+            data.wrench[k] = *inertia * (data.velocity[k] + mu);
+        }
+        subtree_sums(model.bodies(), &mut data.wrench, &mut data.wrench_outside);
+        model.gather(out, |j| {
+            let carried = data.velocity[model.bodies()[j + 1].parent] + mu;
+            carried.ad(data.screw[j]).dot(data.wrench[j + 1])
+        });
     }
 
     /// `Γ'_q(q̇) q̇` (length n), one Newton-Euler sweep at zero momentum.

@@ -30,7 +30,7 @@ pub enum IntegrationError {
     },
     /// An implicit step was not solved.
     #[error(
-        "t = {time} s: the implicit step of {step:e} s was not solved; expected Newton's method to converge; use shorter steps"
+        "t = {time} s: the implicit step of {step:e} s was not solved; expected the search to converge; use shorter steps"
     )]
     NotSolved {
         /// Time at the start of the step, s.

@@ -7,6 +7,7 @@
 mod drives;
 mod loads;
 mod momentum;
+mod variational;
 
 use std::ops::Range;
 
@@ -20,6 +21,7 @@ use crate::integrate::{State, System, Tangent};
 pub use drives::{Course, Drives};
 pub use loads::{Instant, Load, Loads};
 pub use momentum::{Ballistic, Conserved, Driven, Momentum, Zero};
+pub use variational::{Canonical, Variational, Velocities};
 
 /// A robot in motion: `ġ₁ = g₁ V₁^`, and the shape's half of the REL equations; both halves where the momentum is [`Driven`].
 ///

@@ -43,6 +43,24 @@ proptest! {
         })?;
     }
 
+    /// ∂T/∂q while the base twist and q̇ are held.
+    #[test]
+    fn the_kinetic_gradient_is_the_derivative_of_the_kinetic_energy(case in case()) {
+        let (model, n) = (case.model(), case.dof());
+        let base = moving(&model, &case.q, &case.qd, |robot| robot.base_twist(twist(&case.mu)));
+        let gradient = DVector::from_fn(n, |j, _| {
+            let energy = |h: f64| {
+                moving(&model, &(&case.q + unit(n, j) * h), &case.qd, |robot| {
+                    Vector1::new(robot.kinetic_energy(robot.locked_velocity(base)))
+                })
+            };
+            derivative(energy).x
+        });
+        case.ask(|robot| {
+            close(&vector(n, |out| robot.kinetic_gradient(twist(&case.mu), out)), &gradient, DIFFERENCES)
+        })?;
+    }
+
     /// dΛ_q/dt − 2Γ'_q is skew: dΛ_q/dt = Γ'_q + Γ'_qᵀ.
     #[test]
     fn lambda_dot_minus_2gamma_is_skew(case in case()) {
