@@ -240,3 +240,65 @@ fn explain_tells_what_is_computed_and_what_is_not() {
         }
     }
 }
+
+/// A long motion of its own, and the arguments that compute it into `out` beside it.
+fn long(name: &str) -> (PathBuf, Vec<String>) {
+    let rest = "samples_per_second = 1\naccuracy = 1e-10\n[start]\nqd = { joint_2 = 0.5 }\nmu = [0.1, 0.2, 0, 0, 0, 0]\n[spring]\nstiffness = 2\n";
+    let path = scene(name, rest);
+    let text = std::fs::read_to_string(&path).unwrap().replace("duration = 0.5", "duration = 600");
+    std::fs::write(&path, text).unwrap();
+    let out = path.with_file_name("out");
+    let arguments = ["simulate", path.to_str().unwrap(), "--out", out.to_str().unwrap()].map(str::to_owned).to_vec();
+    (out, arguments)
+}
+
+/// Ctrl-C in the middle, then `--resume`: the table is the one of a run that was left alone, to the last byte.
+#[cfg(unix)]
+#[test]
+fn a_run_that_was_stopped_goes_on_with_the_same_bits() {
+    let (out, arguments) = long("stopped");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_frs"))
+        .args(&arguments)
+        .args(["--save-every", "0.02"])
+        .stderr(std::process::Stdio::null())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    while !out.join("checkpoint.json").exists() {
+        assert_eq!(child.try_wait().unwrap(), None, "it is still on its way");
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let interrupted = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(interrupted.success());
+    assert_eq!(child.wait().unwrap().code(), Some(1));
+    let (_, part) = trajectory(&out);
+    assert!(part.len() > 1 && part.len() < 601, "{} samples", part.len());
+
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let resumed = frs(&[&arguments[..], &["--resume"]].concat());
+    assert_eq!(resumed.status.code(), Some(0), "{}", text(&resumed.stderr));
+    assert!(!out.join("checkpoint.json").exists());
+    let found = std::fs::read(out.join("trajectory.csv")).unwrap();
+    assert_eq!(frs(&arguments).status.code(), Some(0));
+    assert!(found == std::fs::read(out.join("trajectory.csv")).unwrap(), "not a byte differs");
+}
+
+#[test]
+fn what_cannot_be_resumed_is_told() {
+    let (out, arguments) = long("not_resumed");
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).chain(["--resume"]).collect();
+    std::fs::create_dir_all(&out).unwrap();
+    for (checkpoint, expected) in [
+        (None, "checkpoint.json: there is nothing to resume; expected what a run leaves that was stopped"),
+        (Some("{"), "checkpoint.json: EOF while parsing"),
+        (Some("{\"scene\": \"robot = 'x'\"}"), "checkpoint.json: the scene or its robot has changed since"),
+    ] {
+        if let Some(text) = checkpoint {
+            std::fs::write(out.join("checkpoint.json"), text).unwrap();
+        }
+        let output = frs(&arguments);
+        assert_eq!(output.status.code(), Some(2));
+        let told = text(&output.stderr);
+        assert!(told.contains(expected) && told.contains("run without --resume"), "{told}");
+    }
+}

@@ -7,7 +7,7 @@ use frs_codegen::record::{Recorded, record};
 use frs_core::spatial::Wrench;
 use frs_core::{Model, Workspace, urdf};
 use frs_sim::integrate::{State, Tangent};
-use frs_sim::run::{End, Record, Sample, rate, run};
+use frs_sim::run::{End, Record, Sample, rate, resume, run};
 use frs_sim::scene::{Case, Scene};
 use nalgebra::Vector3;
 
@@ -428,4 +428,38 @@ fn a_run_that_fails_or_is_stopped_keeps_what_it_has() {
     assert_eq!((stopped.end, stopped.steps), (End::Stopped, 2));
     assert!(last.time < 0.5 && !kept.is_empty(), "{} samples until {} s", kept.len() + 1, last.time);
     assert_eq!(kept, &whole.samples[..kept.len()]);
+}
+
+/// Stopped again and again, and going on each time: the same samples and the same steps, bit for bit.
+#[test]
+fn a_run_that_goes_on_is_the_one_that_was_not_stopped() {
+    for (name, every) in [("paper", 7), ("grasp", 23), ("landing", 311), ("falling_cat", 3), ("computed_torque", 29)] {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/");
+        let text = std::fs::read_to_string(format!("{folder}{name}.toml")).unwrap();
+        let (robot, _) = Scene::robot(name, &text).unwrap();
+        let model = Model::from_urdf(&std::fs::read_to_string(format!("{folder}{robot}")).unwrap()).unwrap();
+        let scene = Scene::parse(name, &text, &model).unwrap();
+        let whole = run(&scene, &model, |_| ControlFlow::Continue(()));
+
+        let stops = std::cell::Cell::new(0);
+        let stopping = || {
+            let mut left = every;
+            let stops = &stops;
+            move |_| {
+                left -= 1;
+                if left > 0 {
+                    return ControlFlow::Continue(());
+                }
+                stops.set(stops.get() + 1);
+                ControlFlow::Break(())
+            }
+        };
+        let mut record = run(&scene, &model, stopping());
+        while record.end == End::Stopped && record.checkpoint.time < scene.duration {
+            record = resume(&scene, &model, record, stopping());
+        }
+        assert!(stops.get() > 4, "{name}: {}", stops.get());
+        assert_eq!(record.samples, whole.samples, "{name}");
+        assert_eq!((record.steps, record.checkpoint), (whole.steps, whole.checkpoint), "{name}");
+    }
 }

@@ -11,8 +11,8 @@ use frs::Model;
 use frs_sim::scene::{Case, Force, Scene};
 
 use self::count::Costs;
-use super::table;
-use super::{Failure, scene};
+use super::scene::{self, Loaded};
+use super::{Failure, table};
 
 /// Tell what a scene computes: its effects, what is known about the momentum, the equations that remain, and their cost.
 #[derive(Args)]
@@ -25,7 +25,7 @@ pub struct Explain {
 
 impl Explain {
     pub fn run(self) -> Result<(), Failure> {
-        let (scene, model) = scene::load(&self.scene)?;
+        let Loaded { scene, model, .. } = scene::load(&self.scene)?;
         let mut out = io::stdout().lock();
         table::robot(&mut out, &model)?;
         let costs = Costs::of(&scene, &model);

@@ -8,8 +8,16 @@ use frs_sim::scene::Scene;
 
 use super::{Failure, read};
 
+/// A scene and its robot, and the texts of both.
+pub struct Loaded {
+    pub scene: Scene,
+    pub model: Model,
+    pub scene_text: String,
+    pub robot_text: String,
+}
+
 /// Reads a scene and the robot that it names; the robot's path is relative to the scene's folder.
-pub fn load(path: &Path) -> Result<(Scene, Model), Failure> {
+pub fn load(path: &Path) -> Result<Loaded, Failure> {
     let (file, text) = (path.display().to_string(), read(path)?);
     let told = |error: frs_sim::scene::SceneError| Failure::Input(error.to_string());
     let (robot, place) = Scene::robot(&file, &text).map_err(told)?;
@@ -26,5 +34,5 @@ pub fn load(path: &Path) -> Result<(Scene, Model), Failure> {
         eprintln!("warning: {warning}");
     }
     let scene = Scene::parse(&file, &text, &model).map_err(told)?;
-    Ok((scene, model))
+    Ok(Loaded { scene, model, scene_text: text, robot_text: urdf })
 }

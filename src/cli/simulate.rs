@@ -1,28 +1,33 @@
 //! `frs simulate`: what happens in a scene, as a table, as pictures and as a page that moves.
 
 mod chart;
+mod checkpoint;
 mod pictures;
 mod report;
 mod summary;
 mod trajectory;
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use clap::Args;
-use frs_sim::run::run;
+use frs_sim::run::{End, resume, run};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use self::summary::Summary;
-use super::{Failure, scene, write};
+use super::scene::{self, Loaded};
+use super::{Failure, write};
 
 /// Compute the motion of a scene and write it down.
 ///
 /// Writes trajectory.csv (time, pose, shape, locked velocity, energy, momentum, torques), pictures (SVG) of the shape, its
 /// rates, the locked velocity, the torques, the energy and the momentum, and report.html, in which the robot moves beside them.
-/// Ctrl-C keeps what was computed.
+///
+/// Ctrl-C keeps what was computed, and --resume goes on from there; long runs are saved on the way.
 #[derive(Args)]
 #[command(
     after_help = "Exit codes: 0 ok, 1 the motion could not be continued or was stopped (what was computed is written), 2 bad input."
@@ -34,6 +39,12 @@ pub struct Simulate {
     /// Folder for the files; made if need be.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Go on with the run that was stopped in this folder, with the bits that it would have had.
+    #[arg(long)]
+    resume: bool,
+    /// Save this often what it takes to resume, in seconds of your time.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
+    save_every: f64,
     /// Print one JSON object instead of a table.
     #[arg(long)]
     json: bool,
@@ -44,23 +55,43 @@ const TICKS: f64 = 1000.0;
 
 impl Simulate {
     pub fn run(self) -> Result<(), Failure> {
-        let (scene, model) = scene::load(&self.scene)?;
+        let loaded = scene::load(&self.scene)?;
+        let Loaded { scene, model, .. } = &loaded;
         let stop = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stop);
         // Without a handler Ctrl-C ends the program, as it does everywhere.
         let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
         let progress = ProgressBar::new((scene.duration * TICKS) as u64).with_style(ProgressStyle::default_bar());
-        let record = run(&scene, &model, |time| {
+        let saved = Cell::new(Instant::now());
+        let each = |time: f64| {
             progress.set_position((time * TICKS) as u64);
-            if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
+            let pause = stop.load(Ordering::Relaxed) || saved.get().elapsed().as_secs_f64() >= self.save_every;
+            if pause { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let mut record = match self.resume {
+            false => run(scene, model, each),
+            true => resume(scene, model, checkpoint::load(&self.out, &loaded)?, each),
+        };
+        while record.end == End::Stopped {
+            write(&self.out.join("trajectory.csv"), &trajectory::table(model, &record.samples))?;
+            write(&self.out.join(checkpoint::FILE), &checkpoint::text(&loaded, &record))?;
+            saved.set(Instant::now());
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
+            record = resume(scene, model, record, each);
+        }
         progress.finish_and_clear();
+        if record.end != End::Stopped {
+            // There is nothing to resume any more.
+            let _ = std::fs::remove_file(self.out.join(checkpoint::FILE));
+        }
 
-        let charts = pictures::all(&model, &record.samples);
-        let summary = Summary::new(&scene, &model, &record);
-        let mut files = vec![("trajectory.csv", trajectory::table(&model, &record.samples))];
+        let charts = pictures::all(model, &record.samples);
+        let summary = Summary::new(scene, model, &record);
+        let mut files = vec![("trajectory.csv", trajectory::table(model, &record.samples))];
         files.extend(charts.iter().map(|(name, chart)| (*name, chart.svg())));
-        files.push(("report.html", report::page(&self.scene, &model, &record.samples, &summary, &charts)?));
+        files.push(("report.html", report::page(&self.scene, model, &record.samples, &summary, &charts)?));
         for (name, text) in &files {
             write(&self.out.join(name), text)?;
         }
@@ -72,6 +103,9 @@ impl Simulate {
         }
         match summary.ending() {
             None => Ok(()),
+            Some(ending) if record.end == End::Stopped => {
+                Err(Failure::Check(format!("{ending}; what was computed is written; --resume goes on")))
+            }
             Some(ending) => Err(Failure::Check(format!("{ending}; what was computed is written"))),
         }
     }

@@ -88,6 +88,19 @@ pub struct Adaptive<T: Real = f64> {
     evaluations: usize,
 }
 
+/// What [`Adaptive`] knows besides time and state: with it, a motion goes on with the bits that it would have had.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// Length of the next step, 0 before the first.
+    pub next: f64,
+    /// Error of the step before, in units of the accuracy.
+    pub error: f64,
+    /// Whether the motion goes on smoothly from the step before.
+    pub smooth: bool,
+    /// How often the system was evaluated so far.
+    pub evaluations: usize,
+}
+
 /// A step is tried that should give this share of the allowed error, for the estimate is one.
 const SAFETY: f64 = 0.9;
 
@@ -126,6 +139,20 @@ impl<T: Real + Into<f64>> Adaptive<T> {
             next: 0.0,
             error: 1.0,
             evaluations: 0,
+        }
+    }
+
+    /// What it takes to go on from the present time and state.
+    pub fn pace(&self) -> Pace {
+        Pace { next: self.next, error: self.error, smooth: self.known, evaluations: self.evaluations }
+    }
+
+    /// Goes on at a pace, as made by [`new`](Self::new) at the time and state at which it was taken.
+    pub fn resume(&mut self, system: &mut impl System<T>, pace: Pace) {
+        (self.next, self.error, self.known, self.evaluations) = (pace.next, pace.error, pace.smooth, pace.evaluations);
+        if self.known {
+            // It is what the last step left: the same function of the same numbers.
+            system.rate(self.time, &self.state, &mut self.tangent);
         }
     }
 

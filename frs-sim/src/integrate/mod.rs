@@ -11,7 +11,7 @@ mod semi_implicit;
 mod state;
 mod tableau;
 
-pub use adaptive::{Adaptive, IntegrationError};
+pub use adaptive::{Adaptive, IntegrationError, Pace};
 pub use explicit::Explicit;
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use semi_implicit::SemiImplicit;

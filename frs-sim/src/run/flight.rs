@@ -5,9 +5,10 @@ use std::ops::ControlFlow;
 use frs_core::Model;
 use nalgebra::Vector3;
 
+use super::fall::FreeFall;
 use super::handover::Changed;
 use super::metered::Metered;
-use super::{End, Record, Sample};
+use super::{Checkpoint, End, Record, Sample};
 use crate::effects::Effects;
 use crate::integrate::{Adaptive, DOP853, State, System, Tangent};
 use crate::motion::{Momentum, Motion};
@@ -58,7 +59,7 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         let tangent = Tangent::zero(metered.flat.len());
         let path = Adaptive::new(&DOP853, metered, 0.0, scene.accuracy);
         let Start { com, centroidal, mass, .. } = *start;
-        let fall = FreeFall { since: 0.0, com, momentum: centroidal.force, mass, work: 0.0 };
+        let fall = FreeFall { since: 0.0, com, momentum: centroidal, mass, work: 0.0 };
         Self {
             scene,
             models,
@@ -73,66 +74,89 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         }
     }
 
+    /// Goes on where a run was stopped.
+    pub fn resumed(mut self, record: Record) -> Self {
+        let Checkpoint { time, state, pace, closed, phase, fall } = record.checkpoint;
+        (self.samples, self.steps, self.phase, self.fall) = (record.samples, record.steps, phase, fall);
+        // Where the run was stopped is none of the regular times, but by chance.
+        if self.samples.last().is_some_and(|last| last.time != self.sample_time(self.samples.len() - 1)) {
+            self.samples.pop();
+        }
+        if phase > 0 {
+            self.system.motion.change(&self.models[phase], fall.since, fall.momentum, fall.mass);
+        }
+        self.choose_pieces(time);
+        self.touch(time, &state, |gap, _| closed[gap]);
+        self.path = Adaptive::new(&DOP853, state, time, self.scene.accuracy);
+        self.path.resume(&mut self.system, pace);
+        self
+    }
+
     pub fn computed(mut self, mut each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
         let end = self.fly(&mut each);
+        let (time, state) = (self.path.time(), self.path.state().clone());
         // Where a run ends is written down, between samples or not.
-        if self.samples.last().is_none_or(|last| last.time < self.path.time()) {
-            let state = self.path.state().clone();
-            self.sample(self.path.time(), &state);
+        if self.samples.last().is_none_or(|last| last.time < time) {
+            self.sample(time, &state);
         }
-        Record { samples: self.samples, end, steps: self.steps, evaluations: self.path.evaluations() }
+        let (pace, closed) = (self.path.pace(), self.touching.closed);
+        let checkpoint = Checkpoint { time, state, pace, closed, phase: self.phase, fall: self.fall };
+        Record { samples: self.samples, end, steps: self.steps, checkpoint }
     }
 
     fn fly(&mut self, each: &mut impl FnMut(f64) -> ControlFlow<()>) -> End {
         let duration = self.scene.duration;
-        let mut limits: Vec<f64> = self.scene.forces.iter().flat_map(|named| named.force.knots()).collect();
-        limits.retain(|time| (0.0..duration).contains(time) && *time > 0.0);
-        limits.push(duration);
-        limits.sort_by(f64::total_cmp);
+        let mut events: Vec<f64> = self.scene.forces.iter().flat_map(|named| named.force.knots()).collect();
+        events.retain(|time| *time > 0.0 && *time < duration);
+        events.sort_by(f64::total_cmp);
         let mut between = self.path.state().clone();
-        let handovers = self.scene.handovers();
-        for limit in limits {
-            while handovers.get(self.phase).is_some_and(|time| *time <= self.path.time()) {
-                self.hand_over();
+        while self.path.time() < duration {
+            let time = self.path.time();
+            if time == 0.0 || events.contains(&time) {
+                self.enter(time);
             }
-            self.enter();
             if self.samples.is_empty() {
-                self.meet(&between);
-                self.sample(0.0, &between);
+                self.touch(time, &between, |_, distance| distance < 0.0);
+                self.sample(time, &between);
             }
-            while self.path.time() < limit {
-                if let Err(error) = self.path.advance(&mut self.system, limit) {
-                    return End::Failed(error);
-                }
-                self.steps += 1;
-                let met = self.cut_where_something_is_met(&mut between);
-                while self.next_sample() <= self.path.time() {
-                    let time = self.next_sample();
-                    self.path.at(&mut self.system, time, &mut between);
-                    self.sample(time, &between);
-                }
-                if let Some(gap) = met {
-                    let closed = !self.touching.closed[gap];
-                    self.touching.closed[gap] = closed;
-                    self.system.motion.loads_mut().touch(self.touching.owners[gap], closed);
-                    self.path.event();
-                }
-                if each(self.path.time()).is_break() {
-                    return End::Stopped;
-                }
+            let limit = events.iter().copied().find(|event| *event > time).unwrap_or(duration);
+            if let Err(error) = self.path.advance(&mut self.system, limit) {
+                return End::Failed(error);
+            }
+            self.steps += 1;
+            let met = self.cut_where_something_is_met(&mut between);
+            while self.sample_time(self.samples.len()) <= self.path.time() {
+                let time = self.sample_time(self.samples.len());
+                self.path.at(&mut self.system, time, &mut between);
+                self.sample(time, &between);
+            }
+            if let Some(gap) = met {
+                let closed = !self.touching.closed[gap];
+                self.touching.closed[gap] = closed;
+                self.system.motion.loads_mut().touch(self.touching.owners[gap], closed);
+                self.path.event();
+            }
+            if each(self.path.time()).is_break() {
+                return End::Stopped;
             }
         }
         End::Whole
     }
 
-    /// The forces from now on; the same state has another rate.
-    fn enter(&mut self) {
-        let time = self.path.time();
+    /// The robot and the forces from now on; the same state has another rate.
+    fn enter(&mut self, time: f64) {
+        if self.scene.handovers().get(self.phase) == Some(&time) {
+            self.hand_over();
+        }
+        self.choose_pieces(time);
+        self.path.event();
+    }
+
+    fn choose_pieces(&mut self, time: f64) {
         self.system.motion.loads_mut().enter(time);
         if let Some(drives) = self.system.motion.drives_mut() {
             drives.enter(time);
         }
-        self.path.event();
     }
 
     /// Goes on with the next of the models.
@@ -146,15 +170,15 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         let work = self.gravity_work(time);
         let changed = self.system.hand_over(&self.models[self.phase], self.scene.payloads(), time, &mut state);
         let Changed { momentum, com, mass } = changed;
-        self.fall = FreeFall { since: time, com, momentum: momentum.force, mass, work };
+        self.fall = FreeFall { since: time, com, momentum, mass, work };
         *self.path.event() = state;
     }
 
-    /// Finds out what is touched at the start.
-    fn meet(&mut self, state: &State) {
+    /// Tells the forces which gaps are closed, by their numbers and the distances in a state.
+    fn touch(&mut self, time: f64, state: &State, is_closed: impl Fn(usize, f64) -> bool) {
         let Touching { closed, gaps, owners } = &mut self.touching;
-        self.system.gaps(0.0, state, gaps, owners);
-        *closed = gaps.iter().map(|gap| *gap < 0.0).collect();
+        self.system.gaps(time, state, gaps, owners);
+        *closed = gaps.iter().enumerate().map(|(gap, distance)| is_closed(gap, *distance)).collect();
         for (owner, closed) in owners.iter().zip(closed) {
             self.system.motion.loads_mut().touch(*owner, *closed);
         }
@@ -196,8 +220,9 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         gaps.iter().zip(closed).position(|(gap, closed)| (*gap < 0.0) != *closed)
     }
 
-    fn next_sample(&self) -> f64 {
-        self.samples.len() as f64 / self.scene.samples_per_second
+    /// The time of a regular sample, s.
+    fn sample_time(&self, number: usize) -> f64 {
+        number as f64 / self.scene.samples_per_second
     }
 
     fn sample(&mut self, time: f64, state: &State) {
@@ -234,27 +259,5 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
     /// Acceleration of a centre of mass that is not integrated.
     fn acceleration(&self) -> Vector3<f64> {
         if self.scene.case() == Case::Ballistic { self.scene.gravity() } else { Vector3::zeros() }
-    }
-}
-
-/// A centre of mass on its way in free fall.
-struct FreeFall {
-    /// When it began, s.
-    since: f64,
-    /// Where it was then, m, world.
-    com: Vector3<f64>,
-    /// Its momentum then, kg·m/s.
-    momentum: Vector3<f64>,
-    /// kg.
-    mass: f64,
-    /// What gravity did until then, J.
-    work: f64,
-}
-
-impl FreeFall {
-    /// How far it is at `time`, m.
-    fn way(&self, time: f64, acceleration: Vector3<f64>) -> Vector3<f64> {
-        let t = time - self.since;
-        self.momentum * (t / self.mass) + acceleration * (0.5 * t * t)
     }
 }

@@ -1,5 +1,6 @@
 //! Scenes as motions: stepped from event to event, written down at regular times.
 
+mod fall;
 mod flight;
 mod handover;
 mod metered;
@@ -11,11 +12,13 @@ use frs_core::{Model, Real};
 use nalgebra::Vector3;
 
 use crate::effects::Effects;
-use crate::integrate::{IntegrationError, State, System, Tangent};
+use crate::integrate::{IntegrationError, Pace, State, System, Tangent};
 use crate::motion::{Ballistic, Conserved, Driven, Momentum, Motion, Zero};
 
 use crate::scene::{Case, Scene, Start};
 use flight::Flight;
+
+pub use fall::FreeFall;
 
 /// A motion at one time.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,8 +65,25 @@ pub struct Record {
     pub end: End,
     /// Steps made.
     pub steps: usize,
-    /// How often the right-hand side was evaluated to make them.
-    pub evaluations: usize,
+    /// Where it can go on.
+    pub checkpoint: Checkpoint,
+}
+
+/// Where a run goes on, with the bits that it would have had without a stop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checkpoint {
+    /// Time, s.
+    pub time: f64,
+    /// Pose; q, q̇, μ where it is integrated, and the work.
+    pub state: State,
+    /// How the steps go on.
+    pub pace: Pace,
+    /// Which gaps are closed, in the order of the effects.
+    pub closed: Vec<bool>,
+    /// How many handovers of payloads were made.
+    pub phase: usize,
+    /// The centre of mass since the last of them.
+    pub fall: FreeFall,
 }
 
 /// Computes a scene; `each` is told the time after each step and may stop the run.
@@ -82,19 +102,39 @@ pub struct Record {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &Scene, model: &Model, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
+    flown(scene, model, None, each)
+}
+
+/// Goes on with a run that was stopped: the record is then that of one run, bit for bit.
+///
+/// `scene` and `model` must be the same as before.
+pub fn resume(scene: &Scene, model: &Model, record: Record, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
+    flown(scene, model, Some(record), each)
+}
+
+fn flown(scene: &Scene, model: &Model, record: Option<Record>, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
+    fn fly<'m, M: Momentum<f64>>(
+        flight: Flight<'_, 'm, M>,
+        record: Option<Record>,
+        each: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Record {
+        match record {
+            None => flight.computed(each),
+            Some(record) => flight.resumed(record).computed(each),
+        }
+    }
     let effects = scene.effects(model);
     let times = std::iter::once(0.0).chain(scene.handovers());
     let models: Vec<Model> = times.map(|time| scene.laden(model, time)).collect();
     let Start { centroidal: momentum, mass, .. } = scene.start;
     match scene.case() {
-        Case::Zero => Flight::new(scene, &models, Zero, effects).computed(each),
-        Case::Conserved => Flight::new(scene, &models, Conserved { momentum }, effects).computed(each),
+        Case::Zero => fly(Flight::new(scene, &models, Zero, effects), record, each),
+        Case::Conserved => fly(Flight::new(scene, &models, Conserved { momentum }, effects), record, each),
         Case::Ballistic => {
-            let acceleration = scene.gravity();
-            let ballistic = Ballistic { momentum, acceleration, mass, since: 0.0 };
-            Flight::new(scene, &models, ballistic, effects).computed(each)
+            let ballistic = Ballistic { momentum, acceleration: scene.gravity(), mass, since: 0.0 };
+            fly(Flight::new(scene, &models, ballistic, effects), record, each)
         }
-        Case::Driven => Flight::new(scene, &models, Driven, effects).computed(each),
+        Case::Driven => fly(Flight::new(scene, &models, Driven, effects), record, each),
     }
 }
 

@@ -56,7 +56,8 @@ impl<'a> Summary<'a> {
 
     /// What is told, and how much it is.
     pub fn rows(&self) -> Vec<(&'static str, String)> {
-        let Record { samples, steps, evaluations, .. } = self.record;
+        let Record { samples, steps, checkpoint, .. } = self.record;
+        let evaluations = checkpoint.pace.evaluations;
         let case = self.scene.case();
         let (change, units) = match keeps_spin(self.scene) {
             true => ("spin drifted by", "kg·m²/s at most, about the centre of mass"),
@@ -107,7 +108,7 @@ impl<'a> Summary<'a> {
             "time": self.time(),
             "samples": self.record.samples.len(),
             "steps": self.record.steps,
-            "evaluations": self.record.evaluations,
+            "evaluations": self.record.checkpoint.pace.evaluations,
             "momentum_change": self.momentum,
             "energy_difference": self.energy,
             "rotation_defect": self.rotation,
