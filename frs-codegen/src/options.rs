@@ -85,6 +85,23 @@ impl Options {
         }
     }
 
+    /// Whether `quantity` is asked for and left.
+    pub(crate) fn asks(&self, quantity: Quantity) -> bool {
+        match &self.outputs {
+            Some(asked) => asked.iter().any(|one| one.name() == quantity.name()),
+            None => self.leaves(quantity).is_ok(),
+        }
+    }
+
+    /// The functions that every robot gets by these options, whatever its joints and links: name, and number of arguments.
+    pub fn functions(&self) -> impl Iterator<Item = (&'static str, usize)> {
+        Quantity::ALL.into_iter().filter(|quantity| self.asks(*quantity)).map(|quantity| {
+            let inputs = quantity.inputs().filter(|argument| !self.vanishes(argument.name)).count();
+            let payload = usize::from(self.payload.is_some());
+            (quantity.name(), payload + inputs + quantity.outputs().count())
+        })
+    }
+
     /// Whether the input called `name` is zero under these options.
     pub(crate) fn vanishes(&self, name: &str) -> bool {
         match name {

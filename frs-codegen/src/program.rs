@@ -212,12 +212,8 @@ fn quantities(model: &Model, options: &Options) -> Result<Vec<Quantity>, Generat
             options.leaves(*quantity).map_err(excluded)?;
         }
     }
-    let asked = |quantity: Quantity| match &options.outputs {
-        Some(asked) => asked.iter().any(|one| one.name() == quantity.name()),
-        None => options.leaves(quantity).is_ok(),
-    };
-    let mut quantities: Vec<_> = Quantity::ALL.into_iter().filter(|&quantity| asked(quantity)).collect();
-    if asked(Quantity::Kinematics(0)) {
+    let mut quantities: Vec<_> = Quantity::ALL.into_iter().filter(|&quantity| options.asks(quantity)).collect();
+    if options.asks(Quantity::Kinematics(0)) {
         for link in links(model, options)? {
             // A link asked for twice is one function.
             if !quantities.contains(&Quantity::Kinematics(link)) {

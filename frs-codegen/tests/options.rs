@@ -274,3 +274,23 @@ fn a_link_asked_for_twice_is_one_function() {
     let options = Options { outputs: Some(vec![Quantity::Kinematics(0)]), links, ..Options::default() };
     assert_eq!(generate(&robot("lwr_satellite"), &options).unwrap().functions.len(), 1);
 }
+
+/// What is known of the functions before the robot is, is what they turn out to be.
+#[test]
+fn functions_are_known_before_the_robot_is() {
+    let model = robot("lwr_satellite");
+    let zero = Options { momentum: Momentum::Zero, ..Options::default() };
+    let payload = Options { payload: Some("link_7".into()), without_gravity: true, ..Options::default() };
+    for options in [Options::default(), zero, payload] {
+        let generated = generate(&model, &options).unwrap();
+        let text = generated.included_text();
+        let mut functions = 0;
+        for (name, arguments) in options.functions() {
+            let (_, rest) = text.split_once(&format!("pub fn {name}(")).expect(name);
+            let (list, _) = rest.split_once(')').unwrap();
+            assert_eq!(list.matches(": &").count(), arguments, "{name}({list})");
+            functions += 1;
+        }
+        assert!(functions > 6, "{functions}");
+    }
+}

@@ -77,8 +77,8 @@ fn generated(request: &mut Request, model: &Model) -> TokenStream {
     }
 }
 
-/// The module of a robot that could not be read: the names that every robot has, so that whoever imports them is not told
-/// a second time.
+/// The module of a robot that could not be read: the names that every robot has, so that whoever uses them is not told a second time.
+/// Functions take whatever they are given, for the sizes are not known.
 fn unread(request: &Request) -> TokenStream {
     let Request { core, attributes, visibility, name, path, options, .. } = request;
     let robot = format_ident!("{}", camel_case(&stem(&path.value())));
@@ -93,6 +93,11 @@ fn unread(request: &Request) -> TokenStream {
             quote!(#core::lanes::#lanes)
         }
     };
+    let functions = options.functions().map(|(name, arguments)| {
+        let name = format_ident!("{name}");
+        let kinds: Vec<_> = (0..arguments).map(|i| format_ident!("A{i}")).collect();
+        quote!(pub fn #name<#(#kinds),*>(#(_: #kinds),*) {})
+    });
     quote! {
         #(#attributes)*
         #visibility mod #name {
@@ -100,6 +105,7 @@ fn unread(request: &Request) -> TokenStream {
             use #core::{FloatingBase, Quantity};
             pub const DOF: usize = 0;
             pub const COORDINATES: [&str; DOF] = [];
+            #(#functions)*
             #[derive(Clone, Copy, Debug)]
             pub struct #robot;
             impl FloatingBase<#number> for #robot {

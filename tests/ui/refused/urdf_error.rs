@@ -9,5 +9,7 @@ fn ask(robot: &mut impl FloatingBase) -> bool {
 
 fn main() {
     let mut robot: Broken = Broken;
+    let (mut locked, mut connection, mut shape) = ([[0.0; 6]; 6], [[0.0; 6]; DOF], [[0.0; DOF]; DOF]);
+    arm::inertia(&[0.0; DOF], &mut locked, &mut connection, &mut shape);
     println!("{} {:?} {:?}", ask(&mut robot), COORDINATES, [0.0; DOF]);
 }
