@@ -241,6 +241,18 @@ fn explain_tells_what_is_computed_and_what_is_not() {
     }
 }
 
+#[test]
+fn explain_explains_every_scene_of_the_project() {
+    let scenes = std::fs::read_dir(Path::new(ROOT).join("scenes")).unwrap().map(|entry| entry.unwrap().path());
+    let scenes: Vec<PathBuf> = scenes.filter(|path| path.extension().is_some_and(|kind| kind == "toml")).collect();
+    assert!(scenes.len() > 10, "{scenes:?}");
+    for path in scenes {
+        let output = frs(&["explain", path.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(0), "{}: {}", path.display(), text(&output.stderr));
+        assert!(text(&output.stdout).contains("One evaluation of them"), "{}", path.display());
+    }
+}
+
 /// A long motion of its own, and the arguments that compute it into `out` beside it.
 fn long(name: &str) -> (PathBuf, Vec<String>) {
     let rest = "samples_per_second = 1\naccuracy = 1e-10\n[start]\nqd = { joint_2 = 0.5 }\nmu = [0.1, 0.2, 0, 0, 0, 0]\n[spring]\nstiffness = 2\n";

@@ -5,7 +5,7 @@ use frs_core::spatial::{Pose, Wrench};
 use nalgebra::{DVector, Matrix3, Matrix6xX, Vector1, Vector3, Vector6};
 use proptest::prelude::*;
 
-use crate::algebra::{adjoint, adjoint_inverse};
+use crate::algebra::{adjoint, adjoint_inverse, coriolis};
 use crate::asking::{six_by, square, twist, vector, wrench};
 use crate::closeness::{ROUNDING, close};
 use crate::specification::{Link, stack, unit};
@@ -164,6 +164,22 @@ proptest! {
                 close(&generalized, &k.jt, ROUNDING)?;
             }
             Ok(())
+        })?;
+    }
+
+    /// What the older form of the equations cancels, −Γ_bqᵀ μ, is −c(μ) + B_2(μ) q̇ with the coupling torque c.
+    #[test]
+    fn the_older_decoupling_torque(case in case()) {
+        case.judge(|spec, robot| {
+            let (n, mu) = (spec.dof(), twist(&case.mu));
+            let mut expected = DVector::zeros(n);
+            for k in &spec.links {
+                let own = k.x * case.mu + &k.jt * &case.qd;
+                expected += k.jt.transpose() * ((coriolis(&k.m, &own) * k.x + k.m * k.x_rate) * case.mu);
+            }
+            let b2 = square(n, |out| robot.b2(mu, out));
+            let found = &b2 * &case.qd - vector(n, |out| robot.coupling_torque(mu, out));
+            close(&found, &expected, ROUNDING)
         })?;
     }
 

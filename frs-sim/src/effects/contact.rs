@@ -13,7 +13,7 @@ use frs_core::spatial::{Pose, Wrench};
 use frs_core::{Moving, Real};
 use nalgebra::Vector3;
 
-use super::Effect;
+use super::{Effect, positive};
 use crate::motion::{Instant, Load, Loads};
 
 /// A point of a link that may touch a plane.
@@ -61,11 +61,9 @@ impl<T: Real> Loads<T> for Contact {
         let place = self.place(instant, robot);
         let velocity = place.rotation * robot.link_twist(self.link, instant.mu).at(point).linear;
 
-        let depth = -self.gap(&normal, &place);
-        let depth = depth.select_below(0.0, T::zero(), depth);
+        let depth = positive(-self.gap(&normal, &place));
         let away = normal.dot(&velocity);
-        let share = T::one() - c * away;
-        let push = k * depth * depth.sqrt() * share.select_below(0.0, T::zero(), share);
+        let push = k * depth * depth.sqrt() * positive(T::one() - c * away);
         let slip = velocity - normal * away;
         let grip = f * push / (slip.dot(&slip) + v_s * v_s).sqrt();
         let force = normal * push - slip * grip;

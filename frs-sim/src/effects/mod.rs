@@ -50,6 +50,11 @@ pub trait Effect<T: Real>: Loads<T> {
     }
 }
 
+/// The larger of x and 0, without asking which it is: `½ (x + √(x²))`.
+fn positive<T: Real>(x: T) -> T {
+    (x + (x * x).sqrt()) * T::from_f64(0.5)
+}
+
 /// The effects of one scene, in its order; what is not in the list is not computed.
 #[derive(Default)]
 pub struct Effects<'m, T: Real = f64>(pub Vec<Box<dyn Effect<T> + 'm>>);

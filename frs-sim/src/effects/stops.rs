@@ -9,7 +9,7 @@
 
 use frs_core::{Model, Moving, Real};
 
-use super::Effect;
+use super::{Effect, positive};
 use crate::motion::{Instant, Load, Loads};
 
 /// Stops at the limits of all joints that have them.
@@ -49,8 +49,7 @@ impl<T: Real> Loads<T> for Stops {
             let sign = T::from_f64(*sign);
             let depth = sign * (T::from_f64(*limit) - instant.q[*coordinate]);
             let share = T::one() - T::from_f64(self.dissipation) * sign * instant.qd[*coordinate];
-            let pushes = share.select_below(0.0, T::zero(), share);
-            load.tau[*coordinate] += sign * T::from_f64(self.stiffness) * depth * pushes;
+            load.tau[*coordinate] += sign * T::from_f64(self.stiffness) * depth * positive(share);
         }
     }
 }
