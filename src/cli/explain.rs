@@ -75,7 +75,11 @@ fn momentum(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     let drives = |force: &Force| force.drives_momentum() || falls(force);
     let driving: Vec<_> = scene.forces.iter().filter(|named| drives(&named.force)).collect();
     let why = match case {
-        Case::Driven => {
+        Case::Driven | Case::Hamel if case != scene.known_case() => {
+            let known = scene.known_case().name();
+            format!("it is {known}, but [solver] integrates it all the same")
+        }
+        Case::Driven | Case::Hamel => {
             let named: Vec<_> = driving.iter().map(|n| format!("[{}] in line {}", n.force.key(), n.line)).collect();
             format!("{} can change it", named.join(", "))
         }
@@ -95,6 +99,7 @@ fn state(out: &mut impl Write, scene: &Scene, model: &Model) -> io::Result<()> {
     let (n, case) = (model.dof(), scene.case());
     let mu = match case {
         Case::Driven => "6 for μ, ".to_owned(),
+        Case::Hamel => "6 for V₁, ".to_owned(),
         Case::Conserved | Case::Ballistic => "none for μ, which follows from the momentum, ".to_owned(),
         Case::Zero => "none for μ, which is 0, ".to_owned(),
     };
@@ -110,6 +115,7 @@ fn equations(scene: &Scene) -> String {
     let any = |of: fn(&Force) -> bool| scene.forces.iter().any(|named| of(&named.force));
     let inertia = if any(|force| matches!(force, Force::Rotors(_))) { "(Λ_q + J)" } else { "Λ_q" };
     let (shape, momentum) = match scene.case() {
+        Case::Hamel => return "  M [V̇₁; q̈] + C(q, V) V = [F₁; τ],  V = [V₁; q̇]\n  ġ₁ = g₁ V₁^".into(),
         Case::Zero => ("τ − Γ'_q(q̇) q̇", "ġ₁ = g₁ (−A_l q̇)^"),
         Case::Conserved => (
             "τ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇",
@@ -142,6 +148,6 @@ fn left_out(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     match scene.case() {
         Case::Zero => writeln!(out, "  all terms with μ, and the equation of μ"),
         Case::Conserved | Case::Ballistic => writeln!(out, "  the equation of μ"),
-        Case::Driven => writeln!(out, "  nothing of the equations"),
+        Case::Driven | Case::Hamel => writeln!(out, "  nothing of the equations"),
     }
 }

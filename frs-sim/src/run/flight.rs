@@ -10,7 +10,7 @@ use super::handover::Changed;
 use super::metered::Metered;
 use super::{Checkpoint, End, Record, Sample};
 use crate::effects::Effects;
-use crate::integrate::{Adaptive, DOP853, State, System, Tangent};
+use crate::integrate::{Path, State, System, Tangent};
 use crate::motion::{Momentum, Motion};
 use crate::scene::{Case, Scene, Start};
 
@@ -23,7 +23,7 @@ pub struct Flight<'s, 'm, M> {
     phase: usize,
     fall: FreeFall,
     system: Metered<'m, M>,
-    path: Adaptive,
+    path: Path,
     tangent: Tangent,
     touching: Touching,
     samples: Vec<Sample>,
@@ -47,17 +47,17 @@ const HALVINGS: u32 = 48;
 impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
     pub fn new(scene: &'s Scene, models: &'m [Model], momentum: M, effects: Effects<'m>) -> Self {
         let start = &scene.start;
-        let mut motion = Motion::new(&models[0], momentum, effects);
+        let mut motion = Motion::new(&models[0], momentum, effects).by(scene.solver.route);
         if let Some(drives) = scene.drives() {
             motion = motion.with_drives(drives);
         }
         let state = motion.state(start.pose, &start.q, &start.qd, start.mu);
-        let weighs = scene.case() == Case::Driven && scene.gravity() != Vector3::zeros();
+        let weighs = scene.case().is_integrated() && scene.gravity() != Vector3::zeros();
         let system = Metered::new(motion, state.clone(), weighs);
         let mut metered = state;
         metered.flat.push(0.0);
         let tangent = Tangent::zero(metered.flat.len());
-        let path = Adaptive::new(&DOP853, metered, 0.0, scene.accuracy);
+        let path = Path::new(scene.solver.method, scene.solver.steps, metered, 0.0);
         let Start { com, centroidal, mass, .. } = *start;
         let fall = FreeFall { since: 0.0, com, momentum: centroidal, mass, work: 0.0 };
         Self {
@@ -87,7 +87,7 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         }
         self.choose_pieces(time);
         self.touch(time, &state, |gap, _| closed[gap]);
-        self.path = Adaptive::new(&DOP853, state, time, self.scene.accuracy);
+        self.path = Path::new(self.scene.solver.method, self.scene.solver.steps, state, time);
         self.path.resume(&mut self.system, pace);
         self
     }
@@ -247,7 +247,7 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
 
     /// Where the centre of mass is unless the momentum is driven.
     fn fall_at(&self, time: f64) -> Option<Vector3<f64>> {
-        (self.scene.case() != Case::Driven).then(|| self.fall.com + self.fall.way(time, self.acceleration()))
+        (!self.scene.case().is_integrated()).then(|| self.fall.com + self.fall.way(time, self.acceleration()))
     }
 
     /// What gravity did that the motion does not measure itself, J.

@@ -7,6 +7,7 @@ mod forces;
 mod payload;
 mod problem;
 mod reader;
+mod solver;
 mod start;
 mod timing;
 
@@ -22,6 +23,7 @@ use reader::{Reader, Table};
 pub use force::{EFFECTS, Force, Named};
 pub use payload::Payload;
 pub use problem::{Problem, SceneError};
+pub use solver::{EQUATIONS, Equations, ROUTES, Solver};
 pub use start::Start;
 
 /// What is known about the momentum of a motion; each case is a type in [`motion`](crate::motion).
@@ -35,6 +37,8 @@ pub enum Case {
     Ballistic,
     /// Something changes it: [`Driven`](crate::motion::Driven).
     Driven,
+    /// The base velocity is integrated in its place: [`Hamel`](crate::motion::Hamel).
+    Hamel,
 }
 
 impl Case {
@@ -45,12 +49,18 @@ impl Case {
             Self::Conserved => "conserved",
             Self::Ballistic => "ballistic",
             Self::Driven => "driven",
+            Self::Hamel => "hamel",
         }
     }
 
     /// How many numbers are integrated for it.
     pub fn numbers(self) -> usize {
-        if self == Self::Driven { 6 } else { 0 }
+        if self.is_integrated() { 6 } else { 0 }
+    }
+
+    /// Whether it is integrated, known or not.
+    pub fn is_integrated(self) -> bool {
+        matches!(self, Self::Driven | Self::Hamel)
     }
 }
 
@@ -59,8 +69,8 @@ impl Case {
 pub struct Scene {
     /// How long it lasts, s.
     pub duration: f64,
-    /// Allowed error of a step ([`Adaptive`](crate::integrate::Adaptive)).
-    pub accuracy: f64,
+    /// How it is computed.
+    pub solver: Solver,
     /// How often the motion is written down, 1/s.
     pub samples_per_second: f64,
     /// Where it starts.
@@ -70,10 +80,7 @@ pub struct Scene {
 }
 
 /// Keys of a scene that are no effects.
-const KEYS: [&str; 5] = ["robot", "duration", "accuracy", "samples_per_second", "start"];
-
-/// Accuracy of a scene that does not say.
-const ACCURACY: f64 = 1e-8;
+const KEYS: [&str; 6] = ["robot", "duration", "accuracy", "solver", "samples_per_second", "start"];
 
 /// Samples per second of a scene that does not say.
 const SAMPLES_PER_SECOND: f64 = 100.0;
@@ -105,14 +112,7 @@ impl Scene {
         root.only(&[&KEYS[..], &EFFECTS].concat());
 
         let duration = root.required("duration", "how long the motion lasts, s").and_then(|item| item.positive());
-        let accuracy = root.get("accuracy").map_or(Some(ACCURACY), |item| {
-            item.positive().and_then(|accuracy| {
-                if (1e-14..=1e-2).contains(&accuracy) {
-                    return Some(accuracy);
-                }
-                item.refuse(format!("found {accuracy:e}; expected a number from 1e-14 to 1e-2"))
-            })
-        });
+        let solver = solver::read(&root);
         let samples_per_second = root.get("samples_per_second").map_or(Some(SAMPLES_PER_SECOND), |item| {
             let samples = item.positive()?;
             if samples * duration? <= MOST_SAMPLES {
@@ -126,7 +126,7 @@ impl Scene {
         let scene = (|| {
             Some(Self {
                 duration: duration?,
-                accuracy: accuracy?,
+                solver: solver?,
                 samples_per_second: samples_per_second?,
                 start: start?,
                 forces,
@@ -135,9 +135,18 @@ impl Scene {
         reader.finish(scene)
     }
 
+    /// What is known about the momentum, and used: [`known_case`](Self::known_case) unless the solver integrates it all the same.
+    pub fn case(&self) -> Case {
+        match self.solver.equations {
+            Equations::Reduced => self.known_case(),
+            Equations::Integrated => Case::Driven,
+            Equations::Hamel => Case::Hamel,
+        }
+    }
+
     /// What is known about the momentum: driven if a force can change it, ballistic if only gravity can, else what it is at the
     /// start, unless a payload brings some.
-    pub fn case(&self) -> Case {
+    pub fn known_case(&self) -> Case {
         if self.forces.iter().any(|named| named.force.drives_momentum()) {
             Case::Driven
         } else if self.forces.iter().any(|named| matches!(named.force, Force::Gravity(_))) {

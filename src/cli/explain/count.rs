@@ -7,7 +7,7 @@ use frs_codegen::record::{Operation, Place, Recorded, record};
 use frs_codegen::{Counts, Graph, Precision};
 use frs_sim::integrate::{State, Tangent};
 use frs_sim::motion::{Instant, Load, Loads};
-use frs_sim::run::rate;
+use frs_sim::run::equations;
 use frs_sim::scene::Scene;
 
 /// What one evaluation of a scene's equations performs.
@@ -38,9 +38,9 @@ fn of_phase(scene: &Scene, model: &Model, time: f64) -> [Counts; 2] {
         let mut inputs = Inputs::default();
         let state = inputs.state(2 * model.dof() + scene.case().numbers());
         let mut out = Tangent::zero(state.flat.len());
-        let mut rate = rate(scene, &model, time);
+        let mut equations = equations(scene, &model, time);
         let time = inputs.next();
-        rate(time, &state, &mut out);
+        equations.rate(time, &state, &mut out);
         let outputs = out.twist.to_array().into_iter().chain(out.flat).map(|number| number.0);
         (time.0, outputs.collect::<Vec<_>>())
     });

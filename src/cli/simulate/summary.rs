@@ -120,7 +120,7 @@ impl<'a> Summary<'a> {
 
 /// Whether nothing changes the momentum about the centre of mass, but for gravity its linear half.
 fn keeps_spin(scene: &Scene) -> bool {
-    scene.case() != Case::Driven && scene.handovers().is_empty()
+    scene.known_case() != Case::Driven && scene.handovers().is_empty()
 }
 
 fn largest(numbers: &[f64]) -> f64 {
