@@ -24,8 +24,7 @@ stiffness = 0.3
 const PULSE: &str = "[wrench]\nforce = [3, 0, 4]\nmoment = [1, 2, 0]\naxes = 'world'\nstart = 0.12\nend = 0.32\n";
 
 /// Joints that follow a course and joints that turn rotors.
-const DRIVEN: &str =
-    "[rotors]\ninertia = 0.05\n[[prescribed]]\njoint = 'joint_2'\nsinusoid = { offset = 0.5, amplitude = 0.3, rate = 4 }\n";
+const DRIVEN: &str = "[rotors]\ninertia = 0.05\n[[prescribed]]\njoint = 'joint_2'\nsinusoid = { offset = 0.5, amplitude = 0.3, rate = 4 }\n";
 
 /// A body is taken, and let go.
 const PAYLOAD: &str = "[payload]\nlink = 'link_7'\nmass = 3\ninertia = [0.1, 0.1, 0.1, 0, 0, 0]\ngrasp = 0.1\nrelease = 0.3\ntwist = [0.1, 0, 0, 0, 0.2, 0]\n";

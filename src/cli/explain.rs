@@ -10,7 +10,7 @@ use comfy_table::{Table, presets};
 use frs::Model;
 use frs_sim::scene::{Case, Force, Scene};
 
-use self::count::Costs;
+pub use self::count::Costs;
 use super::scene::{self, Loaded};
 use super::{Failure, table};
 

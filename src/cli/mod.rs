@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 ok, 1 a check failed, 2 bad input.
 
+mod accuracy;
 mod answer;
 mod curvature;
 mod diff;
@@ -50,6 +51,7 @@ enum Command {
     Oracle(oracle::Oracle),
     Simulate(simulate::Simulate),
     Explain(explain::Explain),
+    Accuracy(accuracy::Accuracy),
 }
 
 /// The robot, and how to read it.
@@ -124,6 +126,7 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure>
         Some(Command::Oracle(oracle)) => oracle.run(),
         Some(Command::Simulate(simulate)) => simulate.run(),
         Some(Command::Explain(explain)) => explain.run(),
+        Some(Command::Accuracy(accuracy)) => accuracy.run(),
     }
 }
 

@@ -22,12 +22,17 @@ pub struct Costs {
 
 impl Costs {
     pub fn of(scene: &Scene, model: &Model) -> Self {
+        let [whole, needed] = Self::of_equations(scene, model);
+        Self { effects: (0..scene.forces.len()).map(|i| of_effect(scene, model, i)).collect(), whole, needed }
+    }
+
+    /// Everything, and what is needed, while most acts.
+    pub fn of_equations(scene: &Scene, model: &Model) -> [Counts; 2] {
         let events: Vec<f64> = scene.forces.iter().flat_map(|named| named.force.knots()).collect();
         // Between two events the same forces act.
         let phases = events.into_iter().chain([0.0]).filter(|time| (0.0..scene.duration).contains(time));
         let each = phases.map(|time| of_phase(scene, model, time));
-        let [whole, needed] = each.max_by_key(|[whole, _]| whole.flops()).unwrap_or_default();
-        Self { effects: (0..scene.forces.len()).map(|i| of_effect(scene, model, i)).collect(), whole, needed }
+        each.max_by_key(|[whole, _]| whole.flops()).unwrap_or_default()
     }
 }
 
