@@ -56,9 +56,13 @@ fn end(scene: &Path) -> Vec<f64> {
 fn what_is_recommended_is_accurate_enough_and_nothing_cheaper_is() {
     const WANT: f64 = 1e-6;
     let mut cheaper = 0;
-    for (name, duration) in
-        [("paper", "0.6"), ("tumbling", "0.3"), ("falling_cat", "0.2"), ("underwater", "0.2"), ("computed_torque", "0.3")]
-    {
+    for (name, duration) in [
+        ("paper", "0.6"),
+        ("tumbling", "0.3"),
+        ("falling_cat", "0.2"),
+        ("underwater", "0.2"),
+        ("computed_torque", "0.3"),
+    ] {
         let scene = beginning(name, duration);
         let (path, folder) = (scene.to_str().unwrap(), scene.with_file_name("study"));
         let before = std::fs::read_to_string(&scene).unwrap();
@@ -168,4 +172,30 @@ fn what_cannot_be_studied_or_had_is_told() {
         (wrong.status.code(), text(&wrong.stderr)),
         (Some(2), "error: --want: found 0; expected a number above 0\n".into())
     );
+}
+
+/// Over a base of a third of a gram, accelerations by the textbook form of Λ_q lose digits that the complement form keeps, in both
+/// precisions.
+#[test]
+fn single_evaluations_show_what_a_light_base_costs_the_textbook_form() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accuracy").join("light");
+    std::fs::create_dir_all(&folder).unwrap();
+    let robot = std::fs::read_to_string(Path::new(ROOT).join("robots/lwr_satellite.urdf")).unwrap();
+    let light = robot.replace("value=\"3.5\"", "value=\"3.5e-4\"");
+    let light = light.replace("ixx=\"0.12\"", "ixx=\"12e-6\"").replace("iyy=\"0.14\"", "iyy=\"14e-6\"");
+    let light = light.replace("izz=\"0.12\"", "izz=\"12e-6\"");
+    let path = folder.join("light.urdf");
+    std::fs::write(&path, light).unwrap();
+    let output = frs(&["accuracy", "--eval", path.to_str().unwrap(), "--states", "10", "--json"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let error = |name: &str, scalar: &str| {
+        let rows = told["errors_in_resolutions"].as_array().unwrap();
+        rows.iter().find(|row| row["name"] == name).unwrap_or_else(|| panic!("{name}"))[scalar].as_f64().unwrap()
+    };
+    for scalar in ["f64", "f32"] {
+        let [ours, textbook] =
+            ["complement", "textbook"].map(|form| error(&format!("q̈, Λ_q by the {form} form"), scalar));
+        assert!(ours < 1000.0 && textbook > 100.0 * ours, "{scalar}: {ours}, {textbook}");
+    }
 }

@@ -5,6 +5,7 @@ mod page;
 mod picture;
 mod search;
 mod settings;
+mod single;
 mod table;
 
 use std::io::{self, Write};
@@ -19,7 +20,7 @@ use serde_json::{Value, json};
 use self::advice::ASKED;
 use self::search::{Cost, Point, Search, words};
 use super::scene::{self, Loaded};
-use super::{Failure, write};
+use super::{Failure, RobotArgs, write};
 
 /// Find what accuracy costs in a scene: compute it in many ways, judge each by a motion with 31 digits, and tell the cheapest.
 ///
@@ -30,8 +31,14 @@ use super::{Failure, write};
 #[command(after_help = "Exit codes: 0 ok, 1 what was asked cannot be had, 2 bad input.")]
 pub struct Accuracy {
     /// The scenes (docs/scenes.md).
-    #[arg(value_name = "SCENE.toml", required = true)]
+    #[arg(value_name = "SCENE.toml", required_unless_present = "eval")]
     scenes: Vec<PathBuf>,
+    /// Instead of scenes: how far each quantity of this robot is from itself with 31 digits, over random and hard states.
+    #[arg(long, value_name = "ROBOT.urdf", conflicts_with_all = ["scenes", "out", "counts", "want"])]
+    eval: Option<PathBuf>,
+    /// States of each kind for --eval.
+    #[arg(long, value_name = "COUNT", default_value_t = 100, requires = "eval")]
+    states: usize,
     /// Folder for the files, with one folder a scene where there are several; made if need be.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -58,6 +65,19 @@ impl Accuracy {
             if let Some(value) = value.filter(|value| !(*value > 0.0 && value.is_finite())) {
                 return Err(Failure::Input(format!("{option}: found {value}; expected a number above 0")));
             }
+        }
+        if let Some(robot) = self.eval {
+            let model = RobotArgs { robot, root: None, lenient: false }.model()?;
+            let bar = ProgressBar::no_length();
+            let study = single::Study::of(&model, self.states, &bar);
+            bar.finish_and_clear();
+            let mut out = io::stdout().lock();
+            if self.json {
+                writeln!(out, "{}", study.json(&model))?;
+            } else {
+                study.print(&mut out, &model)?;
+            }
+            return Ok(());
         }
         let mut missed = Vec::new();
         for path in &self.scenes {
@@ -90,7 +110,10 @@ impl Accuracy {
             let folder =
                 if self.scenes.len() > 1 { out.join(path.file_stem().unwrap_or_default()) } else { out.clone() };
             let file = path.file_name().unwrap_or_default().to_string_lossy();
-            let about = format!("{}, {} s; {}", model.name(), scene.duration, machine());
+            let mut about = format!("{}, {} s", model.name(), scene.duration);
+            if cost == Cost::Time {
+                about = format!("{about}; {}", machine());
+            }
             let picture = picture::svg(&search, &format!("What accuracy costs: {file}"), scene.duration);
             let page = page::page(&search, &file, &about, scene.duration, truth.error(), &picture);
             for (name, text) in

@@ -7,10 +7,11 @@ use crate::sweep::{Data, Moving, articulated_accelerations, factor, newton_euler
 /// How `q̈` is found. All ways give the same but for rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Route {
-    /// An articulated-body sweep, which never forms Λ_q: O(n).
+    /// An articulated-body sweep, which never forms Λ_q: O(n). Over a light base it loses about as many digits as the base is
+    /// lighter than the arm.
     #[default]
     Articulated,
-    /// Λ_q by the complement form, factored: O(n³).
+    /// Λ_q by the complement form, factored: O(n³), and as accurate as Λ_q is well conditioned.
     Complement,
     /// Λ_q by the textbook form `M_q − A_lᵀ Λ_b A_l`, factored: O(n³), and it loses digits over a light base.
     Textbook,

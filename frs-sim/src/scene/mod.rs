@@ -112,7 +112,7 @@ impl Scene {
         root.only(&[&KEYS[..], &EFFECTS].concat());
 
         let duration = root.required("duration", "how long the motion lasts, s").and_then(|item| item.positive());
-        let solver = solver::read(&root);
+        let solver = solver::read(&root, model.dof());
         let samples_per_second = root.get("samples_per_second").map_or(Some(SAMPLES_PER_SECOND), |item| {
             let samples = item.positive()?;
             if samples * duration? <= MOST_SAMPLES {

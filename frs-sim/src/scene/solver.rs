@@ -48,7 +48,10 @@ impl Default for Solver {
     }
 }
 
-pub fn read(root: &Table<'_, '_>) -> Option<Solver> {
+/// Joints up to which factoring Λ_q is about as cheap as the articulated sweep, which loses digits over a light base.
+const FACTORED: usize = 10;
+
+pub fn read(root: &Table<'_, '_>, joints: usize) -> Option<Solver> {
     let accuracy = root.get("accuracy").map_or(Some(ACCURACY), |item| {
         let accuracy = item.positive()?;
         match (1e-14..=1e-2).contains(&accuracy) {
@@ -65,7 +68,8 @@ pub fn read(root: &Table<'_, '_>) -> Option<Solver> {
     let default = Solver::default();
     let method = table.get("method").map_or(Some(default.method), |item| item.choice(&methods));
     let equations = table.get("equations").map_or(Some(default.equations), |item| item.choice(&EQUATIONS));
-    let route = table.get("route").map_or(Some(default.route), |item| item.choice(&ROUTES));
+    let usual = if joints <= FACTORED { Route::Complement } else { Route::Articulated };
+    let route = table.get("route").map_or(Some(usual), |item| item.choice(&ROUTES));
     let steps = match table.get("step") {
         Some(step) => match root.get("accuracy") {
             Some(item) => item.refuse("solver.step is given, too; expected one of the two"),

@@ -96,8 +96,8 @@ impl Variant {
 const FEWEST: f64 = 16.0;
 
 /// Of the accuracies, and of the lengths of uniform steps, each is this share of the one before it.
-const FINER: f64 = 0.316_227_766_016_837_94;
-const SHORTER: f64 = 0.707_106_781_186_547_6;
+const FINER: f64 = 0.316_227_766_016_837_94; // 1/√10
+const SHORTER: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// The most variants of a curve: steps get shorter by a factor of 2¹⁸.
 const MOST: i32 = 36;
