@@ -22,7 +22,7 @@ pub struct Changed {
 
 impl<'m, M: Momentum<f64>> Metered<'m, M> {
     /// Goes on with the robot `after`, which has of `payloads` those that it has at `time`, and before had others. The energy that this
-    /// gives or takes is added to the work.
+    /// gives or takes is what payloads brought.
     pub fn hand_over<'p>(
         &mut self,
         after: &'m Model,
@@ -86,7 +86,8 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
         state.flat[2 * n..2 * n + M::NUMBERS].copy_from_slice(&mu[..M::NUMBERS]);
         self.set(state);
         let own = self.state.clone();
-        *state.flat.last_mut().expect("the work is the last number") += self.motion.kinetic_energy(time, &own) - energy;
+        *state.flat.last_mut().expect("what payloads brought is the last number") +=
+            self.motion.kinetic_energy(time, &own) - energy;
         Changed { momentum, com: state.pose.transform(com), mass }
     }
 }
