@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use clap::Args;
 use comfy_table::{Table, presets};
 use frs::Model;
+use frs_sim::observer::Observer;
 use frs_sim::scene::{Case, Force, Scene};
 
 pub use self::count::Costs;
@@ -33,6 +34,7 @@ impl Explain {
         momentum(&mut out, &scene)?;
         state(&mut out, &scene, &model)?;
         writeln!(out, "\nEquations\n{}", equations(&scene))?;
+        observer(&mut out, &scene)?;
         writeln!(
             out,
             "\nOne evaluation of them\n  as the simulator computes them: {}\n  without what is constant here or not used: {}",
@@ -41,6 +43,9 @@ impl Explain {
         Ok(left_out(&mut out, &scene)?)
     }
 }
+
+/// More times than this are told by the first and the last.
+const MANY: usize = 12;
 
 fn effects(out: &mut impl Write, scene: &Scene, costs: &Costs) -> io::Result<()> {
     if scene.forces.is_empty() {
@@ -58,8 +63,12 @@ fn effects(out: &mut impl Write, scene: &Scene, costs: &Costs) -> io::Result<()>
         let knots = named.force.knots();
         if !knots.is_empty() {
             let times: Vec<String> = knots.iter().map(f64::to_string).collect();
+            let times = match times.as_slice() {
+                [first, .., last] if times.len() > MANY => format!("{} times from {first} to {last}", times.len()),
+                _ => times.join(", "),
+            };
             let (key, line) = (named.force.key(), named.line);
-            writeln!(out, "  [{key}], line {line}: the steps meet {} s exactly", times.join(", "))?;
+            writeln!(out, "  [{key}], line {line}: the steps meet {times} s exactly")?;
         }
         if matches!(named.force, Force::Stops { .. } | Force::Contact(_)) {
             let (key, line) = (named.force.key(), named.line);
@@ -98,15 +107,29 @@ fn momentum(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
 fn state(out: &mut impl Write, scene: &Scene, model: &Model) -> io::Result<()> {
     let (n, case) = (model.dof(), scene.case());
     let mu = match case {
-        Case::Driven => "6 for μ, ".to_owned(),
-        Case::Hamel => "6 for V₁, ".to_owned(),
-        Case::Conserved | Case::Ballistic => "none for μ, which follows from the momentum, ".to_owned(),
-        Case::Zero => "none for μ, which is 0, ".to_owned(),
+        Case::Driven => "6 for μ".to_owned(),
+        Case::Hamel => "6 for V₁".to_owned(),
+        Case::Conserved | Case::Ballistic => "none for μ, which follows from the momentum".to_owned(),
+        Case::Zero => "none for μ, which is 0".to_owned(),
     };
     let numbers = 2 * n + case.numbers();
+    let works: Vec<String> = scene.works().into_iter().map(|work| work.name).collect();
+    let measured = if works.is_empty() { "nothing, for nothing does work".into() } else { works.join(", ") };
     writeln!(
         out,
-        "\nState: the pose of the base and {numbers} numbers\n  {n} for q, {n} for q̇, {mu}and 1 more to measure the work of all forces"
+        "\nState: the pose of the base and {numbers} numbers\n  {n} for q, {n} for q̇, {mu}\n  measured on the way, unseen by the steps, is the work of {measured}"
+    )
+}
+
+fn observer(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
+    let Some(Observer { gain, .. }) = scene.observer else { return Ok(()) };
+    writeln!(
+        out,
+        "\nObserver of μ, k = {gain} 1/s: reads g₁, q, q̇ and F₁, not V₁ nor μ\n  \
+         φ = log(R̂ᵀ R₁),  d = c − ĉ,  ω̂ = z_ω + k φ,  v̂ = z_v + k d\n  \
+         J ż_ω = n + (J ω̂) × Ω̂ − J̇ ω̂ + k² J φ,  ż_v = f/m + a + k² d,  R̂ and ĉ follow\n  \
+         a pose and 6 numbers, in steps of their own: the motion does not notice\n  \
+         V = ½ (μ̂ − μ)ᵀ Λ_b (μ̂ − μ) falls at the rate 2 k, but for what the turning inertia adds"
     )
 }
 

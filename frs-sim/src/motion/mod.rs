@@ -123,7 +123,12 @@ impl<'m, M: Momentum<T>, L: Loads<T>, T: Real> Motion<'m, M, L, T> {
         self.drives.as_ref()
     }
 
-    /// What exerts the forces, to be changed at an event.
+    /// What exerts the forces.
+    pub fn loads(&self) -> &L {
+        &self.loads
+    }
+
+    /// The same, to be changed at an event.
     pub fn loads_mut(&mut self) -> &mut L {
         &mut self.loads
     }

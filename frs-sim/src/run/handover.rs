@@ -22,7 +22,7 @@ pub struct Changed {
 
 impl<'m, M: Momentum<f64>> Metered<'m, M> {
     /// Goes on with the robot `after`, which has of `payloads` those that it has at `time`, and before had others. The energy that this
-    /// gives or takes is added to the work.
+    /// gives or takes is what payloads brought.
     pub fn hand_over<'p>(
         &mut self,
         after: &'m Model,
@@ -83,7 +83,8 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
         self.motion.change(after, time, momentum, mass);
         let own = self.motion.state(state.pose, &q, &rates, mu);
         state.flat[..own.flat.len()].copy_from_slice(&own.flat);
-        *state.flat.last_mut().expect("the work is the last number") += self.motion.kinetic_energy(time, &own) - energy;
+        *state.flat.last_mut().expect("what payloads brought is the last number") +=
+            self.motion.kinetic_energy(time, &own) - energy;
         Changed { momentum, com: state.pose.transform(com), mass }
     }
 }

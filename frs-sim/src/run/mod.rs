@@ -3,7 +3,9 @@
 mod fall;
 mod flight;
 mod handover;
+mod meter;
 mod metered;
+mod watch;
 
 use std::ops::ControlFlow;
 
@@ -15,6 +17,7 @@ use crate::effects::Effects;
 use crate::integrate::{IntegrationError, Pace, State, System};
 use crate::motion::{Ballistic, Conserved, Driven, Hamel, Momentum, Motion, Zero};
 
+use crate::observer::Observation;
 use crate::scene::{Case, Scene, Start};
 use flight::Flight;
 
@@ -37,12 +40,21 @@ pub struct Sample {
     pub kinetic_energy: f64,
     /// Centre of mass, world (m).
     pub com: Vector3<f64>,
-    /// Work that all forces did since the start, and energy that payloads brought and took, J.
-    pub work: f64,
+    /// Work since the start of each of [`Scene::works`], in its order, J.
+    pub works: Vec<f64>,
     /// Momentum about the world's origin (kg·m²/s, kg·m/s).
     pub momentum: Wrench<f64>,
     /// Joint torques (N·m, N); at a jump those before it.
     pub tau: Vec<f64>,
+    /// What the observer is wrong by, if the scene has one.
+    pub observation: Option<Observation>,
+}
+
+impl Sample {
+    /// All work since the start, J: by so much the kinetic energy has changed.
+    pub fn work(&self) -> f64 {
+        self.works.iter().sum()
+    }
 }
 
 /// How a run ended.
@@ -74,7 +86,7 @@ pub struct Record {
 pub struct Checkpoint {
     /// Time, s.
     pub time: f64,
-    /// Pose; q, q̇, μ where it is integrated, and the work.
+    /// Pose; q, q̇, μ where it is integrated, the work of each force of the scene, and what payloads brought.
     pub state: State,
     /// How the steps go on.
     pub pace: Pace,
@@ -84,6 +96,8 @@ pub struct Checkpoint {
     pub phase: usize,
     /// The centre of mass since the last of them.
     pub fall: FreeFall,
+    /// The observer's state and pace, if the scene has one.
+    pub observer: Option<(State, Pace)>,
 }
 
 /// Computes a scene; `each` is told the time after each step and may stop the run.

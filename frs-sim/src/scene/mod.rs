@@ -2,14 +2,19 @@
 //!
 //! All keys: docs/scenes.md. What is known about the momentum is not said in a scene; it follows from what is.
 
+mod columns;
 mod force;
 mod forces;
+mod observer;
 mod payload;
 mod problem;
 mod reader;
 mod solver;
 mod start;
 mod timing;
+mod work;
+
+use std::io;
 
 use frs_core::model::Place;
 use frs_core::spatial::Twist;
@@ -18,13 +23,16 @@ use nalgebra::Vector3;
 
 use crate::effects::{ComputedTorque, Effect, Effects, EndEffector, Regulator, Stops};
 use crate::motion::{Course, Drives};
+use crate::observer::Observer;
 use reader::{Reader, Table};
 
 pub use force::{EFFECTS, Force, Named};
 pub use payload::Payload;
 pub use problem::{Problem, SceneError};
+pub use reader::Files;
 pub use solver::{EQUATIONS, Equations, ROUTES, Solver};
 pub use start::Start;
+pub use work::Work;
 
 /// What is known about the momentum of a motion; each case is a type in [`motion`](crate::motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,10 +85,12 @@ pub struct Scene {
     pub start: Start,
     /// What acts on it.
     pub forces: Vec<Named>,
+    /// Who observes its locked velocity.
+    pub observer: Option<Observer>,
 }
 
 /// Keys of a scene that are no effects.
-const KEYS: [&str; 6] = ["robot", "duration", "accuracy", "solver", "samples_per_second", "start"];
+const KEYS: [&str; 7] = ["robot", "duration", "accuracy", "solver", "samples_per_second", "start", "observer"];
 
 /// Samples per second of a scene that does not say.
 const SAMPLES_PER_SECOND: f64 = 100.0;
@@ -94,19 +104,27 @@ impl Scene {
     /// # Errors
     /// If the text is not TOML or names no robot.
     pub fn robot(file: &str, text: &str) -> Result<(String, Place), SceneError> {
-        let reader = Reader::new(file, text);
+        let reader = Reader::new(file, text, &no_files);
         let entries = reader.parse()?;
         let item = Table::root(&reader, &entries).required("robot", "the path of a URDF, from the scene's folder");
         let path = item.and_then(|item| Some((item.text("the path of a URDF")?.to_owned(), item.place())));
         reader.finish(path)
     }
 
-    /// Reads a scene of `model`; `file` names the text in messages.
+    /// Reads a scene of `model` that names no files but the robot's; `file` names the text in messages.
     ///
     /// # Errors
     /// Everything that is wrong with it, with line and column.
     pub fn parse(file: &str, text: &str, model: &Model) -> Result<Self, SceneError> {
-        let reader = Reader::new(file, text);
+        Self::parse_with(file, text, model, &no_files)
+    }
+
+    /// Reads a scene of `model`; `files` reads a file that it names, by its path from the scene's folder.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it and with those files, with line and column.
+    pub fn parse_with(file: &str, text: &str, model: &Model, files: &Files<'_>) -> Result<Self, SceneError> {
+        let reader = Reader::new(file, text, files);
         let entries = reader.parse()?;
         let root = Table::root(&reader, &entries);
         root.only(&[&KEYS[..], &EFFECTS].concat());
@@ -123,6 +141,7 @@ impl Scene {
         let forces = forces::read(&root, model, duration.unwrap_or(f64::INFINITY));
         forces::contradictions(&root, model, &forces);
         let start = start::read(&root, &payload::laden(model, payloads(&forces), 0.0), &forces);
+        let observer = observer::read(&root);
         let scene = (|| {
             Some(Self {
                 duration: duration?,
@@ -130,6 +149,7 @@ impl Scene {
                 samples_per_second: samples_per_second?,
                 start: start?,
                 forces,
+                observer: observer?,
             })
         })();
         reader.finish(scene)
@@ -188,8 +208,8 @@ impl Scene {
 
     /// The forces as effects over any scalar; without gravity where that is known to move the centre of mass alone.
     pub fn effects<'m, T: Real>(&self, model: &'m Model<T>) -> Effects<'m, T> {
-        let each = self.forces.iter().filter_map(|named| -> Option<Box<dyn Effect<T>>> {
-            Some(match &named.force {
+        let each = self.forces.iter().enumerate().filter_map(|(number, named)| {
+            let effect: Box<dyn Effect<T>> = match &named.force {
                 Force::Gravity(_) if self.case() == Case::Ballistic => return None,
                 Force::Rotors(_) | Force::Prescribed(..) | Force::Payload(_) => return None,
                 Force::Gravity(gravity) => Box::new(*gravity),
@@ -204,7 +224,8 @@ impl Scene {
                 Force::Regulator(gains) => Box::new(Regulator::new(gains.clone())),
                 Force::ComputedTorque(courses, bandwidth) => Box::new(ComputedTorque::new(courses.clone(), *bandwidth)),
                 Force::EndEffector(target) => Box::new(EndEffector::new(target.clone())),
-            })
+            };
+            Some((number, effect))
         });
         Effects(each.collect())
     }
@@ -224,6 +245,10 @@ impl Scene {
         }
         any.then(|| Drives::new(&rotor, courses))
     }
+}
+
+fn no_files(_: &str) -> io::Result<String> {
+    Err(io::Error::new(io::ErrorKind::Unsupported, "the scene was read without its files"))
 }
 
 fn payloads(forces: &[Named]) -> impl Iterator<Item = &Payload> {

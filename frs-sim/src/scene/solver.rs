@@ -51,6 +51,16 @@ impl Default for Solver {
 /// Joints up to which factoring Λ_q is about as cheap as the articulated sweep, which loses digits over a light base.
 const FACTORED: usize = 10;
 
+impl Solver {
+    /// The accuracy of its steps; of what goes along beside uniform ones, the one of a scene that does not say.
+    pub fn accuracy(&self) -> f64 {
+        match self.steps {
+            Steps::Accuracy(accuracy) => accuracy,
+            Steps::Length(_) => ACCURACY,
+        }
+    }
+}
+
 pub fn read(root: &Table<'_, '_>, joints: usize) -> Option<Solver> {
     let accuracy = root.get("accuracy").map_or(Some(ACCURACY), |item| {
         let accuracy = item.positive()?;
