@@ -113,7 +113,8 @@ fn measuring_work_changes_no_bit_of_a_motion() {
     let (model, scene) = (satellite(), scene(&format!("{SPRINGS}{FRICTION}")));
     let record = flown(&scene);
     let start = &scene.start;
-    let mut motion = Motion::new(&model, Conserved { momentum: start.centroidal }, scene.effects(&model));
+    let mut motion =
+        Motion::new(&model, Conserved { momentum: start.centroidal }, scene.effects(&model)).by(scene.solver.route);
     let state = motion.state(start.pose, &start.q, &start.qd, start.mu);
     let mut path = Adaptive::new(&DOP853, state, 0.0, scene.solver.accuracy());
     let mut steps = 0;
