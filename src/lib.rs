@@ -20,7 +20,9 @@
 //! # Ok::<(), frs::urdf::UrdfError>(())
 //! ```
 
+pub mod conditioning;
 pub mod identities;
+pub mod plausibility;
 
 pub use frs_core::*;
 #[cfg(feature = "jit")]

@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod answer;
+mod check;
 mod curvature;
 mod diff;
 mod eval;
@@ -53,6 +54,7 @@ enum Command {
     Simulate(simulate::Simulate),
     Explain(explain::Explain),
     Accuracy(accuracy::Accuracy),
+    Check(check::Check),
 }
 
 /// The robot, and how to read it.
@@ -138,6 +140,7 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure>
         Some(Command::Simulate(simulate)) => simulate.run(),
         Some(Command::Explain(explain)) => explain.run(),
         Some(Command::Accuracy(accuracy)) => accuracy.run(),
+        Some(Command::Check(check)) => check.run(),
     }
 }
 

@@ -18,7 +18,7 @@ const MANY: usize = 200;
 const LARGE_ROUNDING: f64 = 1e-10;
 
 /// How many large robots are tried: the sums over links take a second for each.
-const LARGE_CASES: u32 = 4;
+const LARGE_CASES: u32 = 2;
 
 proptest! {
     #![proptest_config(config())]

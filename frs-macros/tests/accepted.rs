@@ -1,9 +1,9 @@
-//! Both forms, and every key.
+//! What `frs_model!` accepts: both forms, and every key.
 
-frs::frs_model!("arm.urdf");
+frs::frs_model!("tests/ui/arm.urdf");
 frs::frs_model!(
     /// The arm without its freedom.
-    pub(crate) mod held = "arm.urdf",
+    pub(crate) mod held = "tests/ui/arm.urdf",
     root = "upper",
     outputs(inertia, forward_dynamics, kinematics),
     links("hull", "camera"),
@@ -18,7 +18,8 @@ frs::frs_model!(
 
 use frs::lanes::F32x8;
 
-fn main() {
+#[test]
+fn both_forms_and_every_key_are_accepted() {
     assert_eq!((arm::COORDINATES, held::COORDINATES), (["shoulder", "elbow"], ["shoulder"]));
     let zero = F32x8::splat(0.0);
     let (mut pose, mut jacobian) = ([[zero; 3]; 4], [zero; 6]);
