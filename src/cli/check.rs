@@ -62,7 +62,12 @@ impl Check {
     fn verdict(&self, report: &Report) -> Result<(), Failure> {
         let impossible = report.findings.iter().filter(|finding| finding.oddity.is_impossible()).count();
         if impossible > 0 {
-            return Err(Failure::Check(format!("{impossible} links have inertias that no body can have")));
+            let who = if impossible == 1 {
+                "1 link has an inertia".into()
+            } else {
+                format!("{impossible} links have inertias")
+            };
+            return Err(Failure::Check(format!("{who} that no body can have")));
         }
         let digits = report.conditioning.digits(Bounded::Factored);
         if digits < f64::from(self.digits) {
