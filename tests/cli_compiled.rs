@@ -1,4 +1,5 @@
-//! `frs eval --compiled` answers as `frs eval` does, byte for byte.
+//! Machine code made on the spot: `frs eval --compiled` answers as `frs eval` does, byte for byte, and `frs simulate` and `frs accuracy` move as the
+//! core does.
 
 use std::io::Write;
 use std::path::Path;
@@ -62,4 +63,42 @@ fn a_state_without_an_answer_is_told_in_the_same_words() {
     let output = answers_are_the_same(robot, &["--states", "-"], "{\"mu\":[1e200,1e200,0,0,0,0]}\n{}\n");
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8(output.stdout).unwrap().contains("is not finite"));
+}
+
+/// A scene of the project for a longer time: its table as it was computed on the way with machine code, and by the core alone.
+#[test]
+fn a_run_that_goes_on_in_machine_code_has_the_bits_of_the_core() {
+    for (name, duration) in [("tumbling", "30"), ("thrown", "20")] {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compiled").join(name);
+        std::fs::create_dir_all(&folder).unwrap();
+        let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+        let text = std::fs::read_to_string(scenes.join(name).with_extension("toml")).unwrap();
+        let lines = text.lines().map(|line| match line.split_once('=').map(|(key, _)| key.trim()) {
+            Some("duration") => format!("duration = {duration}"),
+            Some("accuracy") => "accuracy = 1e-13".to_owned(),
+            _ => line.replace("../robots", &scenes.with_file_name("robots").display().to_string()),
+        });
+        let scene = folder.join("scene.toml");
+        std::fs::write(&scene, lines.collect::<Vec<_>>().join("\n")).unwrap();
+        let output = frs(&["simulate", scene.to_str().unwrap(), "--out", folder.to_str().unwrap(), "--json"], "");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(told["machine_codes"].as_u64() > Some(0), "{told}");
+
+        let text = std::fs::read_to_string(&scene).unwrap();
+        let robot = text.lines().find_map(|line| line.strip_prefix("robot = ")).unwrap().trim_matches('"');
+        let model = frs::Model::from_urdf(&std::fs::read_to_string(robot).unwrap()).unwrap();
+        let scene = frs_sim::scene::Scene::parse("scene.toml", &text, &model).unwrap();
+        let core = frs_sim::run::run(&scene, &model, |_| std::ops::ControlFlow::Continue(()));
+        let table = std::fs::read_to_string(folder.join("trajectory.csv")).unwrap();
+        let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+        let q = names.iter().position(|name| name.starts_with("q.")).unwrap();
+        assert_eq!(table.lines().count(), core.samples.len() + 1);
+        for (line, sample) in table.lines().skip(1).zip(&core.samples) {
+            let numbers: Vec<f64> = line.split(',').map(|number| number.parse().unwrap()).collect();
+            let place: [f64; 3] = sample.pose.translation.into();
+            let shape = [&sample.q[..], &sample.qd].concat();
+            assert!(numbers[1..4] == place && numbers[q..q + shape.len()] == shape, "{name} at {} s", sample.time);
+        }
+    }
 }

@@ -1,6 +1,8 @@
 //! `frs accuracy`: what accuracy costs in a scene.
 
 mod advice;
+#[cfg(feature = "jit")]
+mod compiled;
 mod page;
 mod picture;
 mod search;

@@ -5,6 +5,8 @@
 mod accuracy;
 mod answer;
 mod check;
+#[cfg(feature = "jit")]
+mod compiled;
 mod curvature;
 mod diff;
 mod eval;
@@ -14,6 +16,7 @@ mod generate;
 mod options;
 mod oracle;
 mod overview;
+mod recording;
 mod scene;
 mod simulate;
 mod state;

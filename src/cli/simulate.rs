@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use frs_sim::run::{End, Record, resume, run};
+use frs_sim::run::{Acting, Code, End, Record, run_by};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use self::summary::Summary;
@@ -54,6 +54,17 @@ pub struct Simulate {
 /// The table for programs.
 const PARQUET: &str = "trajectory.parquet";
 
+/// Machine code with which a long run goes on, where this program can make it.
+fn code(acting: &Acting<'_>) -> Option<Box<dyn Code>> {
+    #[cfg(feature = "jit")]
+    return super::compiled::code(acting);
+    #[cfg(not(feature = "jit"))]
+    return {
+        let _ = acting;
+        None
+    };
+}
+
 /// Steps of the progress bar a second of motion.
 const TICKS: f64 = 1000.0;
 
@@ -74,10 +85,10 @@ impl Simulate {
             let pause = stop.load(Ordering::Relaxed) || saved.get().elapsed().as_secs_f64() >= self.save_every;
             if pause { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let mut record = match self.resume {
-            false => run(scene, model, each),
-            true => resume(scene, model, checkpoint::load(&self.out, &loaded)?, each),
-        };
+        let coded = Cell::new(0);
+        let coder = |acting: &Acting<'_>| code(acting).inspect(|_| coded.set(coded.get() + 1));
+        let from = if self.resume { Some(checkpoint::load(&self.out, &loaded)?) } else { None };
+        let mut record = run_by(scene, model, from, Some(&coder), each);
         while record.end == End::Stopped {
             write(&self.out.join("trajectory.csv"), &trajectory::table(&columns, &rows(&record)))?;
             write(&self.out.join(checkpoint::FILE), &checkpoint::text(&loaded, &record))?;
@@ -85,7 +96,7 @@ impl Simulate {
             if stop.load(Ordering::Relaxed) {
                 break;
             }
-            record = resume(scene, model, record, each);
+            record = run_by(scene, model, Some(record), Some(&coder), each);
         }
         progress.finish_and_clear();
         if record.end != End::Stopped {
@@ -94,7 +105,7 @@ impl Simulate {
         }
 
         let charts = pictures::all(scene, model, &record.samples);
-        let summary = Summary::new(scene, model, &record);
+        let summary = Summary::new(scene, model, &record, coded.get());
         let rows = rows(&record);
         let mut files = vec![("trajectory.csv", trajectory::table(&columns, &rows))];
         files.extend(charts.iter().map(|(name, chart)| (*name, chart.svg())));

@@ -3,6 +3,8 @@
 use frs_core::spatial::Wrench;
 use nalgebra::Vector3;
 
+use crate::scene::Start;
+
 /// A centre of mass on its way in free fall, since the last handover or the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeFall {
@@ -17,6 +19,11 @@ pub struct FreeFall {
 }
 
 impl FreeFall {
+    /// From the start of a scene.
+    pub(super) fn of(start: &Start) -> Self {
+        Self { since: 0.0, com: start.com, momentum: start.centroidal, mass: start.mass }
+    }
+
     /// How far it is at `time`, m.
     pub(super) fn way(&self, time: f64, acceleration: Vector3<f64>) -> Vector3<f64> {
         let t = time - self.since;

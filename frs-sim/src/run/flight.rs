@@ -10,11 +10,10 @@ use super::handover::Changed;
 use super::meter::Meter;
 use super::metered::Metered;
 use super::watch::Watch;
-use super::{Checkpoint, End, Record, Sample};
-use crate::effects::Effects;
-use crate::integrate::{Path, State, System, Tangent};
-use crate::motion::{Momentum, Motion};
-use crate::scene::{Scene, Start, Work};
+use super::{Acting, Checkpoint, Coder, End, Record, Sample, motion};
+use crate::integrate::{Path, State, System};
+use crate::motion::Momentum;
+use crate::scene::{Scene, Work};
 
 /// A run on its way.
 pub struct Flight<'s, 'm, M> {
@@ -26,9 +25,11 @@ pub struct Flight<'s, 'm, M> {
     /// Which of them flies.
     phase: usize,
     fall: FreeFall,
+    coder: Option<Coder<'s>>,
+    /// When it was last said what acts, s.
+    entered: f64,
     system: Metered<'m, M>,
     path: Path,
-    tangent: Tangent,
     touching: Touching,
     watch: Option<Watch>,
     samples: Vec<Sample>,
@@ -43,6 +44,10 @@ struct Touching {
     owners: Vec<[usize; 2]>,
 }
 
+/// Evaluations by the core that take about as long as making code: a recording, and its translation, cost each operation some ten
+/// thousand times what performing it costs.
+const AS_LONG_AS_CODING: u32 = 10_000;
+
 /// Parts of a step that are searched for gaps that pass 0 twice within it.
 const PARTS: u32 = 8;
 
@@ -50,31 +55,26 @@ const PARTS: u32 = 8;
 const HALVINGS: u32 = 48;
 
 impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
-    pub fn new(scene: &'s Scene, models: &'m [Model], momentum: M, effects: Effects<'m>) -> Self {
+    pub fn new(scene: &'s Scene, models: &'m [Model], momentum: M, coder: Option<Coder<'s>>) -> Self {
         let start = &scene.start;
-        let mut motion = Motion::new(&models[0], momentum, Meter::new(scene, effects)).by(scene.solver.route);
-        if let Some(drives) = scene.drives() {
-            motion = motion.with_drives(drives);
-        }
+        let mut motion = motion(scene, &models[0], momentum, Meter::new(scene, scene.effects(&models[0])), 0.0);
         let state = motion.state(start.pose, &start.q, &start.qd, start.mu);
         let mut system = Metered::new(motion, state.clone());
         let mut metered = state;
         metered.flat.resize(system.dimension(), 0.0);
-        let tangent = Tangent::zero(metered.flat.len());
         let com = system.com(0.0, &metered);
         let watch = scene.observer.map(|observer| Watch::new(scene, observer, &start.pose, com));
         let path = Path::new(scene.solver.method, scene.solver.steps, metered, 0.0);
-        let Start { com, centroidal, mass, .. } = *start;
-        let fall = FreeFall { since: 0.0, com, momentum: centroidal, mass };
         Self {
             scene,
             works: scene.works(),
             models,
             phase: 0,
-            fall,
+            fall: FreeFall::of(start),
+            coder,
+            entered: 0.0,
             system,
             path,
-            tangent,
             touching: Touching::default(),
             watch,
             samples: Vec::new(),
@@ -155,7 +155,11 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
                 let closed = !self.touching.closed[gap];
                 self.touching.closed[gap] = closed;
                 self.system.motion.loads_mut().effects.touch(self.touching.owners[gap], closed);
+                self.system.evaluate_by(None);
                 self.path.event();
+            }
+            if self.system.evaluations > AS_LONG_AS_CODING {
+                self.code();
             }
             if each(self.path.time()).is_break() {
                 return End::Stopped;
@@ -173,7 +177,23 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         self.path.event();
     }
 
+    /// Lets code go on with what acts now.
+    fn code(&mut self) {
+        let Touching { closed, owners, .. } = &self.touching;
+        let acting = Acting {
+            scene: self.scene,
+            model: &self.models[self.phase],
+            time: self.entered,
+            fall: self.fall,
+            closed: owners.iter().copied().zip(closed.iter().copied()).collect(),
+            numbers: self.path.state().flat.len(),
+        };
+        self.system.evaluate_by(self.coder.and_then(|coder| coder(&acting)));
+    }
+
     fn choose_pieces(&mut self, time: f64) {
+        self.entered = time;
+        self.system.evaluate_by(None);
         self.system.motion.loads_mut().effects.enter(time);
         if let Some(drives) = self.system.motion.drives_mut() {
             drives.enter(time);
@@ -259,9 +279,8 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
     fn sample(&mut self, time: f64, state: &State) {
         let falling = self.fall_at(time);
         let observation = self.watch.as_ref().map(|watch| watch.observation(&mut self.system, state));
-        self.system.rate(time, state, &mut self.tangent);
+        let tau = self.system.load(time, state).tau.clone();
         let Metered { motion, state: own, .. } = &mut self.system;
-        let tau = motion.last_load().tau.clone();
         let (q, qd) = motion.shape(time, own);
         let (q, qd) = (q.to_vec(), qd.to_vec());
         let mu = motion.locked_velocity(time, own);

@@ -1,6 +1,6 @@
 //! The power of each force of a scene.
 
-use frs_core::Moving;
+use frs_core::{Moving, Real};
 use nalgebra::Vector3;
 
 use crate::effects::Effects;
@@ -14,31 +14,31 @@ use crate::scene::{Force, Scene};
 /// gravity              ⟨p, R₁ᵀ a⟩               p: linear momentum, base axes
 /// joints on a course   (τ − τ_e) q̇              τ: what the joint takes; τ_e: what the effects add to it
 /// ```
-pub struct Meter<'m> {
-    pub effects: Effects<'m>,
+pub struct Meter<'m, T: Real = f64> {
+    pub effects: Effects<'m, T>,
     /// W; 0 for what is neither.
-    power: Vec<f64>,
+    power: Vec<T>,
     /// Accelerations of gravity.
-    falls: Vec<(usize, Vector3<f64>)>,
+    falls: Vec<(usize, Vector3<T>)>,
     /// Coordinates on a course.
     courses: Vec<(usize, usize)>,
     /// What the effects add up to.
-    sum: Load,
+    sum: Load<T>,
 }
 
-impl<'m> Meter<'m> {
+impl<'m, T: Real> Meter<'m, T> {
     /// For the effects of a scene.
-    pub fn new(scene: &Scene, effects: Effects<'m>) -> Self {
+    pub fn new(scene: &Scene, effects: Effects<'m, T>) -> Self {
         let (mut falls, mut courses) = (Vec::new(), Vec::new());
         for (number, named) in scene.forces.iter().enumerate() {
             match &named.force {
-                Force::Gravity(gravity) => falls.push((number, Vector3::from(gravity.acceleration))),
+                Force::Gravity(gravity) => falls.push((number, Vector3::from(gravity.acceleration).map(T::from_f64))),
                 Force::Prescribed(coordinate, _) => courses.push((number, *coordinate)),
                 _ => {}
             }
         }
         let sum = Load::zero(scene.start.q.len());
-        Self { effects, power: vec![0.0; scene.forces.len()], falls, courses, sum }
+        Self { effects, power: vec![T::zero(); scene.forces.len()], falls, courses, sum }
     }
 
     /// How many forces there are.
@@ -47,7 +47,7 @@ impl<'m> Meter<'m> {
     }
 
     /// The powers at the instant that was asked for last, at which the joints had these torques and rates.
-    pub fn powers(&self, tau: &[f64], qd: &[f64], out: &mut [f64]) {
+    pub fn powers(&self, tau: &[T], qd: &[T], out: &mut [T]) {
         out.copy_from_slice(&self.power);
         for &(number, joint) in &self.courses {
             out[number] = (tau[joint] - self.sum.tau[joint]) * qd[joint];
@@ -55,15 +55,15 @@ impl<'m> Meter<'m> {
     }
 }
 
-impl Loads<f64> for Meter<'_> {
-    fn add(&mut self, instant: &Instant<'_>, robot: &mut Moving<'_, '_, '_>, load: &mut Load) {
+impl<T: Real> Loads<T> for Meter<'_, T> {
+    fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
         let Self { effects, power, falls, sum, .. } = self;
         let twist = robot.base_twist(instant.mu);
         sum.clone_from(load);
         for (number, effect) in &mut effects.0 {
             effect.add(instant, robot, load);
             let torques = load.tau.iter().zip(&sum.tau).zip(instant.qd);
-            let joints: f64 = torques.map(|((after, before), qd)| (after - before) * qd).sum();
+            let joints = torques.fold(T::zero(), |sum, ((&after, &before), &qd)| sum + (after - before) * qd);
             power[*number] = twist.dot(load.base_wrench - sum.base_wrench) + joints;
             sum.clone_from(load);
         }

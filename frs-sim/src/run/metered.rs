@@ -2,21 +2,26 @@
 
 use std::ops::Range;
 
+use frs_core::Real;
 use nalgebra::Vector3;
 
+use super::Code;
 use super::meter::Meter;
 use crate::integrate::{State, System, Tangent};
 use crate::motion::{Instant, Load, Momentum, Motion};
 
 /// A motion with more numbers: the work of each force of the scene, and last what payloads brought, J.
-pub struct Metered<'m, M> {
-    pub motion: Motion<'m, M, Meter<'m>>,
+pub struct Metered<'m, M, T: Real = f64> {
+    pub motion: Motion<'m, M, Meter<'m, T>, T>,
     /// What the motion knows of the state that was asked for last.
-    pub state: State,
-    rate: Tangent,
+    pub state: State<T>,
+    rate: Tangent<T>,
+    code: Option<Box<dyn Code<T>>>,
+    /// Evaluations by the core since it was last said what acts.
+    pub evaluations: u32,
 }
 
-impl<M: Momentum<f64>> System for Metered<'_, M> {
+impl<T: Real, M: Momentum<T>> System<T> for Metered<'_, M, T> {
     fn dimension(&self) -> usize {
         self.motion.dimension() + self.measured()
     }
@@ -29,7 +34,11 @@ impl<M: Momentum<f64>> System for Metered<'_, M> {
         self.motion.loads().len() + 1
     }
 
-    fn rate(&mut self, time: f64, state: &State, rate: &mut Tangent) {
+    fn rate(&mut self, time: T, state: &State<T>, rate: &mut Tangent<T>) {
+        if let Some(code) = &mut self.code {
+            return code.rate(time, state, rate);
+        }
+        self.evaluations = self.evaluations.saturating_add(1);
         let own = self.motion.dimension();
         self.set(state);
         self.motion.rate(time, &self.state, &mut self.rate);
@@ -39,24 +48,31 @@ impl<M: Momentum<f64>> System for Metered<'_, M> {
         let [powers @ .., brought] = measured else { unreachable!("what payloads brought is always measured") };
         // The first rates are q̇.
         self.motion.loads().powers(&self.motion.last_load().tau, moving, powers);
-        *brought = 0.0;
+        *brought = T::zero();
     }
 }
 
-impl<'m, M: Momentum<f64>> Metered<'m, M> {
+impl<'m, T: Real, M: Momentum<T>> Metered<'m, M, T> {
     /// A motion from a state of its own.
-    pub fn new(motion: Motion<'m, M, Meter<'m>>, state: State) -> Self {
+    pub fn new(motion: Motion<'m, M, Meter<'m, T>, T>, state: State<T>) -> Self {
         let rate = Tangent::zero(state.flat.len());
-        Self { motion, state, rate }
+        Self { motion, state, rate, code: None, evaluations: 0 }
+    }
+
+    /// Lets code evaluate, or the core.
+    pub fn evaluate_by(&mut self, code: Option<Box<dyn Code<T>>>) {
+        (self.code, self.evaluations) = (code, 0);
     }
 
     /// Takes what the motion knows of a state.
-    pub fn set(&mut self, state: &State) {
+    pub fn set(&mut self, state: &State<T>) {
         let own = self.motion.dimension();
         self.state.pose = state.pose;
         self.state.flat.copy_from_slice(&state.flat[..own]);
     }
+}
 
+impl<M: Momentum<f64>> Metered<'_, M> {
     /// The forces in a state.
     pub fn load(&mut self, time: f64, state: &State) -> &Load {
         self.set(state);

@@ -1,5 +1,6 @@
 //! Scenes as motions: stepped from event to event, written down at regular times.
 
+mod code;
 mod fall;
 mod flight;
 mod handover;
@@ -15,12 +16,13 @@ use nalgebra::Vector3;
 
 use crate::effects::Effects;
 use crate::integrate::{IntegrationError, Pace, State, System};
-use crate::motion::{Ballistic, Conserved, Driven, Hamel, Momentum, Motion, Zero};
+use crate::motion::{Ballistic, Conserved, Driven, Hamel, Loads, Momentum, Motion, Zero};
 
 use crate::observer::Observation;
 use crate::scene::{Case, Scene, Start};
 use flight::Flight;
 
+pub use code::{Acting, Code, Coder};
 pub use fall::FreeFall;
 
 /// A motion at one time.
@@ -116,40 +118,85 @@ pub struct Checkpoint {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &Scene, model: &Model, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
-    flown(scene, model, None, each)
+    run_by(scene, model, None, None, each)
 }
 
 /// Goes on with a run that was stopped: the record is then that of one run, bit for bit.
 ///
 /// `scene` and `model` must be the same as before.
 pub fn resume(scene: &Scene, model: &Model, record: Record, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
-    flown(scene, model, Some(record), each)
+    run_by(scene, model, Some(record), None, each)
 }
 
-fn flown(scene: &Scene, model: &Model, record: Option<Record>, each: impl FnMut(f64) -> ControlFlow<()>) -> Record {
-    fn fly<'m, M: Momentum<f64>>(
-        flight: Flight<'_, 'm, M>,
-        record: Option<Record>,
-        each: impl FnMut(f64) -> ControlFlow<()>,
-    ) -> Record {
-        match record {
-            None => flight.computed(each),
-            Some(record) => flight.resumed(record).computed(each),
+/// [`run`], or [`resume`] from a record, by code that `coder` makes as soon as making it takes no longer than the core took since the last
+/// event.
+pub fn run_by(
+    scene: &Scene,
+    model: &Model,
+    from: Option<Record>,
+    coder: Option<Coder<'_>>,
+    each: impl FnMut(f64) -> ControlFlow<()>,
+) -> Record {
+    struct Flying<'a, F> {
+        scene: &'a Scene,
+        models: &'a [Model],
+        from: Option<Record>,
+        coder: Option<Coder<'a>>,
+        each: F,
+    }
+    impl<F: FnMut(f64) -> ControlFlow<()>> Knowing<f64> for Flying<'_, F> {
+        type Out = Record;
+
+        fn with<M: Momentum<f64>>(self, momentum: M) -> Record {
+            let flight = Flight::new(self.scene, self.models, momentum, self.coder);
+            match self.from {
+                None => flight.computed(self.each),
+                Some(record) => flight.resumed(record).computed(self.each),
+            }
         }
     }
-    let effects = scene.effects(model);
     let times = std::iter::once(0.0).chain(scene.handovers());
     let models: Vec<Model> = times.map(|time| scene.laden(model, time)).collect();
-    let Start { centroidal: momentum, mass, .. } = scene.start;
+    knowing(scene, &FreeFall::of(&scene.start), Flying { scene, models: &models, from, coder, each })
+}
+
+/// Something to do with what is known about a momentum.
+trait Knowing<T: Real> {
+    type Out;
+
+    fn with<M: Momentum<T> + 'static>(self, momentum: M) -> Self::Out;
+}
+
+/// What a scene knows about its momentum, from the last handover or the start on.
+fn knowing<T: Real, K: Knowing<T>>(scene: &Scene, fall: &FreeFall, todo: K) -> K::Out {
+    let momentum = Wrench::from_array(fall.momentum.to_array().map(T::from_f64));
     match scene.case() {
-        Case::Zero => fly(Flight::new(scene, &models, Zero, effects), record, each),
-        Case::Conserved => fly(Flight::new(scene, &models, Conserved { momentum }, effects), record, each),
+        Case::Zero => todo.with(Zero),
+        Case::Conserved => todo.with(Conserved { momentum }),
         Case::Ballistic => {
-            let ballistic = Ballistic { momentum, acceleration: scene.gravity(), mass, since: 0.0 };
-            fly(Flight::new(scene, &models, ballistic, effects), record, each)
+            let (acceleration, mass) = (scene.gravity().map(T::from_f64), T::from_f64(fall.mass));
+            todo.with(Ballistic { momentum, acceleration, mass, since: T::from_f64(fall.since) })
         }
-        Case::Driven => fly(Flight::new(scene, &models, Driven, effects), record, each),
-        Case::Hamel => fly(Flight::new(scene, &models, Hamel::new(model.dof()), effects), record, each),
+        Case::Driven => todo.with(Driven),
+        Case::Hamel => todo.with(Hamel::new(scene.start.q.len())),
+    }
+}
+
+/// The motion of a scene under `loads`, with its route and the drives that act from `time` on.
+fn motion<'m, T: Real, M: Momentum<T>, L: Loads<T>>(
+    scene: &Scene,
+    model: &'m Model<T>,
+    momentum: M,
+    loads: L,
+    time: f64,
+) -> Motion<'m, M, L, T> {
+    let motion = Motion::new(model, momentum, loads).by(scene.solver.route);
+    match scene.drives() {
+        None => motion,
+        Some(mut drives) => {
+            drives.enter(time);
+            motion.with_drives(drives)
+        }
     }
 }
 
@@ -194,30 +241,19 @@ impl<T: Real, M: Momentum<T>> Equations<T> for Motion<'_, M, Effects<'_, T>, T> 
 /// The equations of a scene over any scalar, with the forces that act from `time` (s) on; for instance to count their
 /// operations. `model` is the robot as it is [laden](Scene::laden) then.
 pub fn equations<'m, T: Real>(scene: &Scene, model: &'m Model<T>, time: f64) -> Box<dyn Equations<T> + 'm> {
-    fn boxed<'m, T: Real, M: Momentum<T> + 'm>(
-        scene: &Scene,
+    struct Boxed<'a, 'm, T: Real> {
+        scene: &'a Scene,
         model: &'m Model<T>,
-        momentum: M,
         time: f64,
-    ) -> Box<dyn Equations<T> + 'm> {
-        let mut effects = scene.effects(model);
-        effects.enter(time);
-        let mut motion = Motion::new(model, momentum, effects).by(scene.solver.route);
-        if let Some(mut drives) = scene.drives() {
-            drives.enter(time);
-            motion = motion.with_drives(drives);
-        }
-        Box::new(motion)
     }
-    let momentum = Wrench::from_array(scene.start.centroidal.to_array().map(T::from_f64));
-    match scene.case() {
-        Case::Zero => boxed(scene, model, Zero, time),
-        Case::Conserved => boxed(scene, model, Conserved { momentum }, time),
-        Case::Ballistic => {
-            let (acceleration, mass) = (scene.gravity().map(T::from_f64), T::from_f64(scene.start.mass));
-            boxed(scene, model, Ballistic { momentum, acceleration, mass, since: T::zero() }, time)
+    impl<'m, T: Real> Knowing<T> for Boxed<'_, 'm, T> {
+        type Out = Box<dyn Equations<T> + 'm>;
+
+        fn with<M: Momentum<T> + 'static>(self, momentum: M) -> Self::Out {
+            let mut effects = self.scene.effects(self.model);
+            effects.enter(self.time);
+            Box::new(motion(self.scene, self.model, momentum, effects, self.time))
         }
-        Case::Driven => boxed(scene, model, Driven, time),
-        Case::Hamel => boxed(scene, model, Hamel::new(model.dof()), time),
     }
+    knowing(scene, &FreeFall::of(&scene.start), Boxed { scene, model, time })
 }

@@ -4,9 +4,10 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use frs::Model;
+use frs_codegen::Counts;
 use frs_sim::integrate::IntegrationError;
 use frs_sim::scene::{Equations, Scene};
-use frs_sim::study::{Curve, Errors, Judged, Scalar, Truth, Variant, curves, dominated, front};
+use frs_sim::study::{Curve, Errors, Evaluation, Judged, Scalar, Truth, Variant, curves, dominated, front};
 use indicatif::ProgressBar;
 
 use crate::cli::explain::Costs;
@@ -100,11 +101,15 @@ impl Search {
     pub fn of(scene: &Scene, model: &Model, truth: &Truth, cost: Cost, seconds: f64, bar: &ProgressBar) -> Self {
         let (begin, limit) = (Instant::now(), Duration::from_secs_f64(seconds));
         let mut operations = Operations { scene, model, known: HashMap::new() };
-        let curves = curves(scene, false);
+        let curves = curves(scene, cfg!(feature = "jit"));
+        #[cfg(feature = "jit")]
+        let mut ways = Ways { truth, codes: super::compiled::Codes::new(scene, model) };
+        #[cfg(not(feature = "jit"))]
+        let mut ways = Ways { truth };
         bar.set_length(curves.len() as u64);
         let mut search = Self { points: Vec::new(), front: Vec::new(), cost, curves: curves.len(), cut: false };
         for curve in &curves {
-            search.follow(*curve, truth, &mut operations, scene.duration, seconds);
+            search.follow(*curve, &mut ways, &mut operations, scene.duration, seconds);
             bar.inc(1);
             // What is left is for timing the best again.
             if cost == Cost::Time && begin.elapsed() > limit.mul_f64(0.8) {
@@ -113,7 +118,7 @@ impl Search {
             }
         }
         if cost == Cost::Time {
-            search.time_again(truth, begin + limit);
+            search.time_again(&mut ways, begin + limit);
         }
         search.front = front(&search.places());
         search
@@ -129,10 +134,10 @@ impl Search {
             .collect()
     }
 
-    fn follow(&mut self, curve: Curve, truth: &Truth, operations: &mut Operations, duration: f64, seconds: f64) {
+    fn follow(&mut self, curve: Curve, ways: &mut Ways, operations: &mut Operations, duration: f64, seconds: f64) {
         let (mut best, mut hopeless) = (f64::INFINITY, 0);
         for variant in curve.variants(duration) {
-            let Judged { errors, evaluations, seconds: took } = match truth.judge(&variant) {
+            let Judged { errors, evaluations, seconds: took } = match ways.judge(&variant) {
                 Ok(judged) => judged,
                 // Shorter steps may do.
                 Err(IntegrationError::NotFinite { .. } | IntegrationError::NotSolved { .. }) => continue,
@@ -157,7 +162,7 @@ impl Search {
     }
 
     /// Times the best points again, one after the other, so that a disturbance meets all alike.
-    fn time_again(&mut self, truth: &Truth, end: Instant) {
+    fn time_again(&mut self, ways: &mut Ways, end: Instant) {
         let places = self.places();
         let close: Vec<usize> = (0..places.len())
             .filter(|&i| places[i][0].is_finite() && !dominated(places[i], places.iter().copied(), CLOSE))
@@ -167,7 +172,7 @@ impl Search {
                 if Instant::now() > end {
                     return;
                 }
-                if let Ok(judged) = truth.judge(&self.points[i].variant) {
+                if let Ok(judged) = ways.judge(&self.points[i].variant) {
                     self.points[i].runs.push(judged.seconds);
                 }
             }
@@ -175,20 +180,39 @@ impl Search {
     }
 }
 
+/// Ways to compute a scene.
+struct Ways<'a> {
+    truth: &'a Truth<'a>,
+    #[cfg(feature = "jit")]
+    codes: super::compiled::Codes<'a>,
+}
+
+impl Ways<'_> {
+    fn judge(&mut self, variant: &Variant) -> Result<Judged, IntegrationError> {
+        #[cfg(feature = "jit")]
+        if variant.evaluation == Evaluation::Compiled {
+            return self.codes.judge(self.truth, variant);
+        }
+        self.truth.judge(variant)
+    }
+}
+
 /// Operations of an evaluation, counted once for each set of equations and route.
 struct Operations<'s> {
     scene: &'s Scene,
     model: &'s Model,
-    known: HashMap<[&'static str; 2], usize>,
+    known: HashMap<[&'static str; 2], [Counts; 2]>,
 }
 
 impl Operations<'_> {
     fn of(&mut self, variant: &Variant) -> usize {
         let [_, _, equations, route, ..] = variant.names();
-        let count = *self.known.entry([equations, route]).or_insert_with(|| {
+        let [whole, needed] = *self.known.entry([equations, route]).or_insert_with(|| {
             let scene = Scene { solver: variant.solver, ..self.scene.clone() };
-            Costs::of_equations(&scene, self.model)[0].flops()
+            Costs::of_equations(&scene, self.model)
         });
+        // Code has constants folded and equal terms shared.
+        let count = if variant.evaluation == Evaluation::Core { whole.flops() } else { needed.flops() };
         if variant.scalar == Scalar::DoubleDouble { WIDE * count } else { count }
     }
 }

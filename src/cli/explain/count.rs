@@ -1,14 +1,14 @@
 //! Operations, counted by recording them.
 
-use frs::nalgebra::{Matrix3, Vector3};
-use frs::spatial::{Pose, Twist};
+use frs::spatial::Twist;
 use frs::{Model, Workspace};
 use frs_codegen::record::{Operation, Place, Recorded, record};
 use frs_codegen::{Counts, Graph, Precision};
-use frs_sim::integrate::{State, Tangent};
 use frs_sim::motion::{Instant, Load, Loads};
 use frs_sim::run::equations;
 use frs_sim::scene::Scene;
+
+use crate::cli::recording::{Inputs, Recording};
 
 /// What one evaluation of a scene's equations performs.
 pub struct Costs {
@@ -38,18 +38,10 @@ impl Costs {
 
 /// What one evaluation performs with the forces that act from `time` on: all of it, and what is needed.
 fn of_phase(scene: &Scene, model: &Model, time: f64) -> [Counts; 2] {
-    let ((start, outputs), tape) = record(|| {
-        let model: Model<Recorded> = scene.laden(model, time).cast();
-        let mut inputs = Inputs::default();
-        let state = inputs.state(2 * model.dof() + scene.case().numbers());
-        let mut out = Tangent::zero(state.flat.len());
-        let mut equations = equations(scene, &model, time);
-        let time = inputs.next();
-        equations.rate(time, &state, &mut out);
-        let outputs = out.twist.to_array().into_iter().chain(out.flat).map(|number| number.0);
-        (time.0, outputs.collect::<Vec<_>>())
-    });
-    [counted(tape[start as usize..].iter()), needed(&tape, &outputs)]
+    let numbers = 2 * model.dof() + scene.case().numbers();
+    let laden = scene.laden(model, time);
+    let Recording { tape, start, outputs, .. } = Recording::of(&laden, numbers, |model| equations(scene, model, time));
+    [counted(tape[start..].iter()), needed(&tape, &outputs)]
 }
 
 /// What an effect performs by itself, while it acts and touches what it can touch.
@@ -101,21 +93,4 @@ fn needed(tape: &[Operation], outputs: &[Place]) -> Counts {
         }
     }
     counted(graph.operations().iter().zip(&used).filter(|(_, used)| **used).map(|(operation, _)| operation))
-}
-
-/// Numbers that are not known before the evaluation.
-#[derive(Default)]
-struct Inputs(u32);
-
-impl Inputs {
-    fn next(&mut self) -> Recorded {
-        self.0 += 1;
-        Recorded::input(self.0 - 1)
-    }
-
-    fn state(&mut self, numbers: usize) -> State<Recorded> {
-        let rotation = Matrix3::from_fn(|_, _| self.next());
-        let translation = Vector3::from_fn(|_, _| self.next());
-        State { pose: Pose::new(rotation, translation), flat: (0..numbers).map(|_| self.next()).collect() }
-    }
 }

@@ -17,6 +17,8 @@ pub struct Summary<'a> {
     scene: &'a Scene,
     model: &'a Model,
     record: &'a Record,
+    /// How often machine code was made for what acted.
+    coded: usize,
     /// Largest |E − E(0) − W|, J.
     energy: f64,
     /// Largest change of an entry of the momentum: of its angular half about the centre of mass where that is known to stay.
@@ -26,7 +28,7 @@ pub struct Summary<'a> {
 }
 
 impl<'a> Summary<'a> {
-    pub fn new(scene: &'a Scene, model: &'a Model, record: &'a Record) -> Self {
+    pub fn new(scene: &'a Scene, model: &'a Model, record: &'a Record, coded: usize) -> Self {
         let start = &record.samples[0];
         let worst = |of: &dyn Fn(&Sample) -> f64| record.samples.iter().map(of).fold(0.0, f64::max);
         let energy = worst(&|s| (s.kinetic_energy - start.kinetic_energy - s.work()).abs());
@@ -37,7 +39,7 @@ impl<'a> Summary<'a> {
         };
         let rotation =
             worst(&|s| largest((s.pose.rotation.transpose() * s.pose.rotation - Matrix3::identity()).as_slice()));
-        Self { scene, model, record, energy, momentum, rotation }
+        Self { scene, model, record, coded, energy, momentum, rotation }
     }
 
     /// Where the run ended, s.
@@ -76,9 +78,15 @@ impl<'a> Summary<'a> {
             ("energy and work differ by", format!("{} J at most", small(self.energy))),
             ("rotation is one to", small(self.rotation)),
         ];
+        let coded = (self.coded > 0).then(|| ("machine code", format!("made {} times on the way", self.coded)));
         let observer = self.convergence().map(|(factor, time)| ("error of the observer", fallen(factor, time)));
         let told = |(what, amount): (&str, String)| (what.to_owned(), amount);
-        before.map(told).into_iter().chain(works).chain(after.into_iter().chain(observer).map(told)).collect()
+        before
+            .map(told)
+            .into_iter()
+            .chain(works)
+            .chain(after.into_iter().chain(coded).chain(observer).map(told))
+            .collect()
     }
 
     /// What did work, and how much until the end, J.
@@ -133,6 +141,7 @@ impl<'a> Summary<'a> {
             "samples": self.record.samples.len(),
             "steps": self.record.steps,
             "evaluations": self.record.checkpoint.pace.evaluations,
+            "machine_codes": self.coded,
             "momentum_change": self.momentum,
             "work": self.works().map(|(name, work)| (name, work.into())).collect::<Map<_, _>>(),
             "energy_difference": self.energy,
