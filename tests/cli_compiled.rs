@@ -102,3 +102,27 @@ fn a_run_that_goes_on_in_machine_code_has_the_bits_of_the_core() {
         }
     }
 }
+
+/// Of the same settings, code made for the scene gives the very motion and fewer operations.
+#[test]
+fn a_studied_motion_in_machine_code_is_that_of_the_core() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compiled").join("study");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/thrown.toml");
+    let output = frs(&["accuracy", scene.to_str().unwrap(), "--counts", "--out", folder.to_str().unwrap()], "");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = std::fs::read_to_string(folder.join("accuracy.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    // method, pace, equations, route, scalar, [evaluation], accuracy, step, four errors, evaluations, operations
+    let settings = |row: &[&str]| [&row[..5], &row[6..8]].concat().join(",");
+    let (compiled, core): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row[5] == "compiled");
+    let mut pairs = 0;
+    for by_code in &compiled {
+        if let Some(by_core) = core.iter().find(|row| settings(row) == settings(by_code)) {
+            pairs += 1;
+            assert_eq!(by_code[8..13], by_core[8..13], "{}", settings(by_code));
+            let [fewer, more] = [by_code, by_core].map(|row| row[13].parse::<usize>().unwrap());
+            assert!(fewer < more, "{}", settings(by_code));
+        }
+    }
+    assert!(pairs > 50, "{pairs} pairs of {}", compiled.len());
+}

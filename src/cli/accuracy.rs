@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use comfy_table::{Table, presets};
-use frs_sim::study::{Scalar, Truth, reason_against};
+use frs_sim::study::{Evaluation, Scalar, Truth, Variant, reason_against};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
@@ -124,7 +124,7 @@ impl Accuracy {
                 write(&folder.join(name), &text)?;
             }
         }
-        let chosen = self.want.map(|want| (want, search.cheapest(want, |variant| variant.scalar == Scalar::Double)));
+        let chosen = self.want.map(|want| (want, search.cheapest(want, has_settings)));
         if let Some((_, Some(point))) = chosen
             && self.write
         {
@@ -143,6 +143,11 @@ impl Accuracy {
             _ => None,
         })
     }
+}
+
+/// Whether a scene file can ask for it.
+fn has_settings(variant: &Variant) -> bool {
+    variant.scalar == Scalar::Double && variant.evaluation == Evaluation::Core
 }
 
 /// A table for people.

@@ -47,10 +47,11 @@ def differences(one, other):
     return found
 
 
-def ours(problem, accuracy, folder):
-    """`frs simulate` on the scene, with another accuracy."""
+def ours(problem, accuracy, folder, moved=0.0, seed=0):
+    """`frs simulate` on the scene, with another accuracy, from a shape that is moved by random numbers up to `moved`."""
     text = problem.path.read_text()
-    for key, value in ("robot", f'"{problem.urdf}"'), ("accuracy", f"{accuracy:g}"):
+    shape = problem.x[7:] + np.random.default_rng(seed).uniform(-moved, moved, problem.robot.n)
+    for key, value in ("robot", f'"{problem.urdf}"'), ("accuracy", f"{accuracy:g}"), ("q", [float(x) for x in shape]):
         text, count = re.subn(rf"(?m)^{key}\s*=.*$", lambda _: f"{key} = {value}", text)
         if count != 1:
             raise Broken(f"{problem.path.name}: expected one line `{key} = …`, found {count}")
