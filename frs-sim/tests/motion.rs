@@ -227,6 +227,20 @@ fn springs_without_dampers_keep_the_energy() {
     assert!(worst < ACCUMULATION * ACCURACY, "{worst:e}");
 }
 
+/// Nothing acts and nothing moves: not even rounding does.
+#[test]
+fn a_motion_from_rest_stays_where_it_is_bit_for_bit() {
+    let model = model();
+    let loose = |_: &Instant<'_>, _: &mut Moving<'_, '_, '_>, _: &mut Load| {};
+    let rest = [0.0; 7];
+    let mut driven = Motion::new(&model, Driven, loose);
+    let start = driven.state(pose(), &Q, &rest, Twist::zero());
+    assert_eq!(bits(&stepped(&mut driven, start.clone())), bits(&start));
+    let mut conserved = Motion::new(&model, Conserved { momentum: Wrench::zero() }, loose);
+    let start = conserved.state(pose(), &Q, &rest, Twist::zero());
+    assert_eq!(bits(&stepped(&mut conserved, start.clone())), bits(&start));
+}
+
 /// A million steps: what is not integrated does not drift, and a rotation stays one.
 #[test]
 fn a_million_steps_leave_the_momentum_where_it_is() {

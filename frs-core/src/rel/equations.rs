@@ -5,6 +5,7 @@ use crate::spatial::{Twist, Wrench};
 use crate::sweep::{Data, Moving, articulated_accelerations, newton_euler, project};
 
 use super::factor::{factor, solve};
+use super::vectors::turning;
 
 impl<T: Real> Moving<'_, '_, '_, T> {
     /// `ξ̇ = [μ̇; q̈]` (length 6+n) from wrench `F₁` on the base (base frame) and joint torques `τ`, factoring Λ_q.
@@ -36,7 +37,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let mut matrix = std::mem::take(&mut self.data.matrix);
         self.shape_inertia(&mut matrix);
         let com = self.com();
-        self.required_torques(mu.at(com), base_wrench.at(com), None);
+        self.required_torques(mu, base_wrench.at(com), None);
         let Data { vector, vector_more, .. } = &*self.data;
         for (((x, &tau), &carried), &bias) in acceleration.iter_mut().zip(tau).zip(vector_more).zip(vector) {
             *x = tau - carried - bias;
@@ -72,7 +73,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             return self.factored_acceleration(mu, base_wrench, tau, qdd);
         }
         let com = self.com();
-        articulated_accelerations(self.model, self.data, mu.at(com), base_wrench.at(com), tau);
+        articulated_accelerations(self.model, self.data, turning(mu), base_wrench.at(com), tau);
         self.model.gather(qdd, |j| self.data.row[j]);
     }
 
@@ -100,7 +101,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             "each slice must have one entry per coordinate"
         );
         let com = self.com();
-        let (mu, wrench) = (mu.at(com), base_wrench.at(com));
+        let wrench = base_wrench.at(com);
         if given.contains(&false) {
             let mut matrix = std::mem::take(&mut self.data.matrix);
             self.shape_inertia(&mut matrix);
@@ -138,14 +139,14 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `qdd` or `tau` does not have n entries.
     pub fn shape_torque(&mut self, mu: Twist<T>, qdd: &[T], tau: &mut [T]) {
-        self.required_torques(mu.at(self.com()), Wrench::zero(), Some(qdd));
+        self.required_torques(mu, Wrench::zero(), Some(qdd));
         tau.copy_from_slice(&self.data.vector);
     }
 
     /// The torques that joint accelerations (none: 0) and the motion require, into `data.vector`, and those that a wrench on the base
-    /// requires, into `data.vector_more`. Twist and wrench in the centroidal frame.
+    /// requires, into `data.vector_more`. The wrench in the centroidal frame; of μ only the angular part is read.
     fn required_torques(&mut self, mu: Twist<T>, wrench: Wrench<T>, qdd: Option<&[T]>) {
-        let (model, data) = (self.model, &mut *self.data);
+        let (model, data, mu) = (self.model, &mut *self.data, turning(mu));
         let (mut torque, mut carried) = (std::mem::take(&mut data.vector), std::mem::take(&mut data.vector_more));
         match qdd {
             None => newton_euler(model, data, mu, Twist::zero(), |_| T::zero()),
