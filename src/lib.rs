@@ -23,6 +23,8 @@
 pub mod identities;
 
 pub use frs_core::*;
+#[cfg(feature = "jit")]
+pub use frs_jit as jit;
 #[doc(hidden)]
 pub use frs_macros::frs_model as __frs_model;
 pub use nalgebra;

@@ -6,6 +6,9 @@ use std::process::{Command, Output};
 use frs::nalgebra::{Matrix3, Vector3};
 use frs::spatial::Pose;
 use frs::{Model, Workspace};
+use parquet::column::reader::get_typed_column_reader;
+use parquet::data_type::DoubleType;
+use parquet::file::reader::{FileReader, SerializedFileReader};
 use serde_json::Value;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -74,7 +77,7 @@ fn a_table_and_pictures_are_written_and_told() {
         assert!(drawn.starts_with("<svg") && drawn.ends_with("</svg>\n") && !drawn.contains("NaN"), "{picture}");
     }
     assert!(told.contains("report.html") && std::fs::exists(out.join("report.html")).unwrap());
-    assert_eq!(std::fs::read_dir(&out).unwrap().count(), pictures.len() + 2, "and nothing beside");
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), pictures.len() + 3, "and nothing beside");
 
     let (names, rows) = trajectory(&out);
     let column = |name: &str| names.iter().position(|n| n == name).unwrap_or_else(|| panic!("{name} in {names:?}"));
@@ -85,6 +88,27 @@ fn a_table_and_pictures_are_written_and_told() {
     assert_eq!(rows[0][column("q.joint_4")], 1.0);
     // The base turns about its y axis: −sin of the angle stands in row z, column x.
     assert!(rows[100][column("pose.r_zx")] < -0.09 && rows[100][column("pose.r_xz")] > 0.09);
+}
+
+#[test]
+fn parquet_has_the_columns_of_the_table_bit_for_bit() {
+    let rest = "samples_per_second = 3000\n[start]\nqd = { joint_2 = 0.5 }\nmu = [0, 0.3, 0, 0, 0, 0]\n[spring]\nstiffness = 2\n[observer]\ngain = 3\n";
+    let path = scene("parquet", rest);
+    report(&path, 0);
+    let out = path.with_file_name("out");
+    let (names, rows) = trajectory(&out);
+    let reader = SerializedFileReader::new(std::fs::File::open(out.join("trajectory.parquet")).unwrap()).unwrap();
+    let columns = reader.metadata().file_metadata().schema_descr().columns();
+    assert_eq!(columns.iter().map(|column| column.name()).collect::<Vec<_>>(), names);
+    assert_eq!((reader.num_row_groups(), rows.len()), (1, 1501));
+    let group = reader.get_row_group(0).unwrap();
+    for (i, name) in names.iter().enumerate() {
+        let mut column = get_typed_column_reader::<DoubleType>(group.get_column_reader(i).unwrap());
+        let mut found = Vec::new();
+        assert_eq!(column.read_records(rows.len(), None, None, &mut found).unwrap().0, rows.len());
+        let same = found.iter().zip(&rows).all(|(found, row)| found.to_bits() == row[i].to_bits());
+        assert!(same, "{name}");
+    }
 }
 
 #[test]
@@ -178,6 +202,72 @@ fn json_tells_the_invariants() {
 }
 
 #[test]
+fn the_work_of_each_force_is_told_by_its_name() {
+    /// Five digits are told to people.
+    const DIGITS: f64 = 1e-4;
+    let path = scene("work", "[start]\nqd = { joint_2 = 0.5 }\n[spring]\nstiffness = 2\n[friction]\nviscous = 0.1\n");
+    let out = path.with_file_name("out");
+    let output = frs(&["simulate", path.to_str().unwrap(), "--out", out.to_str().unwrap(), "--json"]);
+    let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let (names, rows) = trajectory(&out);
+    let column = |name: &str| names.iter().position(|n| n == name).unwrap();
+    let (first, last) = (&rows[0], rows.last().unwrap());
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    let mut sum = 0.0;
+    for name in ["spring", "viscous_friction"] {
+        let work = last[column(&format!("work.{name}"))];
+        assert!(work < -1e-3, "{name}: {work}");
+        assert_eq!((told["work"][name].as_f64(), first[column(&format!("work.{name}"))]), (Some(work), 0.0));
+        let row = page.split_once(&format!("<th scope=\"row\">work of {name}<td>")).unwrap().1;
+        let shown: f64 = row.split_once(" J").unwrap().0.parse().unwrap();
+        assert!((shown / work - 1.0).abs() < DIGITS && page.contains(&format!(">{name}</text>")), "{name}: {shown}");
+        sum += work;
+    }
+    let energy = column("kinetic_energy");
+    assert!((last[energy] - first[energy] - sum).abs() < 1e-7);
+}
+
+#[test]
+fn an_observer_tells_how_it_converges() {
+    let path = scene("observer", "[start]\nmomentum = [0.5, 0, 0.2, 1, 0, 0]\n[observer]\ngain = 10\n");
+    let out = path.with_file_name("out");
+    let output = frs(&["simulate", path.to_str().unwrap(), "--out", out.to_str().unwrap(), "--json"]);
+    let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let (names, rows) = trajectory(&out);
+    let energy = names.iter().position(|name| name == "observer_energy").unwrap();
+    assert_eq!((energy + 1, names[energy - 1].as_str()), (names.len(), "mu_error.v_z"));
+    let factor = (rows[0][energy] / rows.last().unwrap()[energy]).sqrt();
+    assert_eq!(told["observer"]["factor"].as_f64(), Some(factor));
+    // e⁵ in half a second, and 1/e after a tenth, but for the turning inertia and the time between samples.
+    assert!(
+        (100.0..220.0).contains(&factor) && (0.09..0.13).contains(&told["observer"]["time_constant"].as_f64().unwrap())
+    );
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(
+        page.contains("error of the observer") && page.contains(">Error of the observed locked velocity, base frame<")
+    );
+    let explained = text(&frs(&["explain", path.to_str().unwrap()]).stdout);
+    assert!(explained.contains("Observer of μ, k = 10 1/s"), "{explained}");
+}
+
+#[test]
+fn a_course_is_read_from_the_folder_of_the_scene() {
+    let path = scene("course", "[prescribed]\njoint = 'joint_2'\ncsv = 'course.csv'\n");
+    let (course, out) = (path.with_file_name("course.csv"), path.with_file_name("out"));
+    std::fs::write(&course, "time,angle\n0,0\n0.5,0.25\n").unwrap();
+    let arguments = ["simulate", path.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let output = frs(&arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let (names, rows) = trajectory(&out);
+    let q = names.iter().position(|name| name == "q.joint_2").unwrap();
+    assert!((rows.last().unwrap()[q] - 0.25).abs() < 1e-15);
+    std::fs::write(&course, "0,0\n0.5,?\n").unwrap();
+    let output = frs(&arguments);
+    let expected = format!("{}:2:5: prescribed.csv: found '?'; expected a finite number", course.display());
+    assert_eq!((output.status.code(), text(&output.stderr).contains(&expected)), (Some(2), true));
+}
+
+#[test]
 fn a_motion_that_cannot_go_on_is_kept_and_is_exit_code_1() {
     let path = scene("wild", "[start]\nqd = { joint_2 = 1e200 }");
     let out = path.with_file_name("out");
@@ -222,6 +312,7 @@ fn explain_tells_what_is_computed_and_what_is_not() {
                 "Momentum: driven",
                 "the steps meet 0.51, 0.55 s exactly",
                 "20 numbers",
+                "the work of wrench, regulator",
                 "Λ_b μ̇ = F₁",
                 "gravity, drag, contact, joint_torque, friction, spring",
             ][..],
@@ -255,7 +346,7 @@ fn explain_explains_every_scene_of_the_project() {
 
 /// A long motion of its own, and the arguments that compute it into `out` beside it.
 fn long(name: &str) -> (PathBuf, Vec<String>) {
-    let rest = "samples_per_second = 1\naccuracy = 1e-10\n[start]\nqd = { joint_2 = 0.5 }\nmu = [0.1, 0.2, 0, 0, 0, 0]\n[spring]\nstiffness = 2\n";
+    let rest = "samples_per_second = 1\naccuracy = 1e-10\n[start]\nqd = { joint_2 = 0.5 }\nmu = [0.1, 0.2, 0, 0, 0, 0]\n[spring]\nstiffness = 2\n[observer]\ngain = 1\n";
     let path = scene(name, rest);
     let text = std::fs::read_to_string(&path).unwrap().replace("duration = 0.5", "duration = 600");
     std::fs::write(&path, text).unwrap();

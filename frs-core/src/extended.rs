@@ -84,6 +84,12 @@ impl From<f64> for DoubleDouble {
     }
 }
 
+impl From<f32> for DoubleDouble {
+    fn from(value: f32) -> Self {
+        f64::from(value).into()
+    }
+}
+
 impl From<DoubleDouble> for f64 {
     /// The double nearest to the number.
     fn from(number: DoubleDouble) -> Self {

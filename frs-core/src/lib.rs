@@ -21,5 +21,5 @@ pub use floating_base::{Evaluator, FloatingBase};
 pub use model::Model;
 pub use quantity::{Argument, Quantity};
 pub use real::Real;
-pub use rel::Curvature;
+pub use rel::{Curvature, Route};
 pub use sweep::{Label, Moving, Pass, Shape, Workspace};

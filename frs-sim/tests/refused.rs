@@ -26,6 +26,14 @@ fn what_is_wrong_is_told_in_place() {
         ("samples_per_second = 1e9", "scene.toml:3:22: samples_per_second: found 1000000000; expected at most"),
         ("accuracy = 0", "scene.toml:3:12: accuracy: found 0; expected a number above 0"),
         ("accuracy = 1", "scene.toml:3:12: accuracy: found 1e0; expected a number from 1e-14"),
+        (
+            "accuracy = 1e-6\nsolver = { step = 0.1 }",
+            "scene.toml:3:12: accuracy: solver.step is given, too; expected one of the two",
+        ),
+        ("solver = { method = 'rkmk4' }", "scene.toml:3:10: solver: rkmk4 does not estimate its error; expected"),
+        ("solver = { method = 'rk4' }", "scene.toml:3:21: solver.method: found 'rk4'; did you mean 'rkmk4'?"),
+        ("solver = { step = 0 }", "scene.toml:3:19: solver.step: found 0; expected a number above 0"),
+        ("solver = { route = 3 }", "scene.toml:3:20: solver.route: found integer; expected one of articulated"),
         ("start = 3", "scene.toml:3:9: start: found integer; expected a table"),
         ("[start]\nq = { joint_9 = 1 }", "scene.toml:4:7: start.q.joint_9: unknown key; did you mean 'joint_"),
         (

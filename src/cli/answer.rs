@@ -1,9 +1,9 @@
 //! The quantities `frs eval` knows, by key.
 
 use clap::ValueEnum;
-use frs::nalgebra::{DMatrix, Matrix6, Matrix6xX};
+use frs::nalgebra::{DMatrix, Matrix6, Matrix6xX, Scalar};
 use frs::spatial::Twist;
-use frs::{Curvature, Moving};
+use frs::{Curvature, Moving, Real};
 use serde::ser::SerializeSeq;
 use serde::{Serialize, Serializer};
 
@@ -59,16 +59,16 @@ impl Key {
     }
 
     /// The quantity at a state.
-    pub fn answer(self, motion: &mut Moving, mu: Twist<f64>, state: &State) -> Value {
+    pub fn answer<T: Real>(self, motion: &mut Moving<'_, '_, '_, T>, mu: Twist<T>, state: &State<T>) -> Value<T> {
         let n = state.q.len();
         let columns = || Matrix6xX::zeros(n);
         let square = |size| DMatrix::zeros(size, size);
-        let vector = |fill: &mut dyn FnMut(&mut [f64]), size| {
-            let mut out = vec![0.0; size];
+        let vector = |fill: &mut dyn FnMut(&mut [T]), size| {
+            let mut out = vec![T::zero(); size];
             fill(&mut out);
             Value::Vector(out)
         };
-        let matrix = |fill: &mut dyn FnMut(&mut DMatrix<f64>), size| {
+        let matrix = |fill: &mut dyn FnMut(&mut DMatrix<T>), size| {
             let mut out = square(size);
             fill(&mut out);
             Value::Matrix(out)
@@ -78,14 +78,14 @@ impl Key {
             Self::Connection => {
                 let mut out = columns();
                 motion.connection(&mut out);
-                Value::Matrix(out.resize_vertically(6, 0.0))
+                Value::Matrix(out.resize_vertically(6, T::zero()))
             }
             Self::ShapeInertia => matrix(&mut |out| motion.shape_inertia(out), n),
             Self::P => Value::six(motion.inertia_velocity(&state.qd)),
             Self::S => {
                 let mut out = columns();
                 motion.inertia_derivative(mu, &mut out);
-                Value::Matrix(out.resize_vertically(6, 0.0))
+                Value::Matrix(out.resize_vertically(6, T::zero()))
             }
             Self::CB => Value::six(motion.locked_coriolis(mu)),
             Self::GammaQ => matrix(&mut |out| motion.gamma_q(out), n),
@@ -117,19 +117,33 @@ impl Key {
 }
 
 /// A quantity's value; matrices are written as arrays of rows.
-#[derive(Debug)]
-pub enum Value {
-    Scalar(f64),
-    Vector(Vec<f64>),
-    Matrix(DMatrix<f64>),
-    Tensor([DMatrix<f64>; 6]),
+#[derive(Clone, Debug)]
+pub enum Value<T = f64> {
+    Scalar(T),
+    Vector(Vec<T>),
+    Matrix(DMatrix<T>),
+    Tensor([DMatrix<T>; 6]),
+}
+
+impl<T: Real> Value<T> {
+    fn six(matrix: Matrix6<T>) -> Self {
+        Self::Matrix(matrix.resize(6, 6, T::zero()))
+    }
+}
+
+impl<T: Scalar> Value<T> {
+    /// Every number through `change`, one after the other.
+    pub fn map<U: Scalar>(self, mut change: impl FnMut(T) -> U) -> Value<U> {
+        match self {
+            Self::Scalar(x) => Value::Scalar(change(x)),
+            Self::Vector(v) => Value::Vector(v.into_iter().map(change).collect()),
+            Self::Matrix(m) => Value::Matrix(m.map(change)),
+            Self::Tensor(t) => Value::Tensor(t.map(|m| m.map(&mut change))),
+        }
+    }
 }
 
 impl Value {
-    fn six(matrix: Matrix6<f64>) -> Self {
-        Self::Matrix(matrix.resize(6, 6, 0.0))
-    }
-
     /// Whether every number in it is finite.
     pub fn is_finite(&self) -> bool {
         let finite = |x: &f64| x.is_finite();

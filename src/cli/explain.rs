@@ -8,9 +8,10 @@ use std::path::PathBuf;
 use clap::Args;
 use comfy_table::{Table, presets};
 use frs::Model;
+use frs_sim::observer::Observer;
 use frs_sim::scene::{Case, Force, Scene};
 
-use self::count::Costs;
+pub use self::count::Costs;
 use super::scene::{self, Loaded};
 use super::{Failure, table};
 
@@ -33,6 +34,7 @@ impl Explain {
         momentum(&mut out, &scene)?;
         state(&mut out, &scene, &model)?;
         writeln!(out, "\nEquations\n{}", equations(&scene))?;
+        observer(&mut out, &scene)?;
         writeln!(
             out,
             "\nOne evaluation of them\n  as the simulator computes them: {}\n  without what is constant here or not used: {}",
@@ -41,6 +43,9 @@ impl Explain {
         Ok(left_out(&mut out, &scene)?)
     }
 }
+
+/// More times than this are told by the first and the last.
+const MANY: usize = 12;
 
 fn effects(out: &mut impl Write, scene: &Scene, costs: &Costs) -> io::Result<()> {
     if scene.forces.is_empty() {
@@ -58,8 +63,12 @@ fn effects(out: &mut impl Write, scene: &Scene, costs: &Costs) -> io::Result<()>
         let knots = named.force.knots();
         if !knots.is_empty() {
             let times: Vec<String> = knots.iter().map(f64::to_string).collect();
+            let times = match times.as_slice() {
+                [first, .., last] if times.len() > MANY => format!("{} times from {first} to {last}", times.len()),
+                _ => times.join(", "),
+            };
             let (key, line) = (named.force.key(), named.line);
-            writeln!(out, "  [{key}], line {line}: the steps meet {} s exactly", times.join(", "))?;
+            writeln!(out, "  [{key}], line {line}: the steps meet {times} s exactly")?;
         }
         if matches!(named.force, Force::Stops { .. } | Force::Contact(_)) {
             let (key, line) = (named.force.key(), named.line);
@@ -75,7 +84,11 @@ fn momentum(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     let drives = |force: &Force| force.drives_momentum() || falls(force);
     let driving: Vec<_> = scene.forces.iter().filter(|named| drives(&named.force)).collect();
     let why = match case {
-        Case::Driven => {
+        Case::Driven | Case::Hamel if case != scene.known_case() => {
+            let known = scene.known_case().name();
+            format!("it is {known}, but [solver] integrates it all the same")
+        }
+        Case::Driven | Case::Hamel => {
             let named: Vec<_> = driving.iter().map(|n| format!("[{}] in line {}", n.force.key(), n.line)).collect();
             format!("{} can change it", named.join(", "))
         }
@@ -94,14 +107,29 @@ fn momentum(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
 fn state(out: &mut impl Write, scene: &Scene, model: &Model) -> io::Result<()> {
     let (n, case) = (model.dof(), scene.case());
     let mu = match case {
-        Case::Driven => "6 for μ, ".to_owned(),
-        Case::Conserved | Case::Ballistic => "none for μ, which follows from the momentum, ".to_owned(),
-        Case::Zero => "none for μ, which is 0, ".to_owned(),
+        Case::Driven => "6 for μ".to_owned(),
+        Case::Hamel => "6 for V₁".to_owned(),
+        Case::Conserved | Case::Ballistic => "none for μ, which follows from the momentum".to_owned(),
+        Case::Zero => "none for μ, which is 0".to_owned(),
     };
     let numbers = 2 * n + case.numbers();
+    let works: Vec<String> = scene.works().into_iter().map(|work| work.name).collect();
+    let measured = if works.is_empty() { "nothing, for nothing does work".into() } else { works.join(", ") };
     writeln!(
         out,
-        "\nState: the pose of the base and {numbers} numbers\n  {n} for q, {n} for q̇, {mu}and 1 more to measure the work of all forces"
+        "\nState: the pose of the base and {numbers} numbers\n  {n} for q, {n} for q̇, {mu}\n  measured on the way, unseen by the steps, is the work of {measured}"
+    )
+}
+
+fn observer(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
+    let Some(Observer { gain, .. }) = scene.observer else { return Ok(()) };
+    writeln!(
+        out,
+        "\nObserver of μ, k = {gain} 1/s: reads g₁, q, q̇ and F₁, not V₁ nor μ\n  \
+         φ = log(R̂ᵀ R₁),  d = c − ĉ,  ω̂ = z_ω + k φ,  v̂ = z_v + k d\n  \
+         J ż_ω = n + (J ω̂) × Ω̂ − J̇ ω̂ + k² J φ,  ż_v = f/m + a + k² d,  R̂ and ĉ follow\n  \
+         a pose and 6 numbers, in steps of their own: the motion does not notice\n  \
+         V = ½ (μ̂ − μ)ᵀ Λ_b (μ̂ − μ) falls at the rate 2 k, but for what the turning inertia adds"
     )
 }
 
@@ -110,6 +138,7 @@ fn equations(scene: &Scene) -> String {
     let any = |of: fn(&Force) -> bool| scene.forces.iter().any(|named| of(&named.force));
     let inertia = if any(|force| matches!(force, Force::Rotors(_))) { "(Λ_q + J)" } else { "Λ_q" };
     let (shape, momentum) = match scene.case() {
+        Case::Hamel => return "  M [V̇₁; q̈] + C(q, V) V = [F₁; τ],  V = [V₁; q̇]\n  ġ₁ = g₁ V₁^".into(),
         Case::Zero => ("τ − Γ'_q(q̇) q̇", "ġ₁ = g₁ (−A_l q̇)^"),
         Case::Conserved => (
             "τ − Γ'_q(q̇) q̇ + c(μ) − 2 B_2(μ) q̇",
@@ -142,6 +171,6 @@ fn left_out(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     match scene.case() {
         Case::Zero => writeln!(out, "  all terms with μ, and the equation of μ"),
         Case::Conserved | Case::Ballistic => writeln!(out, "  the equation of μ"),
-        Case::Driven => writeln!(out, "  nothing of the equations"),
+        Case::Driven | Case::Hamel => writeln!(out, "  nothing of the equations"),
     }
 }

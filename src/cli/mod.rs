@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 ok, 1 a check failed, 2 bad input.
 
+mod accuracy;
 mod answer;
 mod curvature;
 mod diff;
@@ -20,6 +21,7 @@ mod table;
 mod verify;
 
 use std::ffi::OsString;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -50,6 +52,7 @@ enum Command {
     Oracle(oracle::Oracle),
     Simulate(simulate::Simulate),
     Explain(explain::Explain),
+    Accuracy(accuracy::Accuracy),
 }
 
 /// The robot, and how to read it.
@@ -107,9 +110,19 @@ fn read(path: &Path) -> Result<String, Failure> {
 
 /// Writes beside and renames: an interrupted run leaves no half of a file.
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    fresh::write(path, text).map(drop).map_err(|error| {
-        Failure::Input(format!("{}: cannot be written: {error}; --out takes a folder that can be made", path.display()))
-    })
+    fresh::write(path, text).map(drop).map_err(|error| not_written(path, &error))
+}
+
+/// The same for what is no text, into a folder that is there.
+fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(".new");
+    let written = std::fs::write(&beside, bytes).and_then(|()| std::fs::rename(&beside, path));
+    written.map_err(|error| not_written(path, &error))
+}
+
+fn not_written(path: &Path, error: &io::Error) -> Failure {
+    Failure::Input(format!("{}: cannot be written: {error}; --out takes a folder that can be made", path.display()))
 }
 
 /// Executes a command that is given by its arguments.
@@ -124,6 +137,7 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure>
         Some(Command::Oracle(oracle)) => oracle.run(),
         Some(Command::Simulate(simulate)) => simulate.run(),
         Some(Command::Explain(explain)) => explain.run(),
+        Some(Command::Accuracy(accuracy)) => accuracy.run(),
     }
 }
 

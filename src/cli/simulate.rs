@@ -2,6 +2,7 @@
 
 mod chart;
 mod checkpoint;
+mod parquet;
 mod pictures;
 mod report;
 mod summary;
@@ -15,16 +16,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use frs_sim::run::{End, resume, run};
+use frs_sim::run::{End, Record, resume, run};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use self::summary::Summary;
 use super::scene::{self, Loaded};
-use super::{Failure, write};
+use super::{Failure, write, write_bytes};
 
 /// Compute the motion of a scene and write it down.
 ///
-/// Writes trajectory.csv (time, pose, shape, locked velocity, energy, momentum, torques), pictures (SVG) of the shape, its
+/// Writes trajectory.csv and trajectory.parquet (time, pose, shape, locked velocity, energy, momentum, torques), pictures (SVG) of the shape, its
 /// rates, the locked velocity, the torques, the energy and the momentum, and report.html, in which the robot moves beside them.
 ///
 /// Ctrl-C keeps what was computed, and --resume goes on from there; long runs are saved on the way.
@@ -50,6 +51,9 @@ pub struct Simulate {
     json: bool,
 }
 
+/// The table for programs.
+const PARQUET: &str = "trajectory.parquet";
+
 /// Steps of the progress bar a second of motion.
 const TICKS: f64 = 1000.0;
 
@@ -61,6 +65,8 @@ impl Simulate {
         let asked = Arc::clone(&stop);
         // Without a handler Ctrl-C ends the program, as it does everywhere.
         let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
+        let columns = trajectory::names(scene, model);
+        let rows = |record: &Record| record.samples.iter().map(trajectory::row).collect::<Vec<_>>();
         let progress = ProgressBar::new((scene.duration * TICKS) as u64).with_style(ProgressStyle::default_bar());
         let saved = Cell::new(Instant::now());
         let each = |time: f64| {
@@ -73,7 +79,7 @@ impl Simulate {
             true => resume(scene, model, checkpoint::load(&self.out, &loaded)?, each),
         };
         while record.end == End::Stopped {
-            write(&self.out.join("trajectory.csv"), &trajectory::table(model, &record.samples))?;
+            write(&self.out.join("trajectory.csv"), &trajectory::table(&columns, &rows(&record)))?;
             write(&self.out.join(checkpoint::FILE), &checkpoint::text(&loaded, &record))?;
             saved.set(Instant::now());
             if stop.load(Ordering::Relaxed) {
@@ -87,15 +93,19 @@ impl Simulate {
             let _ = std::fs::remove_file(self.out.join(checkpoint::FILE));
         }
 
-        let charts = pictures::all(model, &record.samples);
+        let charts = pictures::all(scene, model, &record.samples);
         let summary = Summary::new(scene, model, &record);
-        let mut files = vec![("trajectory.csv", trajectory::table(model, &record.samples))];
+        let rows = rows(&record);
+        let mut files = vec![("trajectory.csv", trajectory::table(&columns, &rows))];
         files.extend(charts.iter().map(|(name, chart)| (*name, chart.svg())));
         files.push(("report.html", report::page(&self.scene, model, &record.samples, &summary, &charts)?));
         for (name, text) in &files {
             write(&self.out.join(name), text)?;
         }
-        let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
+        let path = self.out.join(PARQUET);
+        let bytes = parquet::file(&columns, &rows);
+        write_bytes(&path, &bytes.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?)?;
+        let names: Vec<&str> = files.iter().map(|(name, _)| *name).chain([PARQUET]).collect();
         if self.json {
             summary.json(&names)?
         } else {

@@ -2,26 +2,26 @@
 
 use std::collections::BTreeMap;
 
-use frs::Model;
 use frs::spatial::{Twist, Wrench};
+use frs::{Model, Real};
 use serde::Deserialize;
 
 /// What a robot does at one moment, and what pushes it.
-pub struct State {
-    pub q: Vec<f64>,
-    pub qd: Vec<f64>,
-    pub base: BaseMotion,
-    pub base_wrench: Wrench<f64>,
-    pub tau: Vec<f64>,
+pub struct State<T: Real = f64> {
+    pub q: Vec<T>,
+    pub qd: Vec<T>,
+    pub base: BaseMotion<T>,
+    pub base_wrench: Wrench<T>,
+    pub tau: Vec<T>,
 }
 
 /// The base's motion, given either way.
 #[derive(Clone, Copy)]
-pub enum BaseMotion {
+pub enum BaseMotion<T: Real = f64> {
     /// The locked velocity μ.
-    Locked(Twist<f64>),
+    Locked(Twist<T>),
     /// The base's body twist V₁.
-    Base(Twist<f64>),
+    Base(Twist<T>),
 }
 
 impl State {

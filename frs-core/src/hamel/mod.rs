@@ -2,4 +2,5 @@
 
 mod bias;
 mod coriolis;
+mod dynamics;
 mod inertia;

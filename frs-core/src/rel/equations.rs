@@ -2,10 +2,22 @@
 
 use crate::Real;
 use crate::spatial::{Twist, Wrench};
-use crate::sweep::{Data, Moving, articulated_accelerations, newton_euler, project};
+use crate::sweep::{Data, Moving, articulated_accelerations, factor, newton_euler, project, solve};
 
-use super::factor::{factor, solve};
 use super::vectors::turning;
+
+/// How `q̈` is found. All ways give the same but for rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Route {
+    /// An articulated-body sweep, which never forms Λ_q: O(n). Over a light base it loses about as many digits as the base is
+    /// lighter than the arm.
+    #[default]
+    Articulated,
+    /// Λ_q by the complement form, factored: O(n³), and as accurate as Λ_q is well conditioned.
+    Complement,
+    /// Λ_q by the textbook form `M_q − A_lᵀ Λ_b A_l`, factored: O(n³), and it loses digits over a light base.
+    Textbook,
+}
 
 impl<T: Real> Moving<'_, '_, '_, T> {
     /// `ξ̇ = [μ̇; q̈]` (length 6+n) from wrench `F₁` on the base (base frame) and joint torques `τ`, factoring Λ_q.
@@ -28,23 +40,8 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `tau` does not have n entries or `xi_dot` 6+n.
     pub fn forward_dynamics(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, tau: &[T], xi_dot: &mut [T]) {
-        self.factored_acceleration(mu, base_wrench, tau, &mut xi_dot[6..]);
+        self.shape_acceleration_by(Route::Complement, mu, base_wrench, tau, &mut xi_dot[6..]);
         xi_dot[..6].copy_from_slice(&self.locked_acceleration(mu, base_wrench).to_array());
-    }
-
-    /// q̈ by factoring Λ_q.
-    fn factored_acceleration(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, tau: &[T], acceleration: &mut [T]) {
-        let mut matrix = std::mem::take(&mut self.data.matrix);
-        self.shape_inertia(&mut matrix);
-        let com = self.com();
-        self.required_torques(mu, base_wrench.at(com), None);
-        let Data { vector, vector_more, .. } = &*self.data;
-        for (((x, &tau), &carried), &bias) in acceleration.iter_mut().zip(tau).zip(vector_more).zip(vector) {
-            *x = tau - carried - bias;
-        }
-        factor(&mut matrix);
-        solve(&matrix, acceleration);
-        self.data.matrix = matrix;
     }
 
     /// `ξ̇ = [μ̇; q̈]` as [`forward_dynamics`](Self::forward_dynamics), in O(n) by an articulated-body sweep:
@@ -65,16 +62,43 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `tau` or `qdd` does not have n entries.
     pub fn shape_acceleration(&mut self, mu: Twist<T>, base_wrench: Wrench<T>, tau: &[T], qdd: &mut [T]) {
+        self.shape_acceleration_by(Route::Articulated, mu, base_wrench, tau, qdd);
+    }
+
+    /// [`shape_acceleration`](Self::shape_acceleration) by a route of one's own.
+    ///
+    /// # Panics
+    /// If `tau` or `qdd` does not have n entries.
+    pub fn shape_acceleration_by(
+        &mut self,
+        route: Route,
+        mu: Twist<T>,
+        base_wrench: Wrench<T>,
+        tau: &[T],
+        qdd: &mut [T],
+    ) {
         assert!(
             tau.len() == self.model.dof() && qdd.len() == tau.len(),
             "tau and q̈ must have one entry per coordinate"
         );
-        if self.model.has_mimic() {
-            return self.factored_acceleration(mu, base_wrench, tau, qdd);
+        let wrench = base_wrench.at(self.com());
+        if route == Route::Articulated && !self.model.has_mimic() {
+            articulated_accelerations(self.model, self.data, turning(mu), wrench, tau);
+            return self.model.gather(qdd, |j| self.data.row[j]);
         }
-        let com = self.com();
-        articulated_accelerations(self.model, self.data, turning(mu), base_wrench.at(com), tau);
-        self.model.gather(qdd, |j| self.data.row[j]);
+        let mut matrix = std::mem::take(&mut self.data.matrix);
+        match route {
+            Route::Textbook => self.shape_inertia_textbook(&mut matrix),
+            Route::Articulated | Route::Complement => self.shape_inertia(&mut matrix),
+        }
+        self.required_torques(mu, wrench, None);
+        let Data { vector, vector_more, .. } = &*self.data;
+        for (((x, &tau), &carried), &bias) in qdd.iter_mut().zip(tau).zip(vector_more).zip(vector) {
+            *x = tau - carried - bias;
+        }
+        factor(&mut matrix);
+        solve(&matrix, qdd);
+        self.data.matrix = matrix;
     }
 
     /// Hybrid dynamics: some joints are given torques and accelerate, others are given accelerations and need torques.

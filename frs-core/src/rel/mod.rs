@@ -7,10 +7,10 @@ mod coriolis;
 mod curvature;
 mod derivative;
 mod equations;
-mod factor;
 mod inertia;
 mod links;
 mod momentum;
 mod vectors;
 
 pub use curvature::Curvature;
+pub use equations::Route;

@@ -55,23 +55,23 @@ fn positive<T: Real>(x: T) -> T {
     (x + (x * x).sqrt()) * T::from_f64(0.5)
 }
 
-/// The effects of one scene, in its order; what is not in the list is not computed.
+/// The effects of one scene, in its order, each with its number among the scene's forces; what is not in the list is not computed.
 #[derive(Default)]
-pub struct Effects<'m, T: Real = f64>(pub Vec<Box<dyn Effect<T> + 'm>>);
+pub struct Effects<'m, T: Real = f64>(pub Vec<(usize, Box<dyn Effect<T> + 'm>)>);
 
 impl<T: Real> Loads<T> for Effects<'_, T> {
     fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
-        self.0.iter_mut().for_each(|effect| effect.add(instant, robot, load));
+        self.0.iter_mut().for_each(|(_, effect)| effect.add(instant, robot, load));
     }
 }
 
 impl<T: Real> Effects<'_, T> {
     /// The motion goes on from `time` (s).
     pub fn enter(&mut self, time: f64) {
-        self.0.iter_mut().for_each(|effect| effect.enter(time));
+        self.0.iter_mut().for_each(|(_, effect)| effect.enter(time));
     }
 
-    /// All gaps in `gaps`, and whose they are in `owners`: the effect's number, and the gap's within it.
+    /// All gaps in `gaps`, and whose they are in `owners`: the effect's place in the list, and the gap's number within it.
     pub fn gaps(
         &self,
         instant: &Instant<'_, T>,
@@ -81,15 +81,15 @@ impl<T: Real> Effects<'_, T> {
     ) {
         gaps.clear();
         owners.clear();
-        for (number, effect) in self.0.iter().enumerate() {
+        for (place, (_, effect)) in self.0.iter().enumerate() {
             let first = gaps.len();
             effect.gaps(instant, robot, gaps);
-            owners.extend((first..gaps.len()).map(|gap| [number, gap - first]));
+            owners.extend((first..gaps.len()).map(|gap| [place, gap - first]));
         }
     }
 
     /// Closes or opens a gap.
     pub fn touch(&mut self, [effect, gap]: [usize; 2], closed: bool) {
-        self.0[effect].touch(gap, closed);
+        self.0[effect].1.touch(gap, closed);
     }
 }

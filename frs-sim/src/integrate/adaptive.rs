@@ -43,7 +43,7 @@ pub enum IntegrationError {
 /// A motion with error control, by a method that estimates its error.
 ///
 /// The estimated error of a step is kept below `accuracy`, as the root mean square over rotation, translation and all
-/// numbers; relative to numbers above 1 (rad, m, s), absolute below.
+/// numbers that are not only [measured](System::measured); relative to numbers above 1 (rad, m, s), absolute below.
 ///
 /// ```
 /// use frs_sim::integrate::{Adaptive, DOP853, State, System, Tangent};
@@ -147,9 +147,14 @@ impl<T: Real + Into<f64>> Adaptive<T> {
         Pace { next: self.next, error: self.error, smooth: self.known, evaluations: self.evaluations }
     }
 
+    /// The pace alone, which must not be smooth: then the next step asks the system how to go on.
+    pub(crate) fn set_pace(&mut self, pace: Pace) {
+        (self.next, self.error, self.known, self.evaluations) = (pace.next, pace.error, pace.smooth, pace.evaluations);
+    }
+
     /// Goes on at a pace, as made by [`new`](Self::new) at the time and state at which it was taken.
     pub fn resume(&mut self, system: &mut impl System<T>, pace: Pace) {
-        (self.next, self.error, self.known, self.evaluations) = (pace.next, pace.error, pace.smooth, pace.evaluations);
+        self.set_pace(pace);
         if self.known {
             // It is what the last step left: the same function of the same numbers.
             system.rate(self.time, &self.state, &mut self.tangent);
@@ -196,7 +201,7 @@ impl<T: Real + Into<f64>> Adaptive<T> {
             self.evaluations += 1;
             (self.known, self.error) = (true, 1.0);
             if self.next == 0.0 {
-                self.next = self.first_length(remaining);
+                self.next = self.first_length(remaining, self.state.flat.len() - system.measured());
             }
         }
         std::mem::swap(&mut self.before, &mut self.state);
@@ -213,6 +218,7 @@ impl<T: Real + Into<f64>> Adaptive<T> {
         let (start, time): (T, f64) = (self.time, self.time.into());
         let shortest = 16.0 * f64::EPSILON * time.abs().max(remaining);
         let mut end_tangent = self.tangent.clone();
+        let counted = self.state.flat.len() - system.measured();
         loop {
             let last = self.next * (1.0 + STRETCH) >= remaining;
             let length = if last { limit - start } else { T::from_f64(self.next) };
@@ -221,7 +227,7 @@ impl<T: Real + Into<f64>> Adaptive<T> {
             self.method.step_on(system, start, length, &self.before, &mut self.state);
             self.method.end_slope(system, end, &self.state, &mut end_tangent);
             self.evaluations += self.method.tableau().stages;
-            let error = self.step_error(length);
+            let error = self.step_error(length, counted);
             let h: f64 = length.into();
             if error <= 1.0 {
                 let factor = SAFETY * error.max(1e-12).powf(MEMORY - 1.0 / order) * self.error.powf(-MEMORY);
@@ -257,13 +263,13 @@ impl<T: Real + Into<f64>> Adaptive<T> {
         (self.time, self.state, self.known) = (time, state, false);
     }
 
-    /// Estimated error of the step just made, in units of what is allowed; infinite where it is no number.
-    fn step_error(&mut self, h: T) -> f64 {
+    /// Estimated error of the step just made in the first `counted` numbers, in units of what is allowed; infinite where it is no number.
+    fn step_error(&mut self, h: T, counted: usize) -> f64 {
         let Self { method, before, state, accuracy, .. } = self;
         let mut squares = [0.0; 2];
         let mut row = 0;
         method.errors(h, |error| {
-            squares[row] = mean_square(error, before, state, *accuracy);
+            squares[row] = mean_square(error, before, state, counted, *accuracy);
             row += 1;
         });
         let error = match row {
@@ -275,16 +281,22 @@ impl<T: Real + Into<f64>> Adaptive<T> {
     }
 
     /// A first step by which an Euler step would move states by a hundredth of their size.
-    fn first_length(&self, remaining: f64) -> f64 {
+    fn first_length(&self, remaining: f64, counted: usize) -> f64 {
         let origin = State::origin(self.state.flat.len());
-        let speed = mean_square(&self.tangent, &self.state, &origin, 1.0).sqrt();
+        let speed = mean_square(&self.tangent, &self.state, &origin, counted, 1.0).sqrt();
         let length = if speed > 0.0 { 0.01 / speed } else { remaining };
         if length.is_finite() { length.min(remaining) } else { remaining }
     }
 }
 
-/// Mean square of a step's entries, each in units of `accuracy·max(1, |x|)`.
-fn mean_square<T: Real + Into<f64>>(step: &Tangent<T>, from: &State<T>, to: &State<T>, accuracy: f64) -> f64 {
+/// Mean square of a step's entries with its first `counted` numbers, each in units of `accuracy·max(1, |x|)`.
+fn mean_square<T: Real + Into<f64>>(
+    step: &Tangent<T>,
+    from: &State<T>,
+    to: &State<T>,
+    counted: usize,
+    accuracy: f64,
+) -> f64 {
     let mut sum = 0.0;
     let mut add = |value: T, sizes: [T; 2]| {
         let [size, other] = sizes.map(|size| size.into().abs());
@@ -297,8 +309,8 @@ fn mean_square<T: Real + Into<f64>>(step: &Tangent<T>, from: &State<T>, to: &Sta
     for (i, &x) in step.twist.linear.iter().enumerate() {
         add(x, [from.pose.translation[i], to.pose.translation[i]]);
     }
-    for (i, &x) in step.flat.iter().enumerate() {
+    for (i, &x) in step.flat[..counted].iter().enumerate() {
         add(x, [from.flat[i], to.flat[i]]);
     }
-    sum / (6 + step.flat.len()) as f64
+    sum / (6 + counted) as f64
 }

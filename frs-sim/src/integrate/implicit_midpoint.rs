@@ -1,19 +1,21 @@
 //! The implicit midpoint method, for stiff forces.
 
+use frs_core::Real;
 use nalgebra::{DMatrix, DVector};
 
 use super::{IntegrationError, State, System, Tangent};
 
 /// The implicit midpoint method, order 2, symmetric: `(V, ẋ) = f(t + ½h, g exp(½hV), x + ½hẋ)`, then a step of `h(V, ẋ)`.
 ///
-/// Stable for every stiff linear force, and it conserves quadratic invariants. Solved by Newton's method with differences.
+/// Stable for every stiff linear force, and it conserves quadratic invariants. Solved by Newton's method with differences, which are
+/// doubles whatever the scalar.
 #[derive(Clone, Debug)]
-pub struct ImplicitMidpoint {
-    slope: Tangent,
-    rate: Tangent,
-    step: Tangent,
-    middle: State,
-    displaced: State,
+pub struct ImplicitMidpoint<T: Real = f64> {
+    slope: Tangent<T>,
+    rate: Tangent<T>,
+    step: Tangent<T>,
+    middle: State<T>,
+    displaced: State<T>,
     jacobian: DMatrix<f64>,
     residual: DVector<f64>,
 }
@@ -30,7 +32,7 @@ const CONVERGED: f64 = 1e-9;
 /// Displacement for differences, relative: the square root of a double's resolution.
 const DISPLACEMENT: f64 = 1.5e-8;
 
-impl ImplicitMidpoint {
+impl<T: Real + Into<f64>> ImplicitMidpoint<T> {
     /// Memory for states of `dimension` numbers.
     pub fn new(dimension: usize) -> Self {
         Self {
@@ -50,36 +52,36 @@ impl ImplicitMidpoint {
     /// If the equations of the step are not solved, or a rate is not finite.
     pub fn step(
         &mut self,
-        system: &mut impl System,
-        time: f64,
-        h: f64,
-        from: &State,
-        to: &mut State,
+        system: &mut impl System<T>,
+        time: T,
+        h: T,
+        from: &State<T>,
+        to: &mut State<T>,
     ) -> Result<(), IntegrationError> {
-        let half = 0.5 * h;
+        let half = h * T::from_f64(0.5);
         system.rate(time, from, &mut self.slope);
         let mut before = f64::INFINITY;
         for round in 0..ROUNDS {
-            self.step.set_sum(half, &[1.0], std::slice::from_ref(&self.slope));
+            self.step.set_sum(half, &[T::one()], std::slice::from_ref(&self.slope));
             self.middle.set_moved(from, &self.step);
             system.rate(time + half, &self.middle, &mut self.rate);
             for i in 0..self.residual.len() {
-                self.residual[i] = entry(&self.rate, i) - entry(&self.slope, i);
+                self.residual[i] = (entry(&self.rate, i) - entry(&self.slope, i)).into();
             }
             if round == 0 {
                 self.differentiate(system, time + half, half);
             }
             let Some(correction) = self.jacobian.clone().lu().solve(&self.residual) else {
-                return Err(IntegrationError::NotSolved { time, step: h });
+                return Err(IntegrationError::NotSolved { time: time.into(), step: h.into() });
             };
-            let size = (0..correction.len()).map(|i| entry(&self.rate, i).powi(2)).sum::<f64>().sqrt();
+            let size = (0..correction.len()).map(|i| entry(&self.rate, i).into().powi(2)).sum::<f64>().sqrt();
             let change = correction.norm() / size.max(f64::MIN_POSITIVE);
             if !correction.norm().is_finite() {
-                return Err(IntegrationError::NotFinite { time });
+                return Err(IntegrationError::NotFinite { time: time.into() });
             }
-            (0..correction.len()).for_each(|i| *entry_mut(&mut self.slope, i) += correction[i]);
+            (0..correction.len()).for_each(|i| *entry_mut(&mut self.slope, i) += T::from_f64(correction[i]));
             if correction.norm() == 0.0 || change < ROUNDING || (change >= before && before < CONVERGED) {
-                self.step.set_sum(h, &[1.0], std::slice::from_ref(&self.slope));
+                self.step.set_sum(h, &[T::one()], std::slice::from_ref(&self.slope));
                 to.set_moved(from, &self.step);
                 return Ok(());
             }
@@ -89,28 +91,30 @@ impl ImplicitMidpoint {
             }
             before = change;
         }
-        Err(IntegrationError::NotSolved { time, step: h })
+        Err(IntegrationError::NotSolved { time: time.into(), step: h.into() })
     }
 
     /// `1 − ½h ∂f/∂(ζ, x)` at the middle, where `rate` is f.
-    fn differentiate(&mut self, system: &mut impl System, time: f64, half: f64) {
+    fn differentiate(&mut self, system: &mut impl System<T>, time: T, half: T) {
+        let half: f64 = half.into();
         let mut displaced_rate = Tangent::zero(self.middle.flat.len());
         for column in 0..self.residual.len() {
-            self.step.set_sum(0.0, &[], &[]);
-            let size = column.checked_sub(6).map_or(1.0, |i| self.middle.flat[i].abs().max(1.0));
+            self.step.set_sum(T::zero(), &[], &[]);
+            let size = column.checked_sub(6).map_or(1.0, |i| self.middle.flat[i].into().abs().max(1.0));
             let displacement = DISPLACEMENT * size;
-            *entry_mut(&mut self.step, column) = displacement;
+            *entry_mut(&mut self.step, column) = T::from_f64(displacement);
             self.displaced.set_moved(&self.middle, &self.step);
             system.rate(time, &self.displaced, &mut displaced_rate);
             for row in 0..self.residual.len() {
-                let slope = (entry(&displaced_rate, row) - entry(&self.rate, row)) / displacement;
+                let change: f64 = (entry(&displaced_rate, row) - entry(&self.rate, row)).into();
+                let slope = change / displacement;
                 self.jacobian[(row, column)] = f64::from(row == column) - half * slope;
             }
         }
     }
 }
 
-fn entry(tangent: &Tangent, i: usize) -> f64 {
+fn entry<T: Real>(tangent: &Tangent<T>, i: usize) -> T {
     match i {
         0..3 => tangent.twist.angular[i],
         3..6 => tangent.twist.linear[i - 3],
@@ -118,7 +122,7 @@ fn entry(tangent: &Tangent, i: usize) -> f64 {
     }
 }
 
-fn entry_mut(tangent: &mut Tangent, i: usize) -> &mut f64 {
+fn entry_mut<T: Real>(tangent: &mut Tangent<T>, i: usize) -> &mut T {
     match i {
         0..3 => &mut tangent.twist.angular[i],
         3..6 => &mut tangent.twist.linear[i - 3],

@@ -7,6 +7,7 @@
 mod adaptive;
 mod explicit;
 mod implicit_midpoint;
+mod path;
 mod semi_implicit;
 mod state;
 mod tableau;
@@ -14,6 +15,7 @@ mod tableau;
 pub use adaptive::{Adaptive, IntegrationError, Pace};
 pub use explicit::Explicit;
 pub use implicit_midpoint::ImplicitMidpoint;
+pub use path::{Method, Path, Steps, Uniform};
 pub use semi_implicit::SemiImplicit;
 pub use state::{State, System, Tangent};
 pub use tableau::{DOP853, DOPRI5, EULER, MIDPOINT, RK4, Tableau};

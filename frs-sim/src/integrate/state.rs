@@ -31,6 +31,12 @@ pub trait System<T: Real = f64> {
     /// Which of the numbers are velocities; the others are positions. Only methods that treat the two apart ask.
     fn velocities(&self) -> Range<usize>;
 
+    /// How many of the last numbers are only measured: no rate depends on them. Error control does not see them, so that a motion has
+    /// the same bits whatever is measured on the way.
+    fn measured(&self) -> usize {
+        0
+    }
+
     /// The tangent at `state` and `time` (s), written into all of `rate`.
     fn rate(&mut self, time: T, state: &State<T>, rate: &mut Tangent<T>);
 }

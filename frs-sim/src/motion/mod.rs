@@ -12,15 +12,13 @@ mod variational;
 use std::ops::Range;
 
 use frs_core::spatial::{Pose, Twist, Wrench};
-use frs_core::{Model, Moving, Real, Workspace};
-
-use nalgebra::Vector3;
+use frs_core::{Model, Moving, Real, Route, Workspace};
 
 use crate::integrate::{State, System, Tangent};
 
 pub use drives::{Course, Drives};
 pub use loads::{Instant, Load, Loads};
-pub use momentum::{Ballistic, Conserved, Driven, Momentum, Zero};
+pub use momentum::{Ballistic, Conserved, Driven, Hamel, Momentum, Zero};
 pub use variational::{Canonical, Variational, Velocities};
 
 /// A robot in motion: `ġ₁ = g₁ V₁^`, and the shape's half of the REL equations; both halves where the momentum is [`Driven`].
@@ -54,6 +52,7 @@ pub struct Motion<'m, M, L, T: Real = f64> {
     momentum: M,
     loads: L,
     drives: Option<Drives<T>>,
+    route: Route,
     /// Shape and its rates, as the drives have them.
     q: Vec<T>,
     qd: Vec<T>,
@@ -67,7 +66,17 @@ impl<'m, M: Momentum<T>, L: Loads<T>, T: Real> Motion<'m, M, L, T> {
         let n = model.dof();
         let zeros = vec![T::zero(); n];
         let (q, qd, qdd) = (zeros.clone(), zeros.clone(), zeros);
-        Self { work: Workspace::new(model), momentum, loads, drives: None, q, qd, qdd, load: Load::zero(n) }
+        Self {
+            work: Workspace::new(model),
+            momentum,
+            loads,
+            drives: None,
+            route: Route::default(),
+            q,
+            qd,
+            qdd,
+            load: Load::zero(n),
+        }
     }
 
     /// The same with rotors in the joints, or joints that follow a course.
@@ -79,15 +88,21 @@ impl<'m, M: Momentum<T>, L: Loads<T>, T: Real> Motion<'m, M, L, T> {
         Self { drives: Some(drives), ..self }
     }
 
+    /// The same with `q̈` found by another route; where there are drives, Λ_q is factored whatever the route.
+    pub fn by(self, route: Route) -> Self {
+        Self { route, ..self }
+    }
+
     /// A state of this motion; `mu` counts where the momentum is driven, else it follows.
     ///
     /// # Panics
     /// If `q` or `qd` does not have n entries.
-    pub fn state(&self, pose: Pose<T>, q: &[T], qd: &[T], mu: Twist<T>) -> State<T> {
+    pub fn state(&mut self, pose: Pose<T>, q: &[T], qd: &[T], mu: Twist<T>) -> State<T> {
         let n = self.q.len();
         assert!(q.len() == n && qd.len() == n, "q and q̇ must have one entry per coordinate");
         let mut flat = [q, qd].concat();
-        flat.extend(mu.to_array().iter().take(M::NUMBERS));
+        let numbers = self.momentum.numbers(&self.work.shape(q).moving(qd), mu);
+        flat.extend(numbers.to_array().iter().take(M::NUMBERS));
         State { pose, flat }
     }
 
@@ -108,7 +123,12 @@ impl<'m, M: Momentum<T>, L: Loads<T>, T: Real> Motion<'m, M, L, T> {
         self.drives.as_ref()
     }
 
-    /// What exerts the forces, to be changed at an event.
+    /// What exerts the forces.
+    pub fn loads(&self) -> &L {
+        &self.loads
+    }
+
+    /// The same, to be changed at an event.
     pub fn loads_mut(&mut self) -> &mut L {
         &mut self.loads
     }
@@ -138,8 +158,9 @@ impl<'m, M: Momentum<T>, L: Loads<T>, T: Real> Motion<'m, M, L, T> {
     ) -> A {
         self.shape(time, state);
         let mut shape = self.work.shape(&self.q);
-        let mu = self.momentum.locked_velocity(time, &state.pose, &shape, &state.flat[2 * self.q.len()..]);
-        ask(&mut shape.moving(&self.qd), mu)
+        let mut robot = shape.moving(&self.qd);
+        let mu = self.momentum.locked_velocity(time, &state.pose, &robot, &state.flat[2 * self.q.len()..]);
+        ask(&mut robot, mu)
     }
 
     /// The locked velocity μ of a state.
@@ -171,22 +192,21 @@ impl<M: Momentum<T>, L: Loads<T>, T: Real> System<T> for Motion<'_, M, L, T> {
     fn rate(&mut self, time: T, state: &State<T>, rate: &mut Tangent<T>) {
         let n = self.q.len();
         self.shape(time, state);
-        let Self { work, momentum, loads, drives, q, qd, qdd, load } = self;
+        let Self { work, momentum, loads, drives, route, q, qd, qdd, load } = self;
         let mut shape = work.shape(q);
-        let mu = momentum.locked_velocity(time, &state.pose, &shape, &state.flat[2 * n..]);
         let mut robot = shape.moving(qd);
+        let mu = momentum.locked_velocity(time, &state.pose, &robot, &state.flat[2 * n..]);
         load.clear();
         loads.add(&Instant { time, pose: &state.pose, q, qd, mu }, &mut robot, load);
 
         rate.twist = robot.base_twist(mu);
+        let numbers = &mut rate.flat[2 * n..];
         match drives {
-            None => robot.shape_acceleration(mu, load.base_wrench, &load.tau, qdd),
-            Some(drives) => drives.accelerations(&mut robot, mu, load, qdd),
-        }
-        if M::NUMBERS > 0 {
-            let fall = Twist::new(Vector3::zeros(), load.gravity.into());
-            let mu_dot = robot.locked_acceleration(mu, load.base_wrench) + fall;
-            rate.flat[2 * n..].copy_from_slice(&mu_dot.to_array());
+            None => momentum.accelerations(&mut robot, *route, mu, load, qdd, numbers),
+            Some(drives) => {
+                drives.accelerations(&mut robot, mu, load, qdd);
+                momentum.number_rates(&mut robot, mu, load, qdd, numbers);
+            }
         }
         rate.flat[..n].copy_from_slice(qd);
         rate.flat[n..2 * n].copy_from_slice(qdd);

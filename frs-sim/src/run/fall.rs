@@ -14,8 +14,6 @@ pub struct FreeFall {
     pub momentum: Wrench<f64>,
     /// kg.
     pub mass: f64,
-    /// What gravity did until then, J.
-    pub work: f64,
 }
 
 impl FreeFall {

@@ -7,25 +7,30 @@ use nalgebra::Vector3;
 
 use super::fall::FreeFall;
 use super::handover::Changed;
+use super::meter::Meter;
 use super::metered::Metered;
+use super::watch::Watch;
 use super::{Checkpoint, End, Record, Sample};
 use crate::effects::Effects;
-use crate::integrate::{Adaptive, DOP853, State, System, Tangent};
+use crate::integrate::{Path, State, System, Tangent};
 use crate::motion::{Momentum, Motion};
-use crate::scene::{Case, Scene, Start};
+use crate::scene::{Scene, Start, Work};
 
 /// A run on its way.
 pub struct Flight<'s, 'm, M> {
     scene: &'s Scene,
+    /// What is measured of it.
+    works: Vec<Work>,
     /// The robot at the start, and from each handover on.
     models: &'m [Model],
     /// Which of them flies.
     phase: usize,
     fall: FreeFall,
     system: Metered<'m, M>,
-    path: Adaptive,
+    path: Path,
     tangent: Tangent,
     touching: Touching,
+    watch: Option<Watch>,
     samples: Vec<Sample>,
     steps: usize,
 }
@@ -47,21 +52,23 @@ const HALVINGS: u32 = 48;
 impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
     pub fn new(scene: &'s Scene, models: &'m [Model], momentum: M, effects: Effects<'m>) -> Self {
         let start = &scene.start;
-        let mut motion = Motion::new(&models[0], momentum, effects);
+        let mut motion = Motion::new(&models[0], momentum, Meter::new(scene, effects)).by(scene.solver.route);
         if let Some(drives) = scene.drives() {
             motion = motion.with_drives(drives);
         }
         let state = motion.state(start.pose, &start.q, &start.qd, start.mu);
-        let weighs = scene.case() == Case::Driven && scene.gravity() != Vector3::zeros();
-        let system = Metered::new(motion, state.clone(), weighs);
+        let mut system = Metered::new(motion, state.clone());
         let mut metered = state;
-        metered.flat.push(0.0);
+        metered.flat.resize(system.dimension(), 0.0);
         let tangent = Tangent::zero(metered.flat.len());
-        let path = Adaptive::new(&DOP853, metered, 0.0, scene.accuracy);
+        let com = system.com(0.0, &metered);
+        let watch = scene.observer.map(|observer| Watch::new(scene, observer, &start.pose, com));
+        let path = Path::new(scene.solver.method, scene.solver.steps, metered, 0.0);
         let Start { com, centroidal, mass, .. } = *start;
-        let fall = FreeFall { since: 0.0, com, momentum: centroidal, mass, work: 0.0 };
+        let fall = FreeFall { since: 0.0, com, momentum: centroidal, mass };
         Self {
             scene,
+            works: scene.works(),
             models,
             phase: 0,
             fall,
@@ -69,6 +76,7 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
             path,
             tangent,
             touching: Touching::default(),
+            watch,
             samples: Vec::new(),
             steps: 0,
         }
@@ -76,7 +84,7 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
 
     /// Goes on where a run was stopped.
     pub fn resumed(mut self, record: Record) -> Self {
-        let Checkpoint { time, state, pace, closed, phase, fall } = record.checkpoint;
+        let Checkpoint { time, state, pace, closed, phase, fall, observer } = record.checkpoint;
         (self.samples, self.steps, self.phase, self.fall) = (record.samples, record.steps, phase, fall);
         // Where the run was stopped is none of the regular times, but by chance.
         if self.samples.last().is_some_and(|last| last.time != self.sample_time(self.samples.len() - 1)) {
@@ -87,8 +95,11 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         }
         self.choose_pieces(time);
         self.touch(time, &state, |gap, _| closed[gap]);
-        self.path = Adaptive::new(&DOP853, state, time, self.scene.accuracy);
+        self.path = Path::new(self.scene.solver.method, self.scene.solver.steps, state, time);
         self.path.resume(&mut self.system, pace);
+        if let (Some(watch), Some(observer)) = (&mut self.watch, observer) {
+            watch.resume(self.scene, time, observer);
+        }
         self
     }
 
@@ -100,7 +111,15 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
             self.sample(time, &state);
         }
         let (pace, closed) = (self.path.pace(), self.touching.closed);
-        let checkpoint = Checkpoint { time, state, pace, closed, phase: self.phase, fall: self.fall };
+        let checkpoint = Checkpoint {
+            time,
+            state,
+            pace,
+            closed,
+            phase: self.phase,
+            fall: self.fall,
+            observer: self.watch.as_ref().map(Watch::checkpoint),
+        };
         Record { samples: self.samples, end, steps: self.steps, checkpoint }
     }
 
@@ -128,12 +147,14 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
             while self.sample_time(self.samples.len()) <= self.path.time() {
                 let time = self.sample_time(self.samples.len());
                 self.path.at(&mut self.system, time, &mut between);
+                self.observe(time);
                 self.sample(time, &between);
             }
+            self.observe(self.path.time());
             if let Some(gap) = met {
                 let closed = !self.touching.closed[gap];
                 self.touching.closed[gap] = closed;
-                self.system.motion.loads_mut().touch(self.touching.owners[gap], closed);
+                self.system.motion.loads_mut().effects.touch(self.touching.owners[gap], closed);
                 self.path.event();
             }
             if each(self.path.time()).is_break() {
@@ -153,7 +174,7 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
     }
 
     fn choose_pieces(&mut self, time: f64) {
-        self.system.motion.loads_mut().enter(time);
+        self.system.motion.loads_mut().effects.enter(time);
         if let Some(drives) = self.system.motion.drives_mut() {
             drives.enter(time);
         }
@@ -167,10 +188,13 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         if let Some(place) = self.fall_at(time) {
             state.pose.translation = place - state.pose.rotation * com;
         }
-        let work = self.gravity_work(time);
+        let before = state.pose;
         let changed = self.system.hand_over(&self.models[self.phase], self.scene.payloads(), time, &mut state);
+        if let Some(watch) = &mut self.watch {
+            watch.hand_over((&before, com), (&state.pose, self.system.com(time, &state)));
+        }
         let Changed { momentum, com, mass } = changed;
-        self.fall = FreeFall { since: time, com, momentum, mass, work };
+        self.fall = FreeFall { since: time, com, momentum, mass };
         *self.path.event() = state;
     }
 
@@ -180,7 +204,7 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         self.system.gaps(time, state, gaps, owners);
         *closed = gaps.iter().enumerate().map(|(gap, distance)| is_closed(gap, *distance)).collect();
         for (owner, closed) in owners.iter().zip(closed) {
-            self.system.motion.loads_mut().touch(*owner, *closed);
+            self.system.motion.loads_mut().effects.touch(*owner, *closed);
         }
     }
 
@@ -220,13 +244,21 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
         gaps.iter().zip(closed).position(|(gap, closed)| (*gap < 0.0) != *closed)
     }
 
+    /// The observer follows to a time (s) within the last step.
+    fn observe(&mut self, time: f64) {
+        if let Some(watch) = &mut self.watch {
+            watch.follow(&mut self.path, &mut self.system, time);
+        }
+    }
+
     /// The time of a regular sample, s.
     fn sample_time(&self, number: usize) -> f64 {
         number as f64 / self.scene.samples_per_second
     }
 
     fn sample(&mut self, time: f64, state: &State) {
-        let (falling, gravity_work) = (self.fall_at(time), self.gravity_work(time));
+        let falling = self.fall_at(time);
+        let observation = self.watch.as_ref().map(|watch| watch.observation(&mut self.system, state));
         self.system.rate(time, state, &mut self.tangent);
         let Metered { motion, state: own, .. } = &mut self.system;
         let tau = motion.last_load().tau.clone();
@@ -240,24 +272,26 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
             own.pose.translation = falling - own.pose.rotation * place;
             com = falling;
         }
-        let work = state.flat[state.flat.len() - 1] + gravity_work;
+        let measured = &state.flat[motion.dimension()..];
+        let works = self.works.iter().map(|work| measured[work.number]).collect();
         let (kinetic_energy, momentum) = (motion.kinetic_energy(time, own), motion.spatial_momentum(time, own));
-        self.samples.push(Sample { time, pose: own.pose, q, qd, mu, kinetic_energy, com, work, momentum, tau });
+        self.samples.push(Sample {
+            time,
+            pose: own.pose,
+            q,
+            qd,
+            mu,
+            kinetic_energy,
+            com,
+            works,
+            momentum,
+            tau,
+            observation,
+        });
     }
 
     /// Where the centre of mass is unless the momentum is driven.
     fn fall_at(&self, time: f64) -> Option<Vector3<f64>> {
-        (self.scene.case() != Case::Driven).then(|| self.fall.com + self.fall.way(time, self.acceleration()))
-    }
-
-    /// What gravity did that the motion does not measure itself, J.
-    fn gravity_work(&self, time: f64) -> f64 {
-        let acceleration = self.acceleration();
-        self.fall.work + acceleration.dot(&self.fall.way(time, acceleration)) * self.fall.mass
-    }
-
-    /// Acceleration of a centre of mass that is not integrated.
-    fn acceleration(&self) -> Vector3<f64> {
-        if self.scene.case() == Case::Ballistic { self.scene.gravity() } else { Vector3::zeros() }
+        (!self.scene.case().is_integrated()).then(|| self.fall.com + self.fall.way(time, self.scene.gravity()))
     }
 }

@@ -22,7 +22,7 @@ pub struct Changed {
 
 impl<'m, M: Momentum<f64>> Metered<'m, M> {
     /// Goes on with the robot `after`, which has of `payloads` those that it has at `time`, and before had others. The energy that this
-    /// gives or takes is added to the work.
+    /// gives or takes is what payloads brought.
     pub fn hand_over<'p>(
         &mut self,
         after: &'m Model,
@@ -76,17 +76,15 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
                 drives.accelerations(&mut rest, Twist::zero(), &mut load, &mut rates);
             }
         }
-        let mu = rest.locked_acceleration(Twist::zero(), load.base_wrench).to_array();
+        let mu = rest.locked_acceleration(Twist::zero(), load.base_wrench);
 
         let turned = Pose::new(state.pose.rotation, Vector3::zeros());
         let momentum = turned.act_wrench(load.base_wrench.at(com));
         self.motion.change(after, time, momentum, mass);
-        let n = rates.len();
-        state.flat[n..2 * n].copy_from_slice(&rates);
-        state.flat[2 * n..2 * n + M::NUMBERS].copy_from_slice(&mu[..M::NUMBERS]);
-        self.set(state);
-        let own = self.state.clone();
-        *state.flat.last_mut().expect("the work is the last number") += self.motion.kinetic_energy(time, &own) - energy;
+        let own = self.motion.state(state.pose, &q, &rates, mu);
+        state.flat[..own.flat.len()].copy_from_slice(&own.flat);
+        *state.flat.last_mut().expect("what payloads brought is the last number") +=
+            self.motion.kinetic_energy(time, &own) - energy;
         Changed { momentum, com: state.pose.transform(com), mass }
     }
 }

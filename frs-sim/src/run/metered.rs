@@ -4,16 +4,13 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use crate::effects::Effects;
+use super::meter::Meter;
 use crate::integrate::{State, System, Tangent};
-use crate::motion::{Instant, Momentum, Motion};
+use crate::motion::{Instant, Load, Momentum, Motion};
 
-/// A motion with one more number: the work that the forces did, but for gravity where it only moves the centre of mass.
-///
-/// `dW/dt = ⟨F₁, V₁⟩ + ⟨τ, q̇⟩ + ⟨p, γ⟩` with the linear momentum p, the last only where gravity is one of the effects.
+/// A motion with more numbers: the work of each force of the scene, and last what payloads brought, J.
 pub struct Metered<'m, M> {
-    pub motion: Motion<'m, M, Effects<'m>>,
-    weighs: bool,
+    pub motion: Motion<'m, M, Meter<'m>>,
     /// What the motion knows of the state that was asked for last.
     pub state: State,
     rate: Tangent,
@@ -21,35 +18,36 @@ pub struct Metered<'m, M> {
 
 impl<M: Momentum<f64>> System for Metered<'_, M> {
     fn dimension(&self) -> usize {
-        self.motion.dimension() + 1
+        self.motion.dimension() + self.measured()
     }
 
     fn velocities(&self) -> Range<usize> {
         self.motion.velocities()
     }
 
+    fn measured(&self) -> usize {
+        self.motion.loads().len() + 1
+    }
+
     fn rate(&mut self, time: f64, state: &State, rate: &mut Tangent) {
         let own = self.motion.dimension();
         self.set(state);
         self.motion.rate(time, &self.state, &mut self.rate);
-        let load = self.motion.last_load();
-        let mut power = self.rate.twist.dot(load.base_wrench);
-        power += load.tau.iter().zip(&self.rate.flat).map(|(tau, qd)| tau * qd).sum::<f64>();
-        if self.weighs {
-            let fall = state.pose.rotation * Vector3::from(load.gravity);
-            power += fall.dot(&self.motion.spatial_momentum(time, &self.state).force);
-        }
         rate.twist = self.rate.twist;
-        rate.flat[..own].copy_from_slice(&self.rate.flat);
-        rate.flat[own] = power;
+        let (moving, measured) = rate.flat.split_at_mut(own);
+        moving.copy_from_slice(&self.rate.flat);
+        let [powers @ .., brought] = measured else { unreachable!("what payloads brought is always measured") };
+        // The first rates are q̇.
+        self.motion.loads().powers(&self.motion.last_load().tau, moving, powers);
+        *brought = 0.0;
     }
 }
 
 impl<'m, M: Momentum<f64>> Metered<'m, M> {
-    /// A motion from a state of its own; `weighs` if gravity is one of its effects.
-    pub fn new(motion: Motion<'m, M, Effects<'m>>, state: State, weighs: bool) -> Self {
+    /// A motion from a state of its own.
+    pub fn new(motion: Motion<'m, M, Meter<'m>>, state: State) -> Self {
         let rate = Tangent::zero(state.flat.len());
-        Self { motion, weighs, state, rate }
+        Self { motion, state, rate }
     }
 
     /// Takes what the motion knows of a state.
@@ -57,6 +55,13 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
         let own = self.motion.dimension();
         self.state.pose = state.pose;
         self.state.flat.copy_from_slice(&state.flat[..own]);
+    }
+
+    /// The forces in a state.
+    pub fn load(&mut self, time: f64, state: &State) -> &Load {
+        self.set(state);
+        self.motion.rate(time, &self.state, &mut self.rate);
+        self.motion.last_load()
     }
 
     /// The centre of mass in a state, base frame.
@@ -70,10 +75,10 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
         self.set(state);
         let (q, qd) = self.motion.shape(time, &self.state);
         let (q, qd, pose) = (q.to_vec(), qd.to_vec(), state.pose);
-        let effects = std::mem::take(self.motion.loads_mut());
+        let effects = std::mem::take(&mut self.motion.loads_mut().effects);
         self.motion.ask(time, &self.state, |robot, mu| {
             effects.gaps(&Instant { time, pose: &pose, q: &q, qd: &qd, mu }, robot, gaps, owners);
         });
-        *self.motion.loads_mut() = effects;
+        self.motion.loads_mut().effects = effects;
     }
 }

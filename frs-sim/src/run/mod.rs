@@ -3,7 +3,9 @@
 mod fall;
 mod flight;
 mod handover;
+mod meter;
 mod metered;
+mod watch;
 
 use std::ops::ControlFlow;
 
@@ -12,9 +14,10 @@ use frs_core::{Model, Real};
 use nalgebra::Vector3;
 
 use crate::effects::Effects;
-use crate::integrate::{IntegrationError, Pace, State, System, Tangent};
-use crate::motion::{Ballistic, Conserved, Driven, Momentum, Motion, Zero};
+use crate::integrate::{IntegrationError, Pace, State, System};
+use crate::motion::{Ballistic, Conserved, Driven, Hamel, Momentum, Motion, Zero};
 
+use crate::observer::Observation;
 use crate::scene::{Case, Scene, Start};
 use flight::Flight;
 
@@ -37,12 +40,21 @@ pub struct Sample {
     pub kinetic_energy: f64,
     /// Centre of mass, world (m).
     pub com: Vector3<f64>,
-    /// Work that all forces did since the start, and energy that payloads brought and took, J.
-    pub work: f64,
+    /// Work since the start of each of [`Scene::works`], in its order, J.
+    pub works: Vec<f64>,
     /// Momentum about the world's origin (kg·m²/s, kg·m/s).
     pub momentum: Wrench<f64>,
     /// Joint torques (N·m, N); at a jump those before it.
     pub tau: Vec<f64>,
+    /// What the observer is wrong by, if the scene has one.
+    pub observation: Option<Observation>,
+}
+
+impl Sample {
+    /// All work since the start, J: by so much the kinetic energy has changed.
+    pub fn work(&self) -> f64 {
+        self.works.iter().sum()
+    }
 }
 
 /// How a run ended.
@@ -74,7 +86,7 @@ pub struct Record {
 pub struct Checkpoint {
     /// Time, s.
     pub time: f64,
-    /// Pose; q, q̇, μ where it is integrated, and the work.
+    /// Pose; q, q̇, μ where it is integrated, the work of each force of the scene, and what payloads brought.
     pub state: State,
     /// How the steps go on.
     pub pace: Pace,
@@ -84,6 +96,8 @@ pub struct Checkpoint {
     pub phase: usize,
     /// The centre of mass since the last of them.
     pub fall: FreeFall,
+    /// The observer's state and pace, if the scene has one.
+    pub observer: Option<(State, Pace)>,
 }
 
 /// Computes a scene; `each` is told the time after each step and may stop the run.
@@ -135,39 +149,75 @@ fn flown(scene: &Scene, model: &Model, record: Option<Record>, each: impl FnMut(
             fly(Flight::new(scene, &models, ballistic, effects), record, each)
         }
         Case::Driven => fly(Flight::new(scene, &models, Driven, effects), record, each),
+        Case::Hamel => fly(Flight::new(scene, &models, Hamel::new(model.dof()), effects), record, each),
     }
 }
 
-/// A right-hand side over the scalar `T`: time, state, and where the tangent goes.
-pub type Rate<'m, T> = Box<dyn FnMut(T, &State<T>, &mut Tangent<T>) + 'm>;
+/// The equations of motion of a scene over the scalar `T`, whatever is known about its momentum.
+pub trait Equations<T: Real>: System<T> {
+    /// The state at the start of the scene.
+    fn start(&mut self, start: &Start) -> State<T>;
 
-/// The right-hand side of a scene over any scalar, with the forces that act from `time` (s) on; for instance to count its
+    /// Shape q and its rate q̇ of a state, those on a course among them, in one list.
+    fn shape(&mut self, time: T, state: &State<T>) -> Vec<T>;
+
+    /// The momentum about the world's origin.
+    fn momentum(&mut self, time: T, state: &State<T>) -> Wrench<T>;
+
+    /// The kinetic energy, J.
+    fn kinetic_energy(&mut self, time: T, state: &State<T>) -> T;
+}
+
+impl<T: Real, M: Momentum<T>> Equations<T> for Motion<'_, M, Effects<'_, T>, T> {
+    fn start(&mut self, start: &Start) -> State<T> {
+        let number = T::from_f64;
+        let numbers = |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>();
+        let pose = Pose::new(start.pose.rotation.map(number), start.pose.translation.map(number)).orthonormalised();
+        let mu = Twist::from_array(start.mu.to_array().map(number));
+        self.state(pose, &numbers(&start.q), &numbers(&start.qd), mu)
+    }
+
+    fn shape(&mut self, time: T, state: &State<T>) -> Vec<T> {
+        let (q, qd) = Motion::shape(self, time, state);
+        [q, qd].concat()
+    }
+
+    fn momentum(&mut self, time: T, state: &State<T>) -> Wrench<T> {
+        self.spatial_momentum(time, state)
+    }
+
+    fn kinetic_energy(&mut self, time: T, state: &State<T>) -> T {
+        Motion::kinetic_energy(self, time, state)
+    }
+}
+
+/// The equations of a scene over any scalar, with the forces that act from `time` (s) on; for instance to count their
 /// operations. `model` is the robot as it is [laden](Scene::laden) then.
-pub fn rate<'m, T: Real>(scene: &Scene, model: &'m Model<T>, time: f64) -> Rate<'m, T> {
+pub fn equations<'m, T: Real>(scene: &Scene, model: &'m Model<T>, time: f64) -> Box<dyn Equations<T> + 'm> {
     fn boxed<'m, T: Real, M: Momentum<T> + 'm>(
         scene: &Scene,
         model: &'m Model<T>,
         momentum: M,
-        effects: Effects<'m, T>,
         time: f64,
-    ) -> Rate<'m, T> {
-        let mut motion = Motion::new(model, momentum, effects);
+    ) -> Box<dyn Equations<T> + 'm> {
+        let mut effects = scene.effects(model);
+        effects.enter(time);
+        let mut motion = Motion::new(model, momentum, effects).by(scene.solver.route);
         if let Some(mut drives) = scene.drives() {
             drives.enter(time);
             motion = motion.with_drives(drives);
         }
-        Box::new(move |time, state, rate| motion.rate(time, state, rate))
+        Box::new(motion)
     }
-    let mut effects = scene.effects(model);
-    effects.enter(time);
     let momentum = Wrench::from_array(scene.start.centroidal.to_array().map(T::from_f64));
     match scene.case() {
-        Case::Zero => boxed(scene, model, Zero, effects, time),
-        Case::Conserved => boxed(scene, model, Conserved { momentum }, effects, time),
+        Case::Zero => boxed(scene, model, Zero, time),
+        Case::Conserved => boxed(scene, model, Conserved { momentum }, time),
         Case::Ballistic => {
             let (acceleration, mass) = (scene.gravity().map(T::from_f64), T::from_f64(scene.start.mass));
-            boxed(scene, model, Ballistic { momentum, acceleration, mass, since: T::zero() }, effects, time)
+            boxed(scene, model, Ballistic { momentum, acceleration, mass, since: T::zero() }, time)
         }
-        Case::Driven => boxed(scene, model, Driven, effects, time),
+        Case::Driven => boxed(scene, model, Driven, time),
+        Case::Hamel => boxed(scene, model, Hamel::new(model.dof()), time),
     }
 }

@@ -100,6 +100,16 @@ impl Force {
         matches!(self, Self::Wrench(_) | Self::Drag(_) | Self::Contact(_))
     }
 
+    /// The name of its work; none for what does none: rotors are kinetic energy, and payloads are told together.
+    pub(super) fn work(&self) -> Option<&'static str> {
+        match self {
+            Self::Rotors(_) | Self::Payload(_) => None,
+            Self::Viscous(_) => Some("viscous_friction"),
+            Self::Coulomb(_) => Some("coulomb_friction"),
+            _ => Some(self.key()),
+        }
+    }
+
     /// What it adds, as a formula.
     pub fn equation(&self) -> &'static str {
         match self {

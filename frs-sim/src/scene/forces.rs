@@ -2,6 +2,7 @@
 
 use frs_core::Model;
 
+use super::columns;
 use super::force::{EFFECTS, Force, Named};
 use super::payload;
 use super::reader::{Item, Table};
@@ -79,11 +80,16 @@ fn three(table: &Table<'_, '_>, key: &str, what: &str) -> Option<[f64; 3]> {
 }
 
 fn wrench(table: &Table<'_, '_>, model: &Model, duration: f64) -> Option<Force> {
-    table.only(&["link", "point", "moment", "force", "axes", "start", "end", "times"]);
+    table.only(&["link", "point", "moment", "force", "axes", "start", "end", "times", "csv"]);
     let link = table.get("link").map_or(Some(None), |item| item.link(model).map(Some));
     let point = three(table, "point", "x, y, z in m, link frame");
     let axes = [("link", Axes::Link), ("world", Axes::World)];
     let axes = table.get("axes").map_or(Some(Axes::Link), |item| item.choice(&axes));
+    let others = ["moment", "force", "start", "end", "times"];
+    if let Some(columns) = columns::read(table, &others, 6, "moment (N·m) and force (N), three numbers each")? {
+        let wrench = columns.signals(Signal::linear).try_into().ok()?;
+        return Some(Force::Wrench(Box::new(LinkWrench { link: link?, point: point?, wrench, axes: axes? })));
+    }
     let timing = timing::read(table, duration);
     let (moment, force) = (table.get("moment"), table.get("force"));
     if moment.is_none() && force.is_none() {
@@ -156,9 +162,13 @@ fn smooth_below(table: &Table<'_, '_>) -> Option<f64> {
 }
 
 fn joint_torque(table: &Table<'_, '_>, model: &Model, duration: f64) -> Option<Force> {
-    table.only(&["tau", "start", "end", "times"]);
+    table.only(&["tau", "start", "end", "times", "csv"]);
+    let what = "a torque for each coordinate, N·m or N";
+    if let Some(columns) = columns::read(table, &["tau", "start", "end", "times"], model.dof(), what)? {
+        return Some(Force::JointTorque(JointTorque { tau: columns.signals(Signal::linear) }));
+    }
     let timing = timing::read(table, duration);
-    let tau = table.required("tau", "a torque for each coordinate, N·m or N")?;
+    let tau = table.required("tau", what)?;
     let tau = timing?.signals(&tau, |item| item.coordinates(model))?;
     Some(Force::JointTorque(JointTorque { tau }))
 }
@@ -205,9 +215,10 @@ fn rotors(table: &Table<'_, '_>, model: &Model) -> Option<Force> {
 }
 
 fn prescribed(table: &Table<'_, '_>, model: &Model) -> Option<Force> {
-    table.only(&["joint", "hold", "sinusoid", "times", "values"]);
+    table.only(&["joint", "hold", "sinusoid", "times", "values", "csv"]);
     let joint = table.required("joint", "the name of a coordinate").and_then(|item| item.coordinate(model));
-    let ways: Vec<&str> = ["hold", "sinusoid", "times"].into_iter().filter(|way| table.get(way).is_some()).collect();
+    let ways: Vec<&str> =
+        ["hold", "sinusoid", "times", "csv"].into_iter().filter(|way| table.get(way).is_some()).collect();
     let course = match ways.as_slice() {
         ["hold"] => Course::Pieces(Signal::constant(table.get("hold")?.number()?)),
         ["sinusoid"] => sinusoid(&table.get("sinusoid")?.table()?)?,
@@ -224,8 +235,15 @@ fn prescribed(table: &Table<'_, '_>, model: &Model) -> Option<Force> {
             }
             Course::Pieces(Signal::spline(&times, &list))
         }
+        ["csv"] => {
+            let columns = columns::read(table, &["values"], 1, "a value (rad, m)")??;
+            Course::Pieces(columns.signals(Signal::spline).pop()?)
+        }
         _ => {
-            table.refuse(format!("found {} courses; expected one of hold, sinusoid, times with values", ways.len()));
+            table.refuse(format!(
+                "found {} courses; expected one of hold, sinusoid, times with values, csv",
+                ways.len()
+            ));
             return None;
         }
     };
@@ -254,9 +272,14 @@ fn regulator(table: &Table<'_, '_>, model: &Model) -> Option<Force> {
 }
 
 fn computed_torque(table: &Table<'_, '_>, model: &Model) -> Option<Force> {
-    table.only(&["bandwidth", "set_point", "times"]);
+    table.only(&["bandwidth", "set_point", "times", "csv"]);
     let bandwidth = table.required("bandwidth", "rad/s").and_then(|item| item.positive());
-    let goal = table.required("set_point", "a value for each coordinate, rad or m; with times, one such for each time");
+    let what = "a value for each coordinate, rad or m";
+    if let Some(columns) = columns::read(table, &["set_point", "times"], model.dof(), what)? {
+        let courses = columns.signals(Signal::spline).into_iter().map(Course::Pieces).collect();
+        return Some(Force::ComputedTorque(courses, bandwidth?));
+    }
+    let goal = table.required("set_point", &format!("{what}; with times, one such for each time"));
     let times = table.get("times").map_or(Some(None), |item| item.times().map(Some));
     let goal = goal?;
     let columns = match times? {

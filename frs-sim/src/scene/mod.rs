@@ -2,13 +2,19 @@
 //!
 //! All keys: docs/scenes.md. What is known about the momentum is not said in a scene; it follows from what is.
 
+mod columns;
 mod force;
 mod forces;
+mod observer;
 mod payload;
 mod problem;
 mod reader;
+mod solver;
 mod start;
 mod timing;
+mod work;
+
+use std::io;
 
 use frs_core::model::Place;
 use frs_core::spatial::Twist;
@@ -17,12 +23,16 @@ use nalgebra::Vector3;
 
 use crate::effects::{ComputedTorque, Effect, Effects, EndEffector, Regulator, Stops};
 use crate::motion::{Course, Drives};
+use crate::observer::Observer;
 use reader::{Reader, Table};
 
 pub use force::{EFFECTS, Force, Named};
 pub use payload::Payload;
 pub use problem::{Problem, SceneError};
+pub use reader::Files;
+pub use solver::{EQUATIONS, Equations, ROUTES, Solver};
 pub use start::Start;
+pub use work::Work;
 
 /// What is known about the momentum of a motion; each case is a type in [`motion`](crate::motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +45,8 @@ pub enum Case {
     Ballistic,
     /// Something changes it: [`Driven`](crate::motion::Driven).
     Driven,
+    /// The base velocity is integrated in its place: [`Hamel`](crate::motion::Hamel).
+    Hamel,
 }
 
 impl Case {
@@ -45,12 +57,18 @@ impl Case {
             Self::Conserved => "conserved",
             Self::Ballistic => "ballistic",
             Self::Driven => "driven",
+            Self::Hamel => "hamel",
         }
     }
 
     /// How many numbers are integrated for it.
     pub fn numbers(self) -> usize {
-        if self == Self::Driven { 6 } else { 0 }
+        if self.is_integrated() { 6 } else { 0 }
+    }
+
+    /// Whether it is integrated, known or not.
+    pub fn is_integrated(self) -> bool {
+        matches!(self, Self::Driven | Self::Hamel)
     }
 }
 
@@ -59,21 +77,20 @@ impl Case {
 pub struct Scene {
     /// How long it lasts, s.
     pub duration: f64,
-    /// Allowed error of a step ([`Adaptive`](crate::integrate::Adaptive)).
-    pub accuracy: f64,
+    /// How it is computed.
+    pub solver: Solver,
     /// How often the motion is written down, 1/s.
     pub samples_per_second: f64,
     /// Where it starts.
     pub start: Start,
     /// What acts on it.
     pub forces: Vec<Named>,
+    /// Who observes its locked velocity.
+    pub observer: Option<Observer>,
 }
 
 /// Keys of a scene that are no effects.
-const KEYS: [&str; 5] = ["robot", "duration", "accuracy", "samples_per_second", "start"];
-
-/// Accuracy of a scene that does not say.
-const ACCURACY: f64 = 1e-8;
+const KEYS: [&str; 7] = ["robot", "duration", "accuracy", "solver", "samples_per_second", "start", "observer"];
 
 /// Samples per second of a scene that does not say.
 const SAMPLES_PER_SECOND: f64 = 100.0;
@@ -87,32 +104,33 @@ impl Scene {
     /// # Errors
     /// If the text is not TOML or names no robot.
     pub fn robot(file: &str, text: &str) -> Result<(String, Place), SceneError> {
-        let reader = Reader::new(file, text);
+        let reader = Reader::new(file, text, &no_files);
         let entries = reader.parse()?;
         let item = Table::root(&reader, &entries).required("robot", "the path of a URDF, from the scene's folder");
         let path = item.and_then(|item| Some((item.text("the path of a URDF")?.to_owned(), item.place())));
         reader.finish(path)
     }
 
-    /// Reads a scene of `model`; `file` names the text in messages.
+    /// Reads a scene of `model` that names no files but the robot's; `file` names the text in messages.
     ///
     /// # Errors
     /// Everything that is wrong with it, with line and column.
     pub fn parse(file: &str, text: &str, model: &Model) -> Result<Self, SceneError> {
-        let reader = Reader::new(file, text);
+        Self::parse_with(file, text, model, &no_files)
+    }
+
+    /// Reads a scene of `model`; `files` reads a file that it names, by its path from the scene's folder.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it and with those files, with line and column.
+    pub fn parse_with(file: &str, text: &str, model: &Model, files: &Files<'_>) -> Result<Self, SceneError> {
+        let reader = Reader::new(file, text, files);
         let entries = reader.parse()?;
         let root = Table::root(&reader, &entries);
         root.only(&[&KEYS[..], &EFFECTS].concat());
 
         let duration = root.required("duration", "how long the motion lasts, s").and_then(|item| item.positive());
-        let accuracy = root.get("accuracy").map_or(Some(ACCURACY), |item| {
-            item.positive().and_then(|accuracy| {
-                if (1e-14..=1e-2).contains(&accuracy) {
-                    return Some(accuracy);
-                }
-                item.refuse(format!("found {accuracy:e}; expected a number from 1e-14 to 1e-2"))
-            })
-        });
+        let solver = solver::read(&root, model.dof());
         let samples_per_second = root.get("samples_per_second").map_or(Some(SAMPLES_PER_SECOND), |item| {
             let samples = item.positive()?;
             if samples * duration? <= MOST_SAMPLES {
@@ -123,21 +141,32 @@ impl Scene {
         let forces = forces::read(&root, model, duration.unwrap_or(f64::INFINITY));
         forces::contradictions(&root, model, &forces);
         let start = start::read(&root, &payload::laden(model, payloads(&forces), 0.0), &forces);
+        let observer = observer::read(&root);
         let scene = (|| {
             Some(Self {
                 duration: duration?,
-                accuracy: accuracy?,
+                solver: solver?,
                 samples_per_second: samples_per_second?,
                 start: start?,
                 forces,
+                observer: observer?,
             })
         })();
         reader.finish(scene)
     }
 
+    /// What is known about the momentum, and used: [`known_case`](Self::known_case) unless the solver integrates it all the same.
+    pub fn case(&self) -> Case {
+        match self.solver.equations {
+            Equations::Reduced => self.known_case(),
+            Equations::Integrated => Case::Driven,
+            Equations::Hamel => Case::Hamel,
+        }
+    }
+
     /// What is known about the momentum: driven if a force can change it, ballistic if only gravity can, else what it is at the
     /// start, unless a payload brings some.
-    pub fn case(&self) -> Case {
+    pub fn known_case(&self) -> Case {
         if self.forces.iter().any(|named| named.force.drives_momentum()) {
             Case::Driven
         } else if self.forces.iter().any(|named| matches!(named.force, Force::Gravity(_))) {
@@ -179,8 +208,8 @@ impl Scene {
 
     /// The forces as effects over any scalar; without gravity where that is known to move the centre of mass alone.
     pub fn effects<'m, T: Real>(&self, model: &'m Model<T>) -> Effects<'m, T> {
-        let each = self.forces.iter().filter_map(|named| -> Option<Box<dyn Effect<T>>> {
-            Some(match &named.force {
+        let each = self.forces.iter().enumerate().filter_map(|(number, named)| {
+            let effect: Box<dyn Effect<T>> = match &named.force {
                 Force::Gravity(_) if self.case() == Case::Ballistic => return None,
                 Force::Rotors(_) | Force::Prescribed(..) | Force::Payload(_) => return None,
                 Force::Gravity(gravity) => Box::new(*gravity),
@@ -195,7 +224,8 @@ impl Scene {
                 Force::Regulator(gains) => Box::new(Regulator::new(gains.clone())),
                 Force::ComputedTorque(courses, bandwidth) => Box::new(ComputedTorque::new(courses.clone(), *bandwidth)),
                 Force::EndEffector(target) => Box::new(EndEffector::new(target.clone())),
-            })
+            };
+            Some((number, effect))
         });
         Effects(each.collect())
     }
@@ -215,6 +245,10 @@ impl Scene {
         }
         any.then(|| Drives::new(&rotor, courses))
     }
+}
+
+fn no_files(_: &str) -> io::Result<String> {
+    Err(io::Error::new(io::ErrorKind::Unsupported, "the scene was read without its files"))
 }
 
 fn payloads(forces: &[Named]) -> impl Iterator<Item = &Payload> {

@@ -1,6 +1,7 @@
 //! A TOML text as tables that know where they stand and note every problem.
 
 use std::cell::RefCell;
+use std::io;
 use std::ops::Range;
 use std::sync::LazyLock;
 
@@ -10,16 +11,20 @@ use toml::de::{DeTable, DeValue};
 
 use super::problem::{Problem, SceneError, place};
 
-/// The text and what was found wrong with it so far.
+/// How files that a scene names are read, by their paths from its folder.
+pub type Files<'t> = dyn Fn(&str) -> io::Result<String> + 't;
+
+/// The text, how files that it names are read, and what was found wrong so far.
 pub struct Reader<'t> {
     file: &'t str,
     text: &'t str,
+    files: &'t Files<'t>,
     problems: RefCell<Vec<Problem>>,
 }
 
 impl<'t> Reader<'t> {
-    pub fn new(file: &'t str, text: &'t str) -> Self {
-        Self { file, text, problems: RefCell::default() }
+    pub fn new(file: &'t str, text: &'t str, files: &'t Files<'t>) -> Self {
+        Self { file, text, files, problems: RefCell::default() }
     }
 
     /// The whole text as a table.
@@ -36,14 +41,19 @@ impl<'t> Reader<'t> {
     }
 
     fn tell(&self, span: Range<usize>, key: &str, message: String) {
-        let problem = Problem { place: self.place(span), key: key.to_owned(), message };
-        self.problems.borrow_mut().push(problem);
+        self.tell_at(self.place(span), key, message);
     }
 
-    /// All problems, in the order of the file.
+    fn tell_at(&self, place: Place, key: &str, message: String) {
+        self.problems.borrow_mut().push(Problem { place, key: key.to_owned(), message });
+    }
+
+    /// All problems, in the order of the file; then those of files that it names.
     pub fn error(&self) -> SceneError {
         let mut problems = self.problems.take();
-        problems.sort_by_key(|problem| (problem.place.line, problem.place.column));
+        problems.sort_by_key(|Problem { place: Place { file, line, column }, .. }| {
+            (**file != *self.file, file.clone(), *line, *column)
+        });
         SceneError { problems }
     }
 
@@ -145,8 +155,23 @@ impl<'r, 't> Item<'r, 't> {
         None
     }
 
+    /// Notes a problem of what this value names, elsewhere.
+    pub fn refuse_at(&self, place: Place, message: String) {
+        self.reader.tell_at(place, &self.path, message);
+    }
+
     pub fn place(&self) -> Place {
         self.reader.place(self.span.clone())
+    }
+
+    /// The name of the scene's file.
+    pub fn scene(&self) -> &'r str {
+        self.reader.file
+    }
+
+    /// The text of a file that the scene names.
+    pub fn file(&self, path: &str) -> io::Result<String> {
+        (self.reader.files)(path)
     }
 
     fn expected<V>(&self, what: &str) -> Option<V> {

@@ -7,7 +7,7 @@ use frs_codegen::record::{Operation, Place, Recorded, record};
 use frs_codegen::{Counts, Graph, Precision};
 use frs_sim::integrate::{State, Tangent};
 use frs_sim::motion::{Instant, Load, Loads};
-use frs_sim::run::rate;
+use frs_sim::run::equations;
 use frs_sim::scene::Scene;
 
 /// What one evaluation of a scene's equations performs.
@@ -22,12 +22,17 @@ pub struct Costs {
 
 impl Costs {
     pub fn of(scene: &Scene, model: &Model) -> Self {
+        let [whole, needed] = Self::of_equations(scene, model);
+        Self { effects: (0..scene.forces.len()).map(|i| of_effect(scene, model, i)).collect(), whole, needed }
+    }
+
+    /// Everything, and what is needed, while most acts.
+    pub fn of_equations(scene: &Scene, model: &Model) -> [Counts; 2] {
         let events: Vec<f64> = scene.forces.iter().flat_map(|named| named.force.knots()).collect();
         // Between two events the same forces act.
         let phases = events.into_iter().chain([0.0]).filter(|time| (0.0..scene.duration).contains(time));
         let each = phases.map(|time| of_phase(scene, model, time));
-        let [whole, needed] = each.max_by_key(|[whole, _]| whole.flops()).unwrap_or_default();
-        Self { effects: (0..scene.forces.len()).map(|i| of_effect(scene, model, i)).collect(), whole, needed }
+        each.max_by_key(|[whole, _]| whole.flops()).unwrap_or_default()
     }
 }
 
@@ -38,9 +43,9 @@ fn of_phase(scene: &Scene, model: &Model, time: f64) -> [Counts; 2] {
         let mut inputs = Inputs::default();
         let state = inputs.state(2 * model.dof() + scene.case().numbers());
         let mut out = Tangent::zero(state.flat.len());
-        let mut rate = rate(scene, &model, time);
+        let mut equations = equations(scene, &model, time);
         let time = inputs.next();
-        rate(time, &state, &mut out);
+        equations.rate(time, &state, &mut out);
         let outputs = out.twist.to_array().into_iter().chain(out.flat).map(|number| number.0);
         (time.0, outputs.collect::<Vec<_>>())
     });

@@ -2,14 +2,16 @@
 
 use frs::Model;
 use frs::model::Motion;
+use frs_sim::observer::Observation;
 use frs_sim::run::Sample;
+use frs_sim::scene::Scene;
 
 use super::chart::{Chart, Panel};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Names of files and what is drawn in them.
-pub fn all(model: &Model, samples: &[Sample]) -> Vec<(&'static str, Chart)> {
+pub fn all(scene: &Scene, model: &Model, samples: &[Sample]) -> Vec<(&'static str, Chart)> {
     let chart = |title, panels| {
         let times = samples.iter().map(|sample| sample.time).collect();
         Chart { title, caption: model.name().to_owned(), times, panels }
@@ -26,20 +28,37 @@ pub fn all(model: &Model, samples: &[Sample]) -> Vec<(&'static str, Chart)> {
             let lines = own.map(|(j, c)| (c.name.clone(), each(samples, |s| of(s)[j]))).collect();
             Panel { label: format!("{symbol} / {unit}"), lines }
         };
-        kinds.map(panel).into_iter().filter(|panel| !panel.lines.is_empty()).collect()
+        kinds.map(panel).into()
     };
     let Some(first) = samples.first() else { return Vec::new() };
     let energy = Panel {
         label: "energy / J".into(),
         lines: vec![
             ("kinetic energy".into(), each(samples, |s| s.kinetic_energy)),
-            ("work of all forces".into(), each(samples, |s| s.work)),
+            ("work of all".into(), each(samples, Sample::work)),
         ],
     };
+    let works = scene.works().into_iter().enumerate();
+    let works = works.map(|(i, work)| (work.name, each(samples, |s| s.works[i]))).collect();
     let balance = Panel {
         label: "difference / J".into(),
-        lines: vec![("E − E(0) − W".into(), each(samples, |s| s.kinetic_energy - first.kinetic_energy - s.work))],
+        lines: vec![("E − E(0) − W".into(), each(samples, |s| s.kinetic_energy - first.kinetic_energy - s.work()))],
     };
+    let seen = |of: &dyn Fn(&Observation) -> f64| each(samples, |s| s.observation.as_ref().map_or(f64::NAN, of));
+    let errors = |label: &str, of: &dyn Fn(&Observation) -> [f64; 3]| Panel {
+        label: label.to_owned(),
+        lines: AXES.iter().enumerate().map(|(i, axis)| ((*axis).to_owned(), seen(&|s| of(s)[i]))).collect(),
+    };
+    let observed = scene.observer.map(|_| {
+        vec![
+            errors("angular error / rad/s", &|s| s.error.angular.into()),
+            errors("linear error / m/s", &|s| s.error.linear.into()),
+            Panel {
+                label: "log₁₀(V / J)".into(),
+                lines: vec![("V = ½ eᵀ Λ_b e".into(), seen(&|s| s.lyapunov.log10()))],
+            },
+        ]
+    });
     let pictures = [
         ("shape.svg", "Shape", joints("q", ["rad", "m"], &|s| &s.q)),
         ("shape_rates.svg", "Shape velocity", joints("dq/dt", ["rad/s", "m/s"], &|s| &s.qd)),
@@ -49,7 +68,11 @@ pub fn all(model: &Model, samples: &[Sample]) -> Vec<(&'static str, Chart)> {
             vec![three("angular / rad/s", &|s| s.mu.angular.into()), three("linear / m/s", &|s| s.mu.linear.into())],
         ),
         ("torques.svg", "Joint torques", joints("τ", ["N·m", "N"], &|s| &s.tau)),
-        ("energy.svg", "Kinetic energy and the work of all forces", vec![energy, balance]),
+        (
+            "energy.svg",
+            "Kinetic energy and the work of all forces",
+            vec![energy, Panel { label: "work / J".into(), lines: works }, balance],
+        ),
         (
             "momentum.svg",
             "Change of the momentum about the world's origin",
@@ -59,7 +82,11 @@ pub fn all(model: &Model, samples: &[Sample]) -> Vec<(&'static str, Chart)> {
             ],
         ),
     ];
-    let drawn = pictures.into_iter().filter(|(_, _, panels)| !panels.is_empty());
+    let observer = observed.map(|panels| ("observer.svg", "Error of the observed locked velocity, base frame", panels));
+    let drawn = pictures.into_iter().chain(observer).map(|(name, title, panels)| {
+        (name, title, panels.into_iter().filter(|panel| !panel.lines.is_empty()).collect::<Vec<_>>())
+    });
+    let drawn = drawn.filter(|(_, _, panels)| !panels.is_empty());
     drawn.map(|(name, title, panels)| (name, chart(title, panels))).collect()
 }
 

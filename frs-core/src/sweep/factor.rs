@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use crate::Real;
 
 /// Overwrites the lower triangle of `a` by L (below) and the *inverse* pivots 1/D (on the diagonal).
-pub(super) fn factor<T: Real>(a: &mut DMatrix<T>) {
+pub fn factor<T: Real>(a: &mut DMatrix<T>) {
     let n = a.nrows();
     for j in 0..n {
         let inverse = T::one() / a[(j, j)];
@@ -25,7 +25,7 @@ pub(super) fn factor<T: Real>(a: &mut DMatrix<T>) {
 }
 
 /// Overwrites `x` by the solution of `L D Lᵀ y = x`.
-pub(super) fn solve<T: Real>(factors: &DMatrix<T>, x: &mut [T]) {
+pub fn solve<T: Real>(factors: &DMatrix<T>, x: &mut [T]) {
     let n = x.len();
     for j in 0..n {
         let value = x[j];
