@@ -1,4 +1,4 @@
-//! The root link's frame 1,800 km from the robot, and link frames anywhere.
+//! The root link's frame 1,600 km from the robot, and link frames anywhere.
 //!
 //! All offsets are multiples of 2⁻⁷ m below 2²¹ m, so that descriptions are exact: what differs is where the frames stand. A base body's
 //! own frame stands at its centre of mass, and links that are fixed to each other are weighed from one another, so that joints and
@@ -20,8 +20,8 @@ const LINKS: usize = 5;
 
 const SHAPES: u64 = 20;
 
-/// An arm of bricks. The root frame stands at `−root` from the base's corner, each link's masses hang on the link by a fixed joint whose frame stands
-/// `masses` from them, and each joint's frame is slid along its axis by `slid`.
+/// An arm of bricks. The root frame stands at `−root` from the base's corner, each link's masses hang on the link by a fixed joint
+/// whose frame stands `masses` from them, and each joint's frame is slid along its axis by `slid`.
 fn arm(root: Vector3<f64>, masses: Vector3<f64>, slid: f64) -> Model {
     let mass = |com: Vector3<f64>| brick(1.0, com, [1.0, 0.5, 0.25]);
     let place = |p: Vector3<f64>| Pose::from_rpy(p, [0.0; 3]);
@@ -81,8 +81,8 @@ fn slow(state: State) -> State {
     })
 }
 
-/// A body's frame stands where the joint's does: slid along its axis, it is a lever arm that is added and taken off, and rounded on the way.
-/// The sweeps do not look for the point of an axis that is nearest to the masses; so this costs the digits of the distance, and not more.
+/// A body's frame stands where the joint's does: slid along its axis, it is a lever arm that is added and taken off, and rounded on
+/// the way. The sweeps do not look for the point of an axis that is nearest to the masses; so this costs the digits of the distance.
 #[test]
 fn a_frame_far_along_its_axis_costs_the_digits_of_the_distance() {
     for slid in [1.0, 1024.0, 131_072.0] {

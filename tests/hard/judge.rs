@@ -18,7 +18,11 @@ pub struct Judged {
     pub errors: BTreeMap<&'static str, f64>,
     /// The error of Λ_q as it is usually formed, `M_q − A_lᵀ Λ_b A_l`.
     pub textbook: f64,
-    /// Terms of Λ_q over Λ_q, by lever arms; see [`Scales`].
+    /// The error of Λ_q where the lever arms of both joints of an entry are divided out.
+    pub leverless: f64,
+    /// The error of Λ_q in the scale of its largest entry.
+    pub of_largest: f64,
+    /// The largest lever ratio; this and what follows: see [`Scales`].
     pub lever: f64,
     pub lightness: f64,
     pub condition: f64,
@@ -36,7 +40,11 @@ pub fn roundings(joints: usize) -> f64 {
 impl Judged {
     /// The worst error, but of accelerations: what these lose depends on the condition of Λ_q.
     pub fn worst(&self) -> f64 {
-        self.errors.iter().filter(|(output, _)| !output.starts_with("xi_dot")).map(|(_, &error)| error).fold(0.0, nan_max)
+        self.errors
+            .iter()
+            .filter(|(output, _)| !output.starts_with("xi_dot"))
+            .map(|(_, &error)| error)
+            .fold(0.0, nan_max)
     }
 
     pub fn join(&mut self, other: &Self) {
@@ -44,21 +52,27 @@ impl Judged {
             let worst = self.errors.entry(output).or_insert(0.0);
             *worst = nan_max(*worst, error);
         }
-        self.textbook = nan_max(self.textbook, other.textbook);
-        self.lever = nan_max(self.lever, other.lever);
-        self.lightness = nan_max(self.lightness, other.lightness);
-        self.condition = nan_max(self.condition, other.condition);
-        self.plain_condition = nan_max(self.plain_condition, other.plain_condition);
+        for (worst, number) in [
+            (&mut self.textbook, other.textbook),
+            (&mut self.leverless, other.leverless),
+            (&mut self.of_largest, other.of_largest),
+            (&mut self.lever, other.lever),
+            (&mut self.lightness, other.lightness),
+            (&mut self.condition, other.condition),
+            (&mut self.plain_condition, other.plain_condition),
+        ] {
+            *worst = nan_max(*worst, number);
+        }
     }
 }
 
 impl fmt::Display for Judged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { textbook, lever, lightness, condition, plain_condition, .. } = self;
-        let worst = self.worst();
-        write!(f, "worst {worst:.3e}, textbook Λ_q {textbook:.3e}; lever {lever:.1e}, lightness {lightness:.1e}, ")?;
+        let Self { errors, textbook, leverless, of_largest, lever, lightness, condition, plain_condition } = self;
+        write!(f, "worst {:.3e}; Λ_q: leverless {leverless:.2}, of largest {of_largest:.2}, ", self.worst())?;
+        write!(f, "textbook {textbook:.3e}; lever {lever:.1e}, lightness {lightness:.1e}, ")?;
         write!(f, "condition {condition:.1e} ({plain_condition:.1e});")?;
-        self.errors.iter().try_for_each(|(output, error)| write!(f, " {output} {error:.3}"))
+        errors.iter().try_for_each(|(output, error)| write!(f, " {output} {error:.3}"))
     }
 }
 
@@ -75,7 +89,8 @@ pub fn answer<T: Real>(robot: &mut Evaluator<T>, quantity: Quantity, state: &Sta
         .map(|input| state.numbers(input.name, input.len(n)).into_iter().map(T::from_f64).collect())
         .collect();
     let inputs: Vec<&[T]> = inputs.iter().map(Vec::as_slice).collect();
-    let mut outputs: Vec<Vec<T>> = quantity.outputs().map(|output| vec![T::from_f64(f64::NAN); output.len(n)]).collect();
+    let mut outputs: Vec<Vec<T>> =
+        quantity.outputs().map(|output| vec![T::from_f64(f64::NAN); output.len(n)]).collect();
     let mut slices: Vec<&mut [T]> = outputs.iter_mut().map(Vec::as_mut_slice).collect();
     robot.answer(quantity, &inputs, &mut slices);
     outputs
@@ -88,7 +103,7 @@ pub fn judge(model: &Model, state: &State) -> Judged {
     let scales = Scales::new(&precise, state);
     let (mut robot, mut truth) = (Evaluator::new(model), Evaluator::<DoubleDouble>::new(&precise));
     let mut judged = Judged {
-        lever: scales.lever,
+        lever: scales.levers.iter().copied().fold(1.0, f64::max),
         lightness: scales.lightness,
         condition: scales.condition,
         plain_condition: scales.plain_condition,
@@ -105,10 +120,15 @@ pub fn judge(model: &Model, state: &State) -> Judged {
     let exact = answer(&mut truth, Quantity::ForwardDynamics, state);
     judged.errors.insert("xi_dot, factored", error(&factored(model, state), &exact[0], &scales.of("xi_dot", state)));
 
+    let (got, exact) = (answer(&mut robot, Quantity::Inertia, state), answer(&mut truth, Quantity::Inertia, state));
+    let scale = scales.of("shape_inertia", state);
+    let by_levers = |(k, scale): (usize, &f64)| scale * (scales.levers[k % n] * scales.levers[k / n]).sqrt();
+    judged.leverless = error(&got[2], &exact[2], &scale.iter().enumerate().map(by_levers).collect::<Vec<_>>());
+    let largest = exact[2].iter().map(|x| x.high().abs()).fold(0.0, f64::max);
+    judged.of_largest = error(&got[2], &exact[2], &vec![largest; n * n]);
     let mut textbook = DMatrix::zeros(n, n);
     Workspace::new(model).shape(&state.numbers("q", n)).shape_inertia_textbook(&mut textbook);
-    let exact = answer(&mut truth, Quantity::Inertia, state);
-    judged.textbook = error(textbook.as_slice(), &exact[2], &scales.of("shape_inertia", state));
+    judged.textbook = error(textbook.as_slice(), &exact[2], &scale);
     judged
 }
 

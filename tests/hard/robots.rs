@@ -20,7 +20,7 @@ pub fn brick(mass: f64, com: Vector3<f64>, sides: [f64; 3]) -> InertialDescripti
 }
 
 /// A base and links on hinges, one after the other along x; the axes are those of `axes`, again and again.
-fn line(base: InertialDescription, links: &[InertialDescription], axes: &[[f64; 3]]) -> Model {
+fn line(base: InertialDescription, links: &[InertialDescription], axes: &[[f64; 3]]) -> RobotDescription {
     let mut robot = RobotDescription::new("line");
     robot.link("link_0", base);
     for (k, &link) in (1..).zip(links) {
@@ -30,6 +30,10 @@ fn line(base: InertialDescription, links: &[InertialDescription], axes: &[[f64; 
         let joint = robot.joint(format!("joint_{k}"), JointKind::Continuous, parent, child);
         joint.origin(Pose::from_rpy(Vector3::x(), [0.0; 3])).axis(x, y, z);
     }
+    robot
+}
+
+pub fn built(robot: RobotDescription) -> Model {
     robot.build().expect("the robot is well formed")
 }
 
@@ -44,16 +48,16 @@ fn bar() -> InertialDescription {
 
 /// Bars, the hinges about y and z in turn.
 pub fn chain(links: usize) -> Model {
-    line(bar(), &vec![bar(); links], &[Y, Z])
+    built(line(bar(), &vec![bar(); links], &[Y, Z]))
 }
 
 /// Bars without thickness.
 pub fn rods(links: usize) -> Model {
-    line(bar(), &vec![brick(1.0, Vector3::new(0.5, 0.0, 0.0), [1.0, 0.0, 0.0]); links], &[Y, Z])
+    built(line(bar(), &vec![brick(1.0, Vector3::new(0.5, 0.0, 0.0), [1.0, 0.0, 0.0]); links], &[Y, Z]))
 }
 
 /// Two bars, and a bar of this thickness that turns about its own axis.
-pub fn needle(thickness: f64) -> Model {
+pub fn needle(thickness: f64) -> RobotDescription {
     let needle = brick(1.0, Vector3::new(0.5, 0.0, 0.0), [1.0, thickness, thickness]);
     line(bar(), &[bar(), bar(), needle], &[Y, Z, X])
 }

@@ -6,8 +6,8 @@
 //! blocks of D_μ, the scale is that of a joint that moves while the base is held, `√M_jj`.
 
 use frs::extended::DoubleDouble;
-use frs::nalgebra::{DMatrix, Matrix3, Matrix6xX};
 use frs::model::Motion;
+use frs::nalgebra::{DMatrix, Matrix3, Matrix6xX};
 use frs::{Model, Shape, Workspace};
 
 use crate::state::State;
@@ -28,8 +28,8 @@ pub struct Scales {
     centroidal: [f64; 6],
     /// Root of the mean square distance of the masses from the base frame's origin.
     reach: f64,
-    /// By how much terms of Λ_q exceed it.
-    pub lever: f64,
+    /// By how much the terms of Λ_ii exceed it.
+    pub levers: Vec<f64>,
     /// The largest M_jj/Λ_jj: by how much a joint moves less mass on the floating base than on a held one.
     pub lightness: f64,
     /// The condition number of Λ_q in the scales of its coordinates, and as it is.
@@ -67,7 +67,7 @@ impl Scales {
             lightness: held.iter().zip(&shape_motion).map(|(held, free)| (held / free).powi(2)).fold(1.0, f64::max),
             condition: condition(correlation),
             plain_condition: condition(inertia),
-            lever: lever(model, &mut shape),
+            levers: levers(model, &mut shape),
             held,
             force: locked_force.chain(shape_force).collect(),
             motion: (0..6).map(|i| locked[(i, i)].sqrt()).chain(shape_motion).collect(),
@@ -110,9 +110,9 @@ impl Scales {
                 _ => 0.0,
             }),
             "coupling_torque" => motion[6..].iter().map(|s| s * turn * locked).collect(),
-            "d_mu_xi" => (0..six_and_n)
-                .map(|i| motion[i] * turn * (locked + if i < 6 { moved } else { shape }))
-                .collect(),
+            "d_mu_xi" => {
+                (0..six_and_n).map(|i| motion[i] * turn * (locked + if i < 6 { moved } else { shape })).collect()
+            }
             "d_qdot_xi" => (0..six_and_n)
                 .map(|i| match i < 6 {
                     true => moved * (is_turn(i) * locked + turn * motion[i]),
@@ -162,11 +162,11 @@ fn condition(matrix: DMatrix<f64>) -> f64 {
     values.max() / values.min()
 }
 
-/// By how much the terms of Λ_q exceed it: the largest `1 + r_j/Λ_jj` over hinges.
+/// By how much the terms of Λ_ii exceed it: `1 + r_i/Λ_ii` of a hinge.
 ///
 /// Sweeps take moments about the total centre of mass. What a hinge moves is the difference of terms as large as the second moments
-/// of mass about that point on its two sides, of which the smaller one counts: `1/r_j = 1/Σ_in m x² + 1/Σ_out m x²`.
-fn lever(model: &Model<DoubleDouble>, shape: &mut Shape<'_, '_, DoubleDouble>) -> f64 {
+/// of mass about that point on its two sides, of which the smaller one counts: `1/r_i = 1/Σ_in m x² + 1/Σ_out m x²`.
+fn levers(model: &Model<DoubleDouble>, shape: &mut Shape<'_, '_, DoubleDouble>) -> Vec<f64> {
     let n = model.dof();
     let (com, bodies) = (shape.com(), model.bodies());
     let mut inertia = DMatrix::zeros(n, n);
@@ -179,10 +179,10 @@ fn lever(model: &Model<DoubleDouble>, shape: &mut Shape<'_, '_, DoubleDouble>) -
     };
     let seconds: Vec<f64> = (0..bodies.len()).map(second).collect();
     let total: f64 = seconds.iter().sum();
-    let ratio = |k: usize| {
-        let inside: f64 = seconds[k..bodies[k].end].iter().sum();
-        let coordinate = bodies[k].drive.coordinate;
-        1.0 + inside * (1.0 - inside / total) / inertia[(coordinate, coordinate)].high()
-    };
-    (1..bodies.len()).filter(|&k| bodies[k].motion == Motion::Revolute).map(ratio).fold(1.0, f64::max)
+    let mut levers = vec![1.0; n];
+    for (k, body) in bodies.iter().enumerate().skip(1).filter(|(_, body)| body.motion == Motion::Revolute) {
+        let (i, inside) = (body.drive.coordinate, seconds[k..body.end].iter().sum::<f64>());
+        levers[i] += inside * (1.0 - inside / total) / inertia[(i, i)].high();
+    }
+    levers
 }
