@@ -19,12 +19,20 @@ fn robots() -> Vec<Model> {
     own.into_iter().chain([10, 50, 100, 200].map(chain::chain)).collect()
 }
 
+/// Of velocities and forces below 10⁻³⁰⁸, of which doubles keep fewer digits.
+const DENORMAL: f64 = 1e-313;
+
 fn core(criterion: &mut Criterion) {
     for model in robots() {
         let states = states::states(&model, 128);
+        let denormal: Vec<_> = states.iter().map(|state| state.times(DENORMAL)).collect();
         let mut bench = work::Bench::new(&model);
         let mut group = criterion.benchmark_group(model.name());
-        for (name, work) in work::ALL {
+        let moving = work::ALL.into_iter().filter(|(name, _)| name.starts_with("forward"));
+        let timed = work::ALL.map(|(name, work)| (name.to_owned(), work, &states)).into_iter();
+        for (name, work, states) in
+            timed.chain(moving.map(|(name, work)| (format!("{name}_denormal"), work, &denormal)))
+        {
             let mut next = states.iter().cycle();
             group.bench_function(name, |bencher| {
                 bencher.iter(|| next.next().map(|state| work(&mut bench, black_box(state))));

@@ -75,7 +75,7 @@ fn exp_is_the_matrix_exponential() {
 /// Beyond π the rounding of θ = |φ|, relative to θ, is an error of the angle.
 #[test]
 fn exp_of_many_turns_errs_by_the_rounding_of_the_angle() {
-    for angle in [4.0, 5.0, TAU, 7.0, 30.0, 1e3] {
+    for angle in [4.0, 5.0, TAU - 1e-8, TAU, TAU + 1e-8, 7.0, 30.0, 1e3, 1e8] {
         let [mut rotation, mut translation] = ["exp of many turns, R", "exp of many turns, p"].map(Worst::of);
         for (angle, zeta) in twists::<f64>(&[angle]) {
             let (r, p) = exact::exp(zeta.to_array().map(Big::new));
@@ -86,6 +86,19 @@ fn exp_of_many_turns_errs_by_the_rounding_of_the_angle() {
         }
         rotation.keeps::<f64>(ULPS * angle / PI);
         translation.keeps::<f64>(ULPS);
+    }
+}
+
+/// At 2π dexp is singular, but its entries are as good as anywhere.
+#[test]
+fn dexp_of_many_turns_errs_by_the_rounding_of_the_angle() {
+    for angle in [5.0, TAU - 1e-8, TAU, TAU + 1e-8, 7.0, 30.0] {
+        let mut worst = Worst::of("dexp of many turns");
+        for (angle, zeta) in twists::<f64>(&[angle]) {
+            let exact = exact::exponential_series(&big(zeta.ad_matrix()), 1);
+            worst.see(angle, matrix(|w| zeta.dexp(w)), &exact);
+        }
+        worst.keeps::<f64>(ULPS * angle / PI);
     }
 }
 

@@ -227,6 +227,23 @@ fn springs_without_dampers_keep_the_energy() {
     assert!(worst < ACCUMULATION * ACCURACY, "{worst:e}");
 }
 
+/// Nothing acts and nothing moves: not even rounding does, but for the last digits of the rotation, which each step makes one again.
+#[test]
+fn a_motion_from_rest_stays_where_it_is() {
+    let model = model();
+    let loose = |_: &Instant<'_>, _: &mut Moving<'_, '_, '_>, _: &mut Load| {};
+    let stays = |start: &State, end: &State| {
+        assert_eq!(bits(end)[9..], bits(start)[9..]);
+        assert!((end.pose.rotation - start.pose.rotation).amax() < ROUNDING);
+    };
+    let mut driven = Motion::new(&model, Driven, loose);
+    let start = driven.state(pose(), &Q, &[0.0; 7], Twist::zero());
+    stays(&start, &stepped(&mut driven, start.clone()));
+    let mut conserved = Motion::new(&model, Conserved { momentum: Wrench::zero() }, loose);
+    let start = conserved.state(pose(), &Q, &[0.0; 7], Twist::zero());
+    stays(&start, &stepped(&mut conserved, start.clone()));
+}
+
 /// A million steps: what is not integrated does not drift, and a rotation stays one.
 #[test]
 fn a_million_steps_leave_the_momentum_where_it_is() {

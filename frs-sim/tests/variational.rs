@@ -61,6 +61,9 @@ fn it_has_order_two() {
 fn a_million_steps_leave_energy_and_momentum() {
     /// Of the energy: it swings by h², and does not drift.
     const SWING: f64 = 1e-4;
+    /// Of the largest error: how far the means of both halves may be apart. A steady drift puts them a half of it apart; the motion is
+    /// chaotic, and its means are 0.15 of it apart where starts differ by 10⁻¹⁰.
+    const APART: f64 = 0.3;
     const STEPS: u32 = 1_000_000;
     /// No multiple of a period, in steps.
     const EVERY: u32 = 20;
@@ -81,7 +84,7 @@ fn a_million_steps_leave_energy_and_momentum() {
         }
     }
     assert!(worst < SWING && worst > 0.0, "{worst:e}");
-    assert!((sums[1] - sums[0]).abs() < 0.01 * worst, "it drifts from {:e} to {:e}", sums[0], sums[1]);
+    assert!((sums[1] - sums[0]).abs() < APART * worst, "it drifts from {:e} to {:e}", sums[0], sums[1]);
     assert_eq!(state.momentum, start.momentum);
     let velocities = motion.velocities(&state);
     let mut work = Workspace::new(&model);

@@ -189,15 +189,22 @@ struct Poses {
     rotation_link_3_xy: f64,
     rotation_link_3_yy: f64,
     rotation_link_3_zy: f64,
-    com_x_0: f64,
-    origin_base_y_0: f64,
-    com_z_1: f64,
-    com_x_2: f64,
-    origin_base_y_2: f64,
-    com_z_3: f64,
     com_x: f64,
-    origin_base_y: f64,
+    minus_com_y: f64,
     com_z: f64,
+    minus_origin_base_z_1_0: f64,
+    minus_origin_base_x_1_0: f64,
+    origin_base_y_1_4: f64,
+    minus_origin_base_z_1_4: f64,
+    minus_origin_base_x_1_6: f64,
+    origin_base_y_1_6: f64,
+    minus_origin_base_z_1_6: f64,
+    minus_origin_base_x_1: f64,
+    origin_base_y_1: f64,
+    minus_origin_base_z_1: f64,
+    minus_origin_base_x: f64,
+    origin_base_y: f64,
+    minus_origin_base_z: f64,
     origin_link_2_z: f64,
     origin_link_3_x: f64,
     origin_link_3_y: f64,
@@ -230,23 +237,41 @@ fn poses(q: &[f64; 3]) -> Poses {
         - rotation_link_2_yx * sin_joint_3;
     let rotation_link_3_zy = sin_joint_2 * cos_joint_3 + cos_joint_2 * sin_joint_3;
     let com_x_0 = minus_rotation_link_2_xx * 0.375;
-    let origin_base_y_0 = rotation_link_2_yx * 0.375;
+    let minus_com_y_0 = rotation_link_2_yx * 0.375;
     let com_z_1 = 0.8011904761904762 + cos_joint_2 * 0.375;
     let com_x_2 = origin_link_3_x_0 + minus_rotation_link_3_xx * 0.375;
-    let origin_base_y_2 = origin_link_3_y_1 + rotation_link_3_yx * 0.375;
+    let minus_com_y_2 = origin_link_3_y_1 + rotation_link_3_yx * 0.375;
     let com_z_3 = origin_link_3_z_0 - rotation_link_3_zx * 0.375;
     let com_x = (com_x_0 * 10.0 + com_x_2 * 10.0) * 0.007692307692307693;
-    // base
-    let origin_base_y = (origin_base_y_0 * 10.0 + origin_base_y_2 * 10.0)
+    let minus_com_y = (minus_com_y_0 * 10.0 + minus_com_y_2 * 10.0)
         * 0.007692307692307693;
     let com_z = (3.5059523809523805 + com_z_1 * 10.0 + com_z_3 * 10.0)
         * 0.007692307692307693;
+    let minus_origin_base_z_1_0 = 0.7011904761904761 - com_z;
+    let minus_origin_base_x_1_0 = com_x_0 - com_x;
+    let origin_base_y_1_4 = minus_com_y - minus_com_y_0;
+    let minus_origin_base_z_1_4 = com_z_1 - com_z;
+    let minus_origin_base_x_1_6 = com_x_2 - com_x;
+    let origin_base_y_1_6 = minus_com_y - minus_com_y_2;
+    let minus_origin_base_z_1_6 = com_z_3 - com_z;
+    let minus_origin_base_x_1 = (minus_origin_base_x_1_0 * 10.0
+        - (com_x * 105.0 + com_x * 5.0) + minus_origin_base_x_1_6 * 10.0)
+        * 0.007692307692307693;
+    let origin_base_y_1 = (minus_com_y * 105.0 + minus_com_y * 5.0
+        + origin_base_y_1_4 * 10.0 + origin_base_y_1_6 * 10.0) * 0.007692307692307693;
+    let minus_origin_base_z_1 = (minus_origin_base_z_1_0 * 5.0 - com_z * 105.0
+        + minus_origin_base_z_1_4 * 10.0 + minus_origin_base_z_1_6 * 10.0)
+        * 0.007692307692307693;
+    // base
+    let minus_origin_base_x = com_x + minus_origin_base_x_1;
+    let origin_base_y = minus_com_y - origin_base_y_1;
+    let minus_origin_base_z = com_z + minus_origin_base_z_1;
     // link_2
-    let origin_link_2_z = 0.8011904761904762 - com_z;
+    let origin_link_2_z = 0.8011904761904762 - com_z - minus_origin_base_z_1;
     // link_3
-    let origin_link_3_x = origin_link_3_x_0 - com_x;
-    let origin_link_3_y = origin_base_y - origin_link_3_y_1;
-    let origin_link_3_z = origin_link_3_z_0 - com_z;
+    let origin_link_3_x = origin_link_3_x_0 - com_x - minus_origin_base_x_1;
+    let origin_link_3_y = minus_com_y - origin_link_3_y_1 - origin_base_y_1;
+    let origin_link_3_z = origin_link_3_z_0 - com_z - minus_origin_base_z_1;
     Poses {
         sin_joint_1,
         cos_joint_1,
@@ -262,15 +287,22 @@ fn poses(q: &[f64; 3]) -> Poses {
         rotation_link_3_xy,
         rotation_link_3_yy,
         rotation_link_3_zy,
-        com_x_0,
-        origin_base_y_0,
-        com_z_1,
-        com_x_2,
-        origin_base_y_2,
-        com_z_3,
         com_x,
-        origin_base_y,
+        minus_com_y,
         com_z,
+        minus_origin_base_z_1_0,
+        minus_origin_base_x_1_0,
+        origin_base_y_1_4,
+        minus_origin_base_z_1_4,
+        minus_origin_base_x_1_6,
+        origin_base_y_1_6,
+        minus_origin_base_z_1_6,
+        minus_origin_base_x_1,
+        origin_base_y_1,
+        minus_origin_base_z_1,
+        minus_origin_base_x,
+        origin_base_y,
+        minus_origin_base_z,
         origin_link_2_z,
         origin_link_3_x,
         origin_link_3_y,
@@ -363,29 +395,30 @@ struct Inertias {
 #[inline(never)]
 fn inertias(poses: &Poses) -> Inertias {
     // base
-    let minus_inertia_base_hx = poses.com_x * 105.0;
+    let minus_inertia_base_hx = poses.minus_origin_base_x * 105.0;
     let inertia_base_hy = poses.origin_base_y * 105.0;
-    let minus_inertia_base_hz = poses.com_z * 105.0;
-    let inertia_base_yy_1 = minus_inertia_base_hx * poses.com_x;
+    let minus_inertia_base_hz = poses.minus_origin_base_z * 105.0;
+    let inertia_base_yy_1 = minus_inertia_base_hx * poses.minus_origin_base_x;
     let inertia_base_xx_1 = inertia_base_hy * poses.origin_base_y;
-    let inertia_base_xx_2 = minus_inertia_base_hz * poses.com_z;
+    let inertia_base_xx_2 = minus_inertia_base_hz * poses.minus_origin_base_z;
     let inertia_base_xy = minus_inertia_base_hx * poses.origin_base_y;
-    let minus_inertia_base_xz = minus_inertia_base_hx * poses.com_z;
-    let inertia_base_yz = inertia_base_hy * poses.com_z;
+    let minus_inertia_base_xz = minus_inertia_base_hx * poses.minus_origin_base_z;
+    let inertia_base_yz = inertia_base_hy * poses.minus_origin_base_z;
     let inertia_base_zz_1 = inertia_base_yy_1 + inertia_base_xx_1;
     let inertia_base_xx = 10.540476190476191 + (inertia_base_xx_1 + inertia_base_xx_2);
     let inertia_base_yy = 10.540476190476191 + (inertia_base_yy_1 + inertia_base_xx_2);
     let inertia_base_zz = 9.350000000000001 + inertia_base_zz_1;
-    let inertia_link_1_hz_0 = 0.7011904761904761 - poses.com_z;
+    let inertia_link_1_hz_0 = poses.minus_origin_base_z_1_0
+        - poses.minus_origin_base_z_1;
     let inertia_link_1_xy_0 = 0.05 * poses.cos_joint_1;
     let inertia_link_1_xy_2 = 0.05 * poses.sin_joint_1;
     let inertia_link_1_xx_0 = inertia_link_1_xy_0 * poses.cos_joint_1
         + inertia_link_1_xy_2 * poses.sin_joint_1;
     // link_1
-    let minus_inertia_link_1_hx = poses.com_x * 5.0;
+    let minus_inertia_link_1_hx = poses.minus_origin_base_x * 5.0;
     let inertia_link_1_hy = poses.origin_base_y * 5.0;
     let inertia_link_1_hz = inertia_link_1_hz_0 * 5.0;
-    let inertia_link_1_yy_1 = minus_inertia_link_1_hx * poses.com_x;
+    let inertia_link_1_yy_1 = minus_inertia_link_1_hx * poses.minus_origin_base_x;
     let inertia_link_1_xx_1 = inertia_link_1_hy * poses.origin_base_y;
     let inertia_link_1_xx_2 = inertia_link_1_hz * inertia_link_1_hz_0;
     let inertia_link_1_xz = minus_inertia_link_1_hx * inertia_link_1_hz_0;
@@ -398,9 +431,11 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_yy = inertia_link_1_xx_0
         + (inertia_link_1_yy_1 + inertia_link_1_xx_2);
     let inertia_link_1_zz = 0.05 + (inertia_link_1_yy_1 + inertia_link_1_xx_1);
-    let inertia_link_2_hx_0 = poses.com_x_0 - poses.com_x;
-    let inertia_link_2_hy_0 = poses.origin_base_y - poses.origin_base_y_0;
-    let inertia_link_2_hz_0 = poses.com_z_1 - poses.com_z;
+    let inertia_link_2_hx_0 = poses.minus_origin_base_x_1_0
+        - poses.minus_origin_base_x_1;
+    let inertia_link_2_hy_0 = poses.origin_base_y_1_4 - poses.origin_base_y_1;
+    let inertia_link_2_hz_0 = poses.minus_origin_base_z_1_4
+        - poses.minus_origin_base_z_1;
     let inertia_link_2_xx_0 = 0.1 * poses.minus_rotation_link_2_xx;
     let inertia_link_2_xx_2 = 0.1 * poses.minus_rotation_link_2_xy;
     let inertia_link_2_xx_4_0 = 0.1 * poses.cos_joint_1;
@@ -435,9 +470,11 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_2_zz = 0.1 * poses.cos_joint_2 * poses.cos_joint_2
         + 0.1 * poses.sin_joint_2 * poses.sin_joint_2
         + (inertia_link_2_yy_5 + inertia_link_2_xx_5);
-    let inertia_link_3_hx_0 = poses.com_x_2 - poses.com_x;
-    let inertia_link_3_hy_0 = poses.origin_base_y - poses.origin_base_y_2;
-    let inertia_link_3_hz_0 = poses.com_z_3 - poses.com_z;
+    let inertia_link_3_hx_0 = poses.minus_origin_base_x_1_6
+        - poses.minus_origin_base_x_1;
+    let inertia_link_3_hy_0 = poses.origin_base_y_1_6 - poses.origin_base_y_1;
+    let inertia_link_3_hz_0 = poses.minus_origin_base_z_1_6
+        - poses.minus_origin_base_z_1;
     let inertia_link_3_xx_0 = 0.1 * poses.minus_rotation_link_3_xx;
     let inertia_link_3_xx_2 = 0.1 * poses.rotation_link_3_xy;
     let inertia_link_3_yy_0 = 0.1 * poses.rotation_link_3_yx;
@@ -505,7 +542,7 @@ fn inertias(poses: &Poses) -> Inertias {
     let locked_inverse_pivot_z = 1.0
         / (composite_base_zz - locked_inverse_pivot_z_2 * composite_base_xz
             - locked_inverse_pivot_z_4 * locked_inverse_pivot_z_5);
-    let inside_joint_1_mz_1_0 = composite_link_1_hx * poses.com_x;
+    let inside_joint_1_mz_1_0 = composite_link_1_hx * poses.minus_origin_base_x;
     let inside_joint_1_mz_1_1 = composite_link_1_hy * poses.origin_base_y;
     let inside_joint_2_mx_0_1 = composite_link_2_xy * poses.sin_joint_1;
     let inside_joint_2_my_0_0 = composite_link_2_xy * poses.cos_joint_1;
@@ -740,13 +777,14 @@ struct Screws {
 fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Screws {
     // joint_1
     let inside_joint_1_mx = inertias.composite_link_1_xz
-        - inertias.composite_link_1_hz * poses.com_x;
+        - inertias.composite_link_1_hz * poses.minus_origin_base_x;
     let inside_joint_1_my = inertias.composite_link_1_yz
         + inertias.composite_link_1_hz * poses.origin_base_y;
     let inside_joint_1_mz = inertias.composite_link_1_zz
         + (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
     let inside_joint_1_fx = poses.origin_base_y * 25.0 - inertias.composite_link_1_hy;
-    let inside_joint_1_fy = poses.com_x * 25.0 + inertias.composite_link_1_hx;
+    let inside_joint_1_fy = poses.minus_origin_base_x * 25.0
+        + inertias.composite_link_1_hx;
     let connection_joint_1_wz_4 = inside_joint_1_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_1_mx;
     let connection_joint_1_wz = (inside_joint_1_mz
@@ -763,7 +801,7 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
     // joint_2
     let minus_screw_joint_2_vx = poses.origin_link_2_z * poses.sin_joint_1;
     let screw_joint_2_vy = poses.origin_link_2_z * poses.cos_joint_1;
-    let minus_screw_joint_2_vz = poses.com_x * poses.sin_joint_1
+    let minus_screw_joint_2_vz = poses.minus_origin_base_x * poses.sin_joint_1
         + poses.origin_base_y * poses.cos_joint_1;
     let inside_joint_2_mx_3 = inertias.composite_link_2_hy * minus_screw_joint_2_vz;
     let inside_joint_2_mx_4 = inertias.composite_link_2_hz * screw_joint_2_vy;
@@ -933,7 +971,7 @@ fn outside(
     screws: &Screws,
 ) -> Outside {
     // joint_1
-    let outside_joint_1_mx = inertias.minus_inertia_base_hz * poses.com_x
+    let outside_joint_1_mx = inertias.minus_inertia_base_hz * poses.minus_origin_base_x
         - inertias.minus_inertia_base_xz;
     let outside_joint_1_my = inertias.inertia_base_yz
         - inertias.minus_inertia_base_hz * poses.origin_base_y;
@@ -1118,7 +1156,7 @@ fn velocities(qd: &[f64; 3], poses: &Poses, screws: &Screws) -> Velocities {
     // link_1
     let velocity_link_1_wz = qd[0] - minus_velocity_base_wz;
     let velocity_link_1_vx = poses.origin_base_y * qd[0] - minus_velocity_base_vx;
-    let velocity_link_1_vy = poses.com_x * qd[0] - minus_velocity_base_vy;
+    let velocity_link_1_vy = poses.minus_origin_base_x * qd[0] - minus_velocity_base_vy;
     // link_2
     let velocity_link_2_wx = poses.cos_joint_1 * qd[1] - minus_velocity_base_wx;
     let velocity_link_2_wy = poses.sin_joint_1 * qd[1] - minus_velocity_base_wy;
@@ -1156,269 +1194,170 @@ fn velocities(qd: &[f64; 3], poses: &Poses, screws: &Screws) -> Velocities {
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
 struct CommonCouplingTorqueDMuXi {
-    coupling_torque_0_46_0: f64,
-    coupling_torque_0_48_0: f64,
-    coupling_torque_0_37_0: f64,
+    coupling_torque_0_26: f64,
+    coupling_torque_0_28: f64,
+    coupling_torque_0_21: f64,
     coupling_torque_0: f64,
     coupling_torque_1: f64,
-    coupling_torque_2_19_0: f64,
-    coupling_torque_2_21_0: f64,
-    coupling_torque_2_10_0: f64,
+    coupling_torque_2_11: f64,
+    coupling_torque_2_13: f64,
+    coupling_torque_2_6: f64,
     coupling_torque_2: f64,
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
 #[inline(never)]
 fn common_coupling_torque_d_mu_xi(
     mu: &[f64; 6],
-    poses: &Poses,
     inertias: &Inertias,
     complements: &Complements,
     screws: &Screws,
     reactions: &Reactions,
 ) -> CommonCouplingTorqueDMuXi {
-    let coupling_torque_0_21_7_2 = poses.com_z + 0.023809523809523808;
-    let coupling_torque_0_21_7 = mu[3]
-        + (mu[1] * coupling_torque_0_21_7_2 + mu[2] * poses.origin_base_y);
-    let coupling_torque_0_19_9 = mu[4]
-        + (mu[2] * poses.com_x - mu[0] * coupling_torque_0_21_7_2);
-    let coupling_torque_0_19_7 = mu[5]
-        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
-    let coupling_torque_0_19 = inertias.composite_link_1_xx * mu[0]
-        + inertias.composite_link_1_xy * mu[1] + inertias.composite_link_1_xz * mu[2]
-        + (inertias.composite_link_1_hy * coupling_torque_0_19_7
-            - inertias.composite_link_1_hz * coupling_torque_0_19_9);
-    let coupling_torque_0_21 = inertias.composite_link_1_xy * mu[0]
-        + inertias.composite_link_1_yy * mu[1] + inertias.composite_link_1_yz * mu[2]
-        + (inertias.composite_link_1_hz * coupling_torque_0_21_7
-            - inertias.composite_link_1_hx * coupling_torque_0_19_7);
-    let coupling_torque_0_10 = inertias.composite_link_1_xz * mu[0]
-        + inertias.composite_link_1_yz * mu[1] + inertias.composite_link_1_zz * mu[2]
-        + (inertias.composite_link_1_hx * coupling_torque_0_19_9
-            - inertias.composite_link_1_hy * coupling_torque_0_21_7);
-    let coupling_torque_0_23 = coupling_torque_0_21_7 * 25.0
-        + (mu[1] * inertias.composite_link_1_hz - mu[2] * inertias.composite_link_1_hy);
-    let coupling_torque_0_25 = coupling_torque_0_19_9 * 25.0
-        + (mu[2] * inertias.composite_link_1_hx - mu[0] * inertias.composite_link_1_hz);
-    let coupling_torque_0_14 = coupling_torque_0_19_7 * 25.0
-        + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx);
-    let coupling_torque_0_46_0 = inertias.inertia_base_xx * mu[0]
+    let coupling_torque_0_11 = inertias.composite_link_1_xx * mu[0]
+        + inertias.composite_link_1_xy * mu[1] + inertias.composite_link_1_xz * mu[2];
+    let coupling_torque_0_13 = inertias.composite_link_1_xy * mu[0]
+        + inertias.composite_link_1_yy * mu[1] + inertias.composite_link_1_yz * mu[2];
+    let coupling_torque_0_6 = inertias.composite_link_1_xz * mu[0]
+        + inertias.composite_link_1_yz * mu[1] + inertias.composite_link_1_zz * mu[2];
+    let coupling_torque_0_26 = inertias.inertia_base_xx * mu[0]
         + inertias.inertia_base_xy * mu[1] - inertias.minus_inertia_base_xz * mu[2];
-    let coupling_torque_0_48_0 = inertias.inertia_base_xy * mu[0]
+    let coupling_torque_0_28 = inertias.inertia_base_xy * mu[0]
         + inertias.inertia_base_yy * mu[1] + inertias.inertia_base_yz * mu[2];
-    let coupling_torque_0_37_0 = inertias.inertia_base_yz * mu[1]
+    let coupling_torque_0_21 = inertias.inertia_base_yz * mu[1]
         - inertias.minus_inertia_base_xz * mu[0] + inertias.inertia_base_zz * mu[2];
-    let coupling_torque_0_46 = coupling_torque_0_46_0
-        + (inertias.inertia_base_hy * coupling_torque_0_19_7
-            + inertias.minus_inertia_base_hz * coupling_torque_0_19_9);
-    let coupling_torque_0_48 = coupling_torque_0_48_0
-        + (inertias.minus_inertia_base_hx * coupling_torque_0_19_7
-            - inertias.minus_inertia_base_hz * coupling_torque_0_21_7);
-    let coupling_torque_0_37 = coupling_torque_0_37_0
-        - (inertias.minus_inertia_base_hx * coupling_torque_0_19_9
-            + inertias.inertia_base_hy * coupling_torque_0_21_7);
-    let coupling_torque_0_62 = coupling_torque_0_21_7 * 105.0
-        - (mu[1] * inertias.minus_inertia_base_hz + mu[2] * inertias.inertia_base_hy);
-    let coupling_torque_0_55 = coupling_torque_0_19_9 * 105.0
-        + (mu[0] * inertias.minus_inertia_base_hz
-            - mu[2] * inertias.minus_inertia_base_hx);
-    let coupling_torque_0_60 = coupling_torque_0_19_7 * 105.0
-        + (mu[0] * inertias.inertia_base_hy + mu[1] * inertias.minus_inertia_base_hx);
+    let coupling_torque_0_39 = mu[0] * inertias.inertia_base_hy
+        + mu[1] * inertias.minus_inertia_base_hx;
     let coupling_torque_0 = reactions.reaction_joint_1_wx
-        * (coupling_torque_0_21 * mu[2] - coupling_torque_0_10 * mu[1]
-            + (coupling_torque_0_25 * coupling_torque_0_19_7
-                - coupling_torque_0_14 * coupling_torque_0_19_9))
+        * (coupling_torque_0_13 * mu[2] - coupling_torque_0_6 * mu[1])
         + reactions.reaction_joint_1_wy
-            * (coupling_torque_0_10 * mu[0] - coupling_torque_0_19 * mu[2]
-                + (coupling_torque_0_14 * coupling_torque_0_21_7
-                    - coupling_torque_0_23 * coupling_torque_0_19_7))
+            * (coupling_torque_0_6 * mu[0] - coupling_torque_0_11 * mu[2])
         + reactions.reaction_joint_1_wz
-            * (coupling_torque_0_19 * mu[1] - coupling_torque_0_21 * mu[0]
-                + (coupling_torque_0_23 * coupling_torque_0_19_9
-                    - coupling_torque_0_25 * coupling_torque_0_21_7))
+            * (coupling_torque_0_11 * mu[1] - coupling_torque_0_13 * mu[0])
         - (screws.connection_joint_1_wx
-            * (coupling_torque_0_48 * mu[2] - coupling_torque_0_37 * mu[1]
-                + (coupling_torque_0_55 * coupling_torque_0_19_7
-                    - coupling_torque_0_60 * coupling_torque_0_19_9))
+            * (coupling_torque_0_28 * mu[2] - coupling_torque_0_21 * mu[1])
             + screws.connection_joint_1_wy
-                * (coupling_torque_0_37 * mu[0] - coupling_torque_0_46 * mu[2]
-                    + (coupling_torque_0_60 * coupling_torque_0_21_7
-                        - coupling_torque_0_62 * coupling_torque_0_19_7))
+                * (coupling_torque_0_21 * mu[0] - coupling_torque_0_26 * mu[2])
             + screws.connection_joint_1_wz
-                * (coupling_torque_0_46 * mu[1] - coupling_torque_0_48 * mu[0]
-                    + (coupling_torque_0_62 * coupling_torque_0_19_9
-                        - coupling_torque_0_55 * coupling_torque_0_21_7))
+                * (coupling_torque_0_26 * mu[1] - coupling_torque_0_28 * mu[0])
             + screws.connection_joint_1_vx
-                * (coupling_torque_0_55 * mu[2] - coupling_torque_0_60 * mu[1])
+                * ((mu[0] * inertias.minus_inertia_base_hz
+                    - mu[2] * inertias.minus_inertia_base_hx) * mu[2]
+                    - coupling_torque_0_39 * mu[1])
             + screws.connection_joint_1_vy
-                * (coupling_torque_0_60 * mu[0] - coupling_torque_0_62 * mu[2]));
-    let coupling_torque_1_19 = inertias.composite_link_2_xx * mu[0]
-        + inertias.composite_link_2_xy * mu[1] + inertias.composite_link_2_xz * mu[2]
-        + (inertias.composite_link_2_hy * coupling_torque_0_19_7
-            - inertias.composite_link_2_hz * coupling_torque_0_19_9);
-    let coupling_torque_1_21 = inertias.composite_link_2_xy * mu[0]
-        + inertias.composite_link_2_yy * mu[1] + inertias.composite_link_2_yz * mu[2]
-        + (inertias.composite_link_2_hz * coupling_torque_0_21_7
-            - inertias.composite_link_2_hx * coupling_torque_0_19_7);
-    let coupling_torque_1_10 = inertias.composite_link_2_xz * mu[0]
-        + inertias.composite_link_2_yz * mu[1] + inertias.composite_link_2_zz * mu[2]
-        + (inertias.composite_link_2_hx * coupling_torque_0_19_9
-            - inertias.composite_link_2_hy * coupling_torque_0_21_7);
-    let coupling_torque_1_38 = coupling_torque_0_21_7 * 20.0
-        + (mu[1] * inertias.composite_link_2_hz - mu[2] * inertias.composite_link_2_hy);
-    let coupling_torque_1_40 = coupling_torque_0_19_9 * 20.0
-        + (mu[2] * inertias.composite_link_2_hx - mu[0] * inertias.composite_link_2_hz);
-    let coupling_torque_1_33 = coupling_torque_0_19_7 * 20.0
-        + (mu[0] * inertias.composite_link_2_hy - mu[1] * inertias.composite_link_2_hx);
-    let coupling_torque_1_61 = complements.complement_link_2_xx * mu[0]
+                * (coupling_torque_0_39 * mu[0]
+                    + (mu[1] * inertias.minus_inertia_base_hz
+                        + mu[2] * inertias.inertia_base_hy) * mu[2]));
+    let coupling_torque_1_11 = inertias.composite_link_2_xx * mu[0]
+        + inertias.composite_link_2_xy * mu[1] + inertias.composite_link_2_xz * mu[2];
+    let coupling_torque_1_13 = inertias.composite_link_2_xy * mu[0]
+        + inertias.composite_link_2_yy * mu[1] + inertias.composite_link_2_yz * mu[2];
+    let coupling_torque_1_6 = inertias.composite_link_2_xz * mu[0]
+        + inertias.composite_link_2_yz * mu[1] + inertias.composite_link_2_zz * mu[2];
+    let coupling_torque_1_26 = mu[1] * inertias.composite_link_2_hz
+        - mu[2] * inertias.composite_link_2_hy;
+    let coupling_torque_1_28 = mu[2] * inertias.composite_link_2_hx
+        - mu[0] * inertias.composite_link_2_hz;
+    let coupling_torque_1_21 = mu[0] * inertias.composite_link_2_hy
+        - mu[1] * inertias.composite_link_2_hx;
+    let coupling_torque_1_41 = complements.complement_link_2_xx * mu[0]
         + complements.complement_link_2_xy * mu[1]
-        + complements.complement_link_2_xz * mu[2]
-        + (complements.complement_link_2_hy * coupling_torque_0_19_7
-            - complements.complement_link_2_hz * coupling_torque_0_19_9);
-    let coupling_torque_1_63 = complements.complement_link_2_xy * mu[0]
+        + complements.complement_link_2_xz * mu[2];
+    let coupling_torque_1_43 = complements.complement_link_2_xy * mu[0]
         + complements.complement_link_2_yy * mu[1]
-        + complements.complement_link_2_yz * mu[2]
-        + (complements.complement_link_2_hz * coupling_torque_0_21_7
-            + complements.minus_complement_link_2_hx * coupling_torque_0_19_7);
-    let coupling_torque_1_52 = complements.complement_link_2_xz * mu[0]
+        + complements.complement_link_2_yz * mu[2];
+    let coupling_torque_1_36 = complements.complement_link_2_xz * mu[0]
         + complements.complement_link_2_yz * mu[1]
-        + complements.complement_link_2_zz * mu[2]
-        - (complements.minus_complement_link_2_hx * coupling_torque_0_19_9
-            + complements.complement_link_2_hy * coupling_torque_0_21_7);
-    let coupling_torque_1_80 = coupling_torque_0_21_7 * 110.0
-        + (mu[1] * complements.complement_link_2_hz
-            - mu[2] * complements.complement_link_2_hy);
-    let coupling_torque_1_82 = coupling_torque_0_19_9 * 110.0
-        - (mu[2] * complements.minus_complement_link_2_hx
-            + mu[0] * complements.complement_link_2_hz);
-    let coupling_torque_1_75 = coupling_torque_0_19_7 * 110.0
-        + (mu[0] * complements.complement_link_2_hy
-            + mu[1] * complements.minus_complement_link_2_hx);
+        + complements.complement_link_2_zz * mu[2];
+    let coupling_torque_1_56 = mu[1] * complements.complement_link_2_hz
+        - mu[2] * complements.complement_link_2_hy;
+    let coupling_torque_1_58 = mu[2] * complements.minus_complement_link_2_hx
+        + mu[0] * complements.complement_link_2_hz;
+    let coupling_torque_1_51 = mu[0] * complements.complement_link_2_hy
+        + mu[1] * complements.minus_complement_link_2_hx;
     let coupling_torque_1 = reactions.reaction_joint_2_wx
-        * (coupling_torque_1_21 * mu[2] - coupling_torque_1_10 * mu[1]
-            + (coupling_torque_1_40 * coupling_torque_0_19_7
-                - coupling_torque_1_33 * coupling_torque_0_19_9))
+        * (coupling_torque_1_13 * mu[2] - coupling_torque_1_6 * mu[1])
         + reactions.reaction_joint_2_wy
-            * (coupling_torque_1_10 * mu[0] - coupling_torque_1_19 * mu[2]
-                + (coupling_torque_1_33 * coupling_torque_0_21_7
-                    - coupling_torque_1_38 * coupling_torque_0_19_7))
+            * (coupling_torque_1_6 * mu[0] - coupling_torque_1_11 * mu[2])
         + reactions.reaction_joint_2_wz
-            * (coupling_torque_1_19 * mu[1] - coupling_torque_1_21 * mu[0]
-                + (coupling_torque_1_38 * coupling_torque_0_19_9
-                    - coupling_torque_1_40 * coupling_torque_0_21_7))
+            * (coupling_torque_1_11 * mu[1] - coupling_torque_1_13 * mu[0])
         + reactions.reaction_joint_2_vx
-            * (coupling_torque_1_40 * mu[2] - coupling_torque_1_33 * mu[1])
+            * (coupling_torque_1_28 * mu[2] - coupling_torque_1_21 * mu[1])
         + reactions.reaction_joint_2_vy
-            * (coupling_torque_1_33 * mu[0] - coupling_torque_1_38 * mu[2])
+            * (coupling_torque_1_21 * mu[0] - coupling_torque_1_26 * mu[2])
         + reactions.reaction_joint_2_vz
-            * (coupling_torque_1_38 * mu[1] - coupling_torque_1_40 * mu[0])
+            * (coupling_torque_1_26 * mu[1] - coupling_torque_1_28 * mu[0])
         - (screws.connection_joint_2_wx
-            * (coupling_torque_1_63 * mu[2] - coupling_torque_1_52 * mu[1]
-                + (coupling_torque_1_82 * coupling_torque_0_19_7
-                    - coupling_torque_1_75 * coupling_torque_0_19_9))
+            * (coupling_torque_1_43 * mu[2] - coupling_torque_1_36 * mu[1])
             + screws.connection_joint_2_wy
-                * (coupling_torque_1_52 * mu[0] - coupling_torque_1_61 * mu[2]
-                    + (coupling_torque_1_75 * coupling_torque_0_21_7
-                        - coupling_torque_1_80 * coupling_torque_0_19_7))
+                * (coupling_torque_1_36 * mu[0] - coupling_torque_1_41 * mu[2])
             + screws.connection_joint_2_wz
-                * (coupling_torque_1_61 * mu[1] - coupling_torque_1_63 * mu[0]
-                    + (coupling_torque_1_80 * coupling_torque_0_19_9
-                        - coupling_torque_1_82 * coupling_torque_0_21_7))
-            + screws.connection_joint_2_vx
-                * (coupling_torque_1_82 * mu[2] - coupling_torque_1_75 * mu[1])
+                * (coupling_torque_1_41 * mu[1] - coupling_torque_1_43 * mu[0])
+            - screws.connection_joint_2_vx
+                * (coupling_torque_1_58 * mu[2] + coupling_torque_1_51 * mu[1])
             + screws.connection_joint_2_vy
-                * (coupling_torque_1_75 * mu[0] - coupling_torque_1_80 * mu[2])
+                * (coupling_torque_1_51 * mu[0] - coupling_torque_1_56 * mu[2])
             + screws.connection_joint_2_vz
-                * (coupling_torque_1_80 * mu[1] - coupling_torque_1_82 * mu[0]));
-    let coupling_torque_2_19_0 = inertias.inertia_link_3_xx * mu[0]
+                * (coupling_torque_1_56 * mu[1] + coupling_torque_1_58 * mu[0]));
+    let coupling_torque_2_11 = inertias.inertia_link_3_xx * mu[0]
         + inertias.inertia_link_3_xy * mu[1] + inertias.inertia_link_3_xz * mu[2];
-    let coupling_torque_2_21_0 = inertias.inertia_link_3_xy * mu[0]
+    let coupling_torque_2_13 = inertias.inertia_link_3_xy * mu[0]
         + inertias.inertia_link_3_yy * mu[1] + inertias.inertia_link_3_yz * mu[2];
-    let coupling_torque_2_10_0 = inertias.inertia_link_3_xz * mu[0]
+    let coupling_torque_2_6 = inertias.inertia_link_3_xz * mu[0]
         + inertias.inertia_link_3_yz * mu[1] + inertias.inertia_link_3_zz * mu[2];
-    let coupling_torque_2_19 = coupling_torque_2_19_0
-        + (inertias.inertia_link_3_hy * coupling_torque_0_19_7
-            - inertias.inertia_link_3_hz * coupling_torque_0_19_9);
-    let coupling_torque_2_21 = coupling_torque_2_21_0
-        + (inertias.inertia_link_3_hz * coupling_torque_0_21_7
-            - inertias.inertia_link_3_hx * coupling_torque_0_19_7);
-    let coupling_torque_2_10 = coupling_torque_2_10_0
-        + (inertias.inertia_link_3_hx * coupling_torque_0_19_9
-            - inertias.inertia_link_3_hy * coupling_torque_0_21_7);
-    let coupling_torque_2_38 = coupling_torque_0_21_7 * 10.0
-        + (mu[1] * inertias.inertia_link_3_hz - mu[2] * inertias.inertia_link_3_hy);
-    let coupling_torque_2_40 = coupling_torque_0_19_9 * 10.0
-        + (mu[2] * inertias.inertia_link_3_hx - mu[0] * inertias.inertia_link_3_hz);
-    let coupling_torque_2_33 = coupling_torque_0_19_7 * 10.0
-        + (mu[0] * inertias.inertia_link_3_hy - mu[1] * inertias.inertia_link_3_hx);
-    let coupling_torque_2_61 = complements.complement_link_3_xx * mu[0]
+    let coupling_torque_2_26 = mu[1] * inertias.inertia_link_3_hz
+        - mu[2] * inertias.inertia_link_3_hy;
+    let coupling_torque_2_28 = mu[2] * inertias.inertia_link_3_hx
+        - mu[0] * inertias.inertia_link_3_hz;
+    let coupling_torque_2_21 = mu[0] * inertias.inertia_link_3_hy
+        - mu[1] * inertias.inertia_link_3_hx;
+    let coupling_torque_2_41 = complements.complement_link_3_xx * mu[0]
         + complements.complement_link_3_xy * mu[1]
-        + complements.complement_link_3_xz * mu[2]
-        + (complements.complement_link_3_hy * coupling_torque_0_19_7
-            - complements.complement_link_3_hz * coupling_torque_0_19_9);
-    let coupling_torque_2_63 = complements.complement_link_3_xy * mu[0]
+        + complements.complement_link_3_xz * mu[2];
+    let coupling_torque_2_43 = complements.complement_link_3_xy * mu[0]
         + complements.complement_link_3_yy * mu[1]
-        + complements.complement_link_3_yz * mu[2]
-        + (complements.complement_link_3_hz * coupling_torque_0_21_7
-            - complements.complement_link_3_hx * coupling_torque_0_19_7);
-    let coupling_torque_2_52 = complements.complement_link_3_xz * mu[0]
+        + complements.complement_link_3_yz * mu[2];
+    let coupling_torque_2_36 = complements.complement_link_3_xz * mu[0]
         + complements.complement_link_3_yz * mu[1]
-        + complements.complement_link_3_zz * mu[2]
-        + (complements.complement_link_3_hx * coupling_torque_0_19_9
-            - complements.complement_link_3_hy * coupling_torque_0_21_7);
-    let coupling_torque_2_80 = coupling_torque_0_21_7 * 120.0
-        + (mu[1] * complements.complement_link_3_hz
-            - mu[2] * complements.complement_link_3_hy);
-    let coupling_torque_2_82 = coupling_torque_0_19_9 * 120.0
-        + (mu[2] * complements.complement_link_3_hx
-            - mu[0] * complements.complement_link_3_hz);
-    let coupling_torque_2_75 = coupling_torque_0_19_7 * 120.0
-        + (mu[0] * complements.complement_link_3_hy
-            - mu[1] * complements.complement_link_3_hx);
+        + complements.complement_link_3_zz * mu[2];
+    let coupling_torque_2_56 = mu[1] * complements.complement_link_3_hz
+        - mu[2] * complements.complement_link_3_hy;
+    let coupling_torque_2_58 = mu[2] * complements.complement_link_3_hx
+        - mu[0] * complements.complement_link_3_hz;
+    let coupling_torque_2_51 = mu[0] * complements.complement_link_3_hy
+        - mu[1] * complements.complement_link_3_hx;
     let coupling_torque_2 = reactions.reaction_joint_3_wx
-        * (coupling_torque_2_21 * mu[2] - coupling_torque_2_10 * mu[1]
-            + (coupling_torque_2_40 * coupling_torque_0_19_7
-                - coupling_torque_2_33 * coupling_torque_0_19_9))
+        * (coupling_torque_2_13 * mu[2] - coupling_torque_2_6 * mu[1])
         + reactions.reaction_joint_3_wy
-            * (coupling_torque_2_10 * mu[0] - coupling_torque_2_19 * mu[2]
-                + (coupling_torque_2_33 * coupling_torque_0_21_7
-                    - coupling_torque_2_38 * coupling_torque_0_19_7))
+            * (coupling_torque_2_6 * mu[0] - coupling_torque_2_11 * mu[2])
         + reactions.reaction_joint_3_wz
-            * (coupling_torque_2_19 * mu[1] - coupling_torque_2_21 * mu[0]
-                + (coupling_torque_2_38 * coupling_torque_0_19_9
-                    - coupling_torque_2_40 * coupling_torque_0_21_7))
+            * (coupling_torque_2_11 * mu[1] - coupling_torque_2_13 * mu[0])
         + reactions.reaction_joint_3_vx
-            * (coupling_torque_2_40 * mu[2] - coupling_torque_2_33 * mu[1])
+            * (coupling_torque_2_28 * mu[2] - coupling_torque_2_21 * mu[1])
         + reactions.reaction_joint_3_vy
-            * (coupling_torque_2_33 * mu[0] - coupling_torque_2_38 * mu[2])
+            * (coupling_torque_2_21 * mu[0] - coupling_torque_2_26 * mu[2])
         + reactions.reaction_joint_3_vz
-            * (coupling_torque_2_38 * mu[1] - coupling_torque_2_40 * mu[0])
+            * (coupling_torque_2_26 * mu[1] - coupling_torque_2_28 * mu[0])
         - (screws.connection_joint_3_wx
-            * (coupling_torque_2_63 * mu[2] - coupling_torque_2_52 * mu[1]
-                + (coupling_torque_2_82 * coupling_torque_0_19_7
-                    - coupling_torque_2_75 * coupling_torque_0_19_9))
+            * (coupling_torque_2_43 * mu[2] - coupling_torque_2_36 * mu[1])
             + screws.connection_joint_3_wy
-                * (coupling_torque_2_52 * mu[0] - coupling_torque_2_61 * mu[2]
-                    + (coupling_torque_2_75 * coupling_torque_0_21_7
-                        - coupling_torque_2_80 * coupling_torque_0_19_7))
+                * (coupling_torque_2_36 * mu[0] - coupling_torque_2_41 * mu[2])
             + screws.connection_joint_3_wz
-                * (coupling_torque_2_61 * mu[1] - coupling_torque_2_63 * mu[0]
-                    + (coupling_torque_2_80 * coupling_torque_0_19_9
-                        - coupling_torque_2_82 * coupling_torque_0_21_7))
+                * (coupling_torque_2_41 * mu[1] - coupling_torque_2_43 * mu[0])
             + screws.connection_joint_3_vx
-                * (coupling_torque_2_82 * mu[2] - coupling_torque_2_75 * mu[1])
+                * (coupling_torque_2_58 * mu[2] - coupling_torque_2_51 * mu[1])
             + screws.connection_joint_3_vy
-                * (coupling_torque_2_75 * mu[0] - coupling_torque_2_80 * mu[2])
+                * (coupling_torque_2_51 * mu[0] - coupling_torque_2_56 * mu[2])
             + screws.connection_joint_3_vz
-                * (coupling_torque_2_80 * mu[1] - coupling_torque_2_82 * mu[0]));
+                * (coupling_torque_2_56 * mu[1] - coupling_torque_2_58 * mu[0]));
     CommonCouplingTorqueDMuXi {
-        coupling_torque_0_46_0,
-        coupling_torque_0_48_0,
-        coupling_torque_0_37_0,
+        coupling_torque_0_26,
+        coupling_torque_0_28,
+        coupling_torque_0_21,
         coupling_torque_0,
         coupling_torque_1,
-        coupling_torque_2_19_0,
-        coupling_torque_2_21_0,
-        coupling_torque_2_10_0,
+        coupling_torque_2_11,
+        coupling_torque_2_13,
+        coupling_torque_2_6,
         coupling_torque_2,
     }
 }
@@ -1429,7 +1368,7 @@ struct CommonForwardDynamicsInverseDynamics {
     wrench_base_mz_1_0: f64,
     wrench_base_fx_1_0: f64,
     wrench_base_fy_1_0: f64,
-    wrench_base_fz_1_0: f64,
+    wrench_base_fz_0_0: f64,
     wrench_link_1_mx_1: f64,
     wrench_link_1_my_1: f64,
     wrench_link_1_mz_1: f64,
@@ -1457,8 +1396,8 @@ struct CommonForwardDynamicsInverseDynamics {
     wrench_link_1_mx_0_0_1_0_0_1_1: f64,
     wrench_link_1_mx_0_0_1_0_0_0_1: f64,
     wrench_link_1_mx_0_0_1_0_1_1: f64,
-    wrench_link_1_mx_0_0_1_1_1_0_1: f64,
     wrench_link_1_mx_0_0_1_1_1_1_1: f64,
+    wrench_link_1_mx_0_0_1_1_1_0_1: f64,
     wrench_link_1_mx_0_0_1_1_0_1: f64,
     wrench_base_mx_0_0_1_0_0_1: f64,
     wrench_base_mx_0_0_1_0_1_1: f64,
@@ -1476,105 +1415,88 @@ fn common_forward_dynamics_inverse_dynamics(
     screws: &Screws,
     velocities: &Velocities,
 ) -> CommonForwardDynamicsInverseDynamics {
-    let wrench_base_mx_1_0_0_9_0_2 = poses.com_z + 0.023809523809523808;
-    let wrench_base_mx_1_0_0_9_0 = mu[3]
-        + (mu[1] * wrench_base_mx_1_0_0_9_0_2 + mu[2] * poses.origin_base_y);
-    let wrench_base_my_1_0_2_9_0 = mu[4]
-        + (mu[2] * poses.com_x - mu[0] * wrench_base_mx_1_0_0_9_0_2);
-    let wrench_base_my_1_0_2_7_0 = mu[5]
-        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
     let wrench_base_my_1_0_2_1 = mu[0] - velocities.minus_velocity_base_wx;
     let wrench_base_my_1_0_2_3 = mu[1] - velocities.minus_velocity_base_wy;
     let wrench_base_my_1_0_2_5 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_mx_1_0_0_9 = wrench_base_mx_1_0_0_9_0
-        - velocities.minus_velocity_base_vx;
-    let wrench_base_my_1_0_2_9 = wrench_base_my_1_0_2_9_0
-        - velocities.minus_velocity_base_vy;
-    let wrench_base_my_1_0_2_7 = wrench_base_my_1_0_2_7_0
-        - velocities.minus_velocity_base_vz;
     let wrench_base_my_1_0_2 = inertias.inertia_base_xx * wrench_base_my_1_0_2_1
         + inertias.inertia_base_xy * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_5
-        + (inertias.inertia_base_hy * wrench_base_my_1_0_2_7
-            + inertias.minus_inertia_base_hz * wrench_base_my_1_0_2_9);
+        - (velocities.minus_velocity_base_vz * inertias.inertia_base_hy
+            + velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
     let wrench_base_mx_1_0_0 = inertias.inertia_base_xy * wrench_base_my_1_0_2_1
         + inertias.inertia_base_yy * wrench_base_my_1_0_2_3
         + inertias.inertia_base_yz * wrench_base_my_1_0_2_5
-        + (inertias.minus_inertia_base_hx * wrench_base_my_1_0_2_7
-            - inertias.minus_inertia_base_hz * wrench_base_mx_1_0_0_9);
+        + (velocities.minus_velocity_base_vx * inertias.minus_inertia_base_hz
+            - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
     let wrench_base_mx_1_0_2 = inertias.inertia_base_yz * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_1
         + inertias.inertia_base_zz * wrench_base_my_1_0_2_5
-        - (inertias.minus_inertia_base_hx * wrench_base_my_1_0_2_9
-            + inertias.inertia_base_hy * wrench_base_mx_1_0_0_9);
-    let wrench_base_my_1_0_6 = wrench_base_mx_1_0_0_9 * 105.0
-        - (wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hz
+        + (velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
+            + velocities.minus_velocity_base_vx * inertias.inertia_base_hy);
+    let wrench_base_my_1_0_6 = velocities.minus_velocity_base_vx * 105.0
+        + (wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hz
             + wrench_base_my_1_0_2_5 * inertias.inertia_base_hy);
-    let wrench_base_mx_1_0_4 = wrench_base_my_1_0_2_9 * 105.0
-        + (wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hz
-            - wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hx);
-    let wrench_base_mx_1_0_6 = wrench_base_my_1_0_2_7 * 105.0
-        + (wrench_base_my_1_0_2_1 * inertias.inertia_base_hy
-            + wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx);
+    let wrench_base_mx_1_0_6 = wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hz
+        - wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hx
+        - velocities.minus_velocity_base_vy * 105.0;
+    let wrench_base_mx_1_0_4 = wrench_base_my_1_0_2_1 * inertias.inertia_base_hy
+        + wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx
+        - velocities.minus_velocity_base_vz * 105.0;
     let wrench_base_mx_1_0 = wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_5
         - wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_3
-        + (wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_7
-            - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_9);
+        + (wrench_base_mx_1_0_4 * velocities.minus_velocity_base_vy
+            - wrench_base_mx_1_0_6 * velocities.minus_velocity_base_vz);
     let wrench_base_my_1_0 = wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_1
         - wrench_base_my_1_0_2 * wrench_base_my_1_0_2_5
-        + (wrench_base_mx_1_0_6 * wrench_base_mx_1_0_0_9
-            - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_7);
+        - (wrench_base_mx_1_0_4 * velocities.minus_velocity_base_vx
+            + wrench_base_my_1_0_6 * velocities.minus_velocity_base_vz);
     let wrench_base_mz_1_0 = wrench_base_my_1_0_2 * wrench_base_my_1_0_2_3
         - wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_1
-        + (wrench_base_my_1_0_6 * wrench_base_my_1_0_2_9
-            - wrench_base_mx_1_0_4 * wrench_base_mx_1_0_0_9);
-    let wrench_base_fx_1_0 = wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_5
-        - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_3;
-    let wrench_base_fy_1_0 = wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1
-        - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_5;
-    let wrench_base_fz_1_0 = wrench_base_my_1_0_6 * wrench_base_my_1_0_2_3
-        - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1;
+        + (wrench_base_my_1_0_6 * velocities.minus_velocity_base_vy
+            + wrench_base_mx_1_0_6 * velocities.minus_velocity_base_vx);
+    let wrench_base_fx_1_0 = wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_5
+        - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_3;
+    let wrench_base_fy_1_0 = wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1
+        + wrench_base_my_1_0_6 * wrench_base_my_1_0_2_5;
+    let wrench_base_fz_0_0 = wrench_base_my_1_0_6 * wrench_base_my_1_0_2_3
+        + wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1;
     let minus_wrench_link_3_mx_1 = velocities.velocity_link_1_wz + mu[2];
-    let wrench_link_1_mx_1_0_7 = velocities.velocity_link_1_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_1_my_1_2_9 = velocities.velocity_link_1_vy
-        + wrench_base_my_1_0_2_9_0;
     let wrench_link_1_my_1_2 = inertias.inertia_link_1_xx * wrench_base_my_1_0_2_1
         + inertias.inertia_link_1_xy * wrench_base_my_1_0_2_3
         + inertias.inertia_link_1_xz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_1_hy * wrench_base_my_1_0_2_7
-            - inertias.inertia_link_1_hz * wrench_link_1_my_1_2_9);
+        - (velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
+            + velocities.velocity_link_1_vy * inertias.inertia_link_1_hz);
     let wrench_link_1_mx_1_0 = inertias.inertia_link_1_xy * wrench_base_my_1_0_2_1
         + inertias.inertia_link_1_yy * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_link_1_yz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_1_hz * wrench_link_1_mx_1_0_7
-            + inertias.minus_inertia_link_1_hx * wrench_base_my_1_0_2_7);
+        + (velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
+            - velocities.minus_velocity_base_vz * inertias.minus_inertia_link_1_hx);
     let wrench_link_1_mx_1_2 = inertias.inertia_link_1_xz * wrench_base_my_1_0_2_1
         - inertias.minus_inertia_link_1_yz * wrench_base_my_1_0_2_3
         + inertias.inertia_link_1_zz * minus_wrench_link_3_mx_1
-        - (inertias.minus_inertia_link_1_hx * wrench_link_1_my_1_2_9
-            + inertias.inertia_link_1_hy * wrench_link_1_mx_1_0_7);
-    let wrench_link_1_my_1_6 = wrench_link_1_mx_1_0_7 * 5.0
+        - (velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
+            + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy);
+    let wrench_link_1_my_1_6 = velocities.velocity_link_1_vx * 5.0
         + (wrench_base_my_1_0_2_3 * inertias.inertia_link_1_hz
             - minus_wrench_link_3_mx_1 * inertias.inertia_link_1_hy);
-    let wrench_link_1_mx_1_4 = wrench_link_1_my_1_2_9 * 5.0
+    let wrench_link_1_mx_1_4 = velocities.velocity_link_1_vy * 5.0
         - (minus_wrench_link_3_mx_1 * inertias.minus_inertia_link_1_hx
             + wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hz);
-    let wrench_link_1_mx_1_6 = wrench_base_my_1_0_2_7 * 5.0
-        + (wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hy
-            + wrench_base_my_1_0_2_3 * inertias.minus_inertia_link_1_hx);
+    let wrench_link_1_mx_1_6 = wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hy
+        + wrench_base_my_1_0_2_3 * inertias.minus_inertia_link_1_hx
+        - velocities.minus_velocity_base_vz * 5.0;
     let wrench_link_1_mx_1 = wrench_link_1_mx_1_0 * minus_wrench_link_3_mx_1
         - wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_3
-        + (wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_7
-            - wrench_link_1_mx_1_6 * wrench_link_1_my_1_2_9);
+        - (wrench_link_1_mx_1_4 * velocities.minus_velocity_base_vz
+            + wrench_link_1_mx_1_6 * velocities.velocity_link_1_vy);
     let wrench_link_1_my_1 = wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_1
         - wrench_link_1_my_1_2 * minus_wrench_link_3_mx_1
-        + (wrench_link_1_mx_1_6 * wrench_link_1_mx_1_0_7
-            - wrench_link_1_my_1_6 * wrench_base_my_1_0_2_7);
+        + (wrench_link_1_mx_1_6 * velocities.velocity_link_1_vx
+            + wrench_link_1_my_1_6 * velocities.minus_velocity_base_vz);
     let wrench_link_1_mz_1 = wrench_link_1_my_1_2 * wrench_base_my_1_0_2_3
         - wrench_link_1_mx_1_0 * wrench_base_my_1_0_2_1
-        + (wrench_link_1_my_1_6 * wrench_link_1_my_1_2_9
-            - wrench_link_1_mx_1_4 * wrench_link_1_mx_1_0_7);
+        + (wrench_link_1_my_1_6 * velocities.velocity_link_1_vy
+            - wrench_link_1_mx_1_4 * velocities.velocity_link_1_vx);
     let wrench_link_1_fx_1 = wrench_link_1_mx_1_4 * minus_wrench_link_3_mx_1
         - wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_3;
     let wrench_link_1_fy_1 = wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_1
@@ -1583,48 +1505,42 @@ fn common_forward_dynamics_inverse_dynamics(
         - wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_1;
     let wrench_link_2_my_1_2_1 = velocities.velocity_link_2_wx + mu[0];
     let wrench_link_2_my_1_2_3 = velocities.velocity_link_2_wy + mu[1];
-    let wrench_link_2_mx_1_0_7 = velocities.velocity_link_2_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_2_my_1_2_9 = velocities.velocity_link_2_vy
-        + wrench_base_my_1_0_2_9_0;
-    let wrench_link_2_my_1_2_7 = wrench_base_my_1_0_2_7_0
-        - velocities.minus_velocity_link_2_vz;
     let wrench_link_2_my_1_2 = inertias.inertia_link_2_xx * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_xy * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_xz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_2_hy * wrench_link_2_my_1_2_7
-            - inertias.inertia_link_2_hz * wrench_link_2_my_1_2_9);
+        - (velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hy
+            + velocities.velocity_link_2_vy * inertias.inertia_link_2_hz);
     let wrench_link_2_mx_1_0 = inertias.inertia_link_2_xy * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_yy * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_yz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_2_hz * wrench_link_2_mx_1_0_7
-            - inertias.inertia_link_2_hx * wrench_link_2_my_1_2_7);
+        + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
+            + velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hx);
     let wrench_link_2_mx_1_2 = inertias.inertia_link_2_xz * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_yz * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_zz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_2_hx * wrench_link_2_my_1_2_9
-            - inertias.inertia_link_2_hy * wrench_link_2_mx_1_0_7);
-    let wrench_link_2_my_1_6 = wrench_link_2_mx_1_0_7 * 10.0
+        + (velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
+            - velocities.velocity_link_2_vx * inertias.inertia_link_2_hy);
+    let wrench_link_2_my_1_6 = velocities.velocity_link_2_vx * 10.0
         + (wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hz
             - minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hy);
-    let wrench_link_2_mx_1_4 = wrench_link_2_my_1_2_9 * 10.0
+    let wrench_link_2_mx_1_4 = velocities.velocity_link_2_vy * 10.0
         + (minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hx
             - wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_1_6 = wrench_link_2_my_1_2_7 * 10.0
-        + (wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hy
-            - wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hx);
+    let wrench_link_2_mx_1_6 = wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hy
+        - wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hx
+        - velocities.minus_velocity_link_2_vz * 10.0;
     let wrench_link_2_mx_1 = wrench_link_2_mx_1_0 * minus_wrench_link_3_mx_1
         - wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_3
-        + (wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_7
-            - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_9);
+        - (wrench_link_2_mx_1_4 * velocities.minus_velocity_link_2_vz
+            + wrench_link_2_mx_1_6 * velocities.velocity_link_2_vy);
     let wrench_link_2_my_1 = wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_1
         - wrench_link_2_my_1_2 * minus_wrench_link_3_mx_1
-        + (wrench_link_2_mx_1_6 * wrench_link_2_mx_1_0_7
-            - wrench_link_2_my_1_6 * wrench_link_2_my_1_2_7);
+        + (wrench_link_2_mx_1_6 * velocities.velocity_link_2_vx
+            + wrench_link_2_my_1_6 * velocities.minus_velocity_link_2_vz);
     let wrench_link_2_mz_1 = wrench_link_2_my_1_2 * wrench_link_2_my_1_2_3
         - wrench_link_2_mx_1_0 * wrench_link_2_my_1_2_1
-        + (wrench_link_2_my_1_6 * wrench_link_2_my_1_2_9
-            - wrench_link_2_mx_1_4 * wrench_link_2_mx_1_0_7);
+        + (wrench_link_2_my_1_6 * velocities.velocity_link_2_vy
+            - wrench_link_2_mx_1_4 * velocities.velocity_link_2_vx);
     let wrench_link_2_fx_1 = wrench_link_2_mx_1_4 * minus_wrench_link_3_mx_1
         - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_3;
     let wrench_link_2_fy_1 = wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_1
@@ -1633,48 +1549,42 @@ fn common_forward_dynamics_inverse_dynamics(
         - wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_1;
     let minus_wrench_link_3_my_1 = velocities.velocity_link_3_wx + mu[0];
     let minus_wrench_link_3_mx_3 = velocities.velocity_link_3_wy + mu[1];
-    let minus_wrench_link_3_my_5 = velocities.velocity_link_3_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let minus_wrench_link_3_mx_7 = velocities.velocity_link_3_vy
-        + wrench_base_my_1_0_2_9_0;
-    let minus_wrench_link_3_mx_5 = velocities.velocity_link_3_vz
-        + wrench_base_my_1_0_2_7_0;
     let minus_wrench_link_3_my_2 = inertias.inertia_link_3_xx * minus_wrench_link_3_my_1
         + inertias.inertia_link_3_xy * minus_wrench_link_3_mx_3
         + inertias.inertia_link_3_xz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_3_hy * minus_wrench_link_3_mx_5
-            - inertias.inertia_link_3_hz * minus_wrench_link_3_mx_7);
+        + (velocities.velocity_link_3_vz * inertias.inertia_link_3_hy
+            - velocities.velocity_link_3_vy * inertias.inertia_link_3_hz);
     let minus_wrench_link_3_mx_0 = inertias.inertia_link_3_xy * minus_wrench_link_3_my_1
         + inertias.inertia_link_3_yy * minus_wrench_link_3_mx_3
         + inertias.inertia_link_3_yz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_3_hz * minus_wrench_link_3_my_5
-            - inertias.inertia_link_3_hx * minus_wrench_link_3_mx_5);
+        + (velocities.velocity_link_3_vx * inertias.inertia_link_3_hz
+            - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx);
     let minus_wrench_link_3_mx_2 = inertias.inertia_link_3_xz * minus_wrench_link_3_my_1
         + inertias.inertia_link_3_yz * minus_wrench_link_3_mx_3
         + inertias.inertia_link_3_zz * minus_wrench_link_3_mx_1
-        + (inertias.inertia_link_3_hx * minus_wrench_link_3_mx_7
-            - inertias.inertia_link_3_hy * minus_wrench_link_3_my_5);
-    let minus_wrench_link_3_my_6 = minus_wrench_link_3_my_5 * 10.0
+        + (velocities.velocity_link_3_vy * inertias.inertia_link_3_hx
+            - velocities.velocity_link_3_vx * inertias.inertia_link_3_hy);
+    let minus_wrench_link_3_my_6 = velocities.velocity_link_3_vx * 10.0
         + (minus_wrench_link_3_mx_3 * inertias.inertia_link_3_hz
             - minus_wrench_link_3_mx_1 * inertias.inertia_link_3_hy);
-    let minus_wrench_link_3_mx_4 = minus_wrench_link_3_mx_7 * 10.0
+    let minus_wrench_link_3_mx_4 = velocities.velocity_link_3_vy * 10.0
         + (minus_wrench_link_3_mx_1 * inertias.inertia_link_3_hx
             - minus_wrench_link_3_my_1 * inertias.inertia_link_3_hz);
-    let minus_wrench_link_3_mx_6 = minus_wrench_link_3_mx_5 * 10.0
+    let minus_wrench_link_3_mx_6 = velocities.velocity_link_3_vz * 10.0
         + (minus_wrench_link_3_my_1 * inertias.inertia_link_3_hy
             - minus_wrench_link_3_mx_3 * inertias.inertia_link_3_hx);
     let minus_wrench_link_3_mx = minus_wrench_link_3_mx_0 * minus_wrench_link_3_mx_1
         - minus_wrench_link_3_mx_2 * minus_wrench_link_3_mx_3
-        + (minus_wrench_link_3_mx_4 * minus_wrench_link_3_mx_5
-            - minus_wrench_link_3_mx_6 * minus_wrench_link_3_mx_7);
+        + (minus_wrench_link_3_mx_4 * velocities.velocity_link_3_vz
+            - minus_wrench_link_3_mx_6 * velocities.velocity_link_3_vy);
     let minus_wrench_link_3_my = minus_wrench_link_3_mx_2 * minus_wrench_link_3_my_1
         - minus_wrench_link_3_my_2 * minus_wrench_link_3_mx_1
-        + (minus_wrench_link_3_mx_6 * minus_wrench_link_3_my_5
-            - minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_5);
+        + (minus_wrench_link_3_mx_6 * velocities.velocity_link_3_vx
+            - minus_wrench_link_3_my_6 * velocities.velocity_link_3_vz);
     let minus_wrench_link_3_mz = minus_wrench_link_3_my_2 * minus_wrench_link_3_mx_3
         - minus_wrench_link_3_mx_0 * minus_wrench_link_3_my_1
-        + (minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_7
-            - minus_wrench_link_3_mx_4 * minus_wrench_link_3_my_5);
+        + (minus_wrench_link_3_my_6 * velocities.velocity_link_3_vy
+            - minus_wrench_link_3_mx_4 * velocities.velocity_link_3_vx);
     let minus_wrench_link_3_fx = minus_wrench_link_3_mx_4 * minus_wrench_link_3_mx_1
         - minus_wrench_link_3_mx_6 * minus_wrench_link_3_mx_3;
     let minus_wrench_link_3_fy = minus_wrench_link_3_mx_6 * minus_wrench_link_3_my_1
@@ -1689,38 +1599,38 @@ fn common_forward_dynamics_inverse_dynamics(
         - minus_wrench_link_3_mx_3 * poses.cos_joint_1) * qd[2];
     let wrench_link_2_my_0_0_0_1_0_1 = (minus_wrench_link_3_mx_3
         * screws.screw_joint_3_vz - minus_wrench_link_3_mx_1 * screws.screw_joint_3_vy
-        - minus_wrench_link_3_mx_5 * poses.sin_joint_1) * qd[2];
-    let wrench_link_2_mx_0_0_0_1_1_1 = (minus_wrench_link_3_mx_5 * poses.cos_joint_1
+        - velocities.velocity_link_3_vz * poses.sin_joint_1) * qd[2];
+    let wrench_link_2_mx_0_0_0_1_1_1 = (velocities.velocity_link_3_vz * poses.cos_joint_1
         - (minus_wrench_link_3_mx_1 * screws.minus_screw_joint_3_vx
             + minus_wrench_link_3_my_1 * screws.screw_joint_3_vz)) * qd[2];
     let wrench_link_2_mx_0_0_0_1_0_1 = (minus_wrench_link_3_my_1
         * screws.screw_joint_3_vy
         + minus_wrench_link_3_mx_3 * screws.minus_screw_joint_3_vx
-        + (minus_wrench_link_3_my_5 * poses.sin_joint_1
-            - minus_wrench_link_3_mx_7 * poses.cos_joint_1)) * qd[2];
+        + (velocities.velocity_link_3_vx * poses.sin_joint_1
+            - velocities.velocity_link_3_vy * poses.cos_joint_1)) * qd[2];
     let wrench_link_1_mx_0_0_1_0_0_1_1 = wrench_link_2_mx_0_0_0_0_0_1_1_0 * qd[1];
     let wrench_link_1_mx_0_0_1_0_0_0_1 = wrench_link_2_mx_0_0_0_0_0_0_1_0 * qd[1];
     let wrench_link_1_mx_0_0_1_0_1_1 = (wrench_link_2_my_1_2_1 * poses.sin_joint_1
         - wrench_link_2_my_1_2_3 * poses.cos_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_1_1_0_1 = (wrench_link_2_my_1_2_3
-        * screws.minus_screw_joint_2_vz
-        + minus_wrench_link_3_mx_1 * screws.screw_joint_2_vy
-        + wrench_link_2_my_1_2_7 * poses.sin_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_1_1_1_1 = (wrench_link_2_my_1_2_1
+    let wrench_link_1_mx_0_0_1_1_1_1_1 = (velocities.minus_velocity_link_2_vz
+        * poses.sin_joint_1
+        - (wrench_link_2_my_1_2_3 * screws.minus_screw_joint_2_vz
+            + minus_wrench_link_3_mx_1 * screws.screw_joint_2_vy)) * qd[1];
+    let wrench_link_1_mx_0_0_1_1_1_0_1 = (wrench_link_2_my_1_2_1
         * screws.minus_screw_joint_2_vz
         - minus_wrench_link_3_mx_1 * screws.minus_screw_joint_2_vx
-        + wrench_link_2_my_1_2_7 * poses.cos_joint_1) * qd[1];
+        - velocities.minus_velocity_link_2_vz * poses.cos_joint_1) * qd[1];
     let wrench_link_1_mx_0_0_1_1_0_1 = (wrench_link_2_my_1_2_1 * screws.screw_joint_2_vy
         + wrench_link_2_my_1_2_3 * screws.minus_screw_joint_2_vx
-        + (wrench_link_2_mx_1_0_7 * poses.sin_joint_1
-            - wrench_link_2_my_1_2_9 * poses.cos_joint_1)) * qd[1];
+        + (velocities.velocity_link_2_vx * poses.sin_joint_1
+            - velocities.velocity_link_2_vy * poses.cos_joint_1)) * qd[1];
     let wrench_base_mx_0_0_1_0_0_1 = wrench_base_my_1_0_2_3 * qd[0];
     let wrench_base_mx_0_0_1_0_1_1 = wrench_base_my_1_0_2_1 * qd[0];
-    let wrench_base_mx_0_0_1_1_1_1_1 = (wrench_link_1_my_1_2_9
-        - minus_wrench_link_3_mx_1 * poses.com_x) * qd[0];
+    let wrench_base_mx_0_0_1_1_1_1_1 = (velocities.velocity_link_1_vy
+        - minus_wrench_link_3_mx_1 * poses.minus_origin_base_x) * qd[0];
     let wrench_base_mx_0_0_1_1_1_0_1 = (minus_wrench_link_3_mx_1 * poses.origin_base_y
-        - wrench_link_1_mx_1_0_7) * qd[0];
-    let wrench_base_mx_0_0_1_1_0_1 = (wrench_base_my_1_0_2_1 * poses.com_x
+        - velocities.velocity_link_1_vx) * qd[0];
+    let wrench_base_mx_0_0_1_1_0_1 = (wrench_base_my_1_0_2_1 * poses.minus_origin_base_x
         - wrench_base_my_1_0_2_3 * poses.origin_base_y) * qd[0];
     CommonForwardDynamicsInverseDynamics {
         wrench_base_mx_1_0,
@@ -1728,7 +1638,7 @@ fn common_forward_dynamics_inverse_dynamics(
         wrench_base_mz_1_0,
         wrench_base_fx_1_0,
         wrench_base_fy_1_0,
-        wrench_base_fz_1_0,
+        wrench_base_fz_0_0,
         wrench_link_1_mx_1,
         wrench_link_1_my_1,
         wrench_link_1_mz_1,
@@ -1756,8 +1666,8 @@ fn common_forward_dynamics_inverse_dynamics(
         wrench_link_1_mx_0_0_1_0_0_1_1,
         wrench_link_1_mx_0_0_1_0_0_0_1,
         wrench_link_1_mx_0_0_1_0_1_1,
-        wrench_link_1_mx_0_0_1_1_1_0_1,
         wrench_link_1_mx_0_0_1_1_1_1_1,
+        wrench_link_1_mx_0_0_1_1_1_0_1,
         wrench_link_1_mx_0_0_1_1_0_1,
         wrench_base_mx_0_0_1_0_0_1,
         wrench_base_mx_0_0_1_0_1_1,
@@ -1778,16 +1688,16 @@ fn inertia_itself(
     shape_inertia: &mut [[f64; 3]; 3],
 ) {
     let locked_inertia_0_0_2_0_0 = poses.com_z + 0.023809523809523808;
-    let locked_inertia_0_0_1_0 = poses.origin_base_y * 130.0;
+    let locked_inertia_0_0_1_0 = poses.minus_com_y * 130.0;
     let locked_inertia_0_0_2_0 = locked_inertia_0_0_2_0_0 * 130.0;
-    let locked_inertia_0_0_1 = locked_inertia_0_0_1_0 * poses.origin_base_y;
+    let locked_inertia_0_0_1 = locked_inertia_0_0_1_0 * poses.minus_com_y;
     let locked_inertia_0_0_2 = locked_inertia_0_0_2_0 * locked_inertia_0_0_2_0_0;
     // Λ_b column 0
     locked_inertia[0][0] = inertias.composite_base_xx
         + (locked_inertia_0_0_1 + locked_inertia_0_0_2) + 0.0;
     let locked_inertia_1_0_1 = poses.com_x * 130.0;
     let locked_inertia_1_0 = inertias.composite_base_xy
-        + locked_inertia_1_0_1 * poses.origin_base_y;
+        + locked_inertia_1_0_1 * poses.minus_com_y;
     locked_inertia[0][1] = locked_inertia_1_0 + 0.0;
     let locked_inertia_2_0 = inertias.composite_base_xz
         - locked_inertia_1_0_1 * locked_inertia_0_0_2_0_0;
@@ -1841,11 +1751,11 @@ fn inertia_itself(
     connection[0][2] = screws.connection_joint_1_wz + 0.0;
     connection[0][3] = screws.connection_joint_1_vx
         - (screws.connection_joint_1_wy * locked_inertia_0_0_2_0_0
-            + screws.connection_joint_1_wz * poses.origin_base_y) + 0.0;
+            + screws.connection_joint_1_wz * poses.minus_com_y) + 0.0;
     connection[0][4] = screws.connection_joint_1_vy
         + (screws.connection_joint_1_wx * locked_inertia_0_0_2_0_0
             - screws.connection_joint_1_wz * poses.com_x) + 0.0;
-    connection[0][5] = screws.connection_joint_1_wx * poses.origin_base_y
+    connection[0][5] = screws.connection_joint_1_wx * poses.minus_com_y
         + screws.connection_joint_1_wy * poses.com_x + 0.0;
     // A_l column joint_2
     connection[1][0] = screws.connection_joint_2_wx + 0.0;
@@ -1853,12 +1763,12 @@ fn inertia_itself(
     connection[1][2] = screws.connection_joint_2_wz + 0.0;
     connection[1][3] = screws.connection_joint_2_vx
         - (screws.connection_joint_2_wy * locked_inertia_0_0_2_0_0
-            + screws.connection_joint_2_wz * poses.origin_base_y) + 0.0;
+            + screws.connection_joint_2_wz * poses.minus_com_y) + 0.0;
     connection[1][4] = screws.connection_joint_2_vy
         + (screws.connection_joint_2_wx * locked_inertia_0_0_2_0_0
             - screws.connection_joint_2_wz * poses.com_x) + 0.0;
     connection[1][5] = screws.connection_joint_2_vz
-        + (screws.connection_joint_2_wx * poses.origin_base_y
+        + (screws.connection_joint_2_wx * poses.minus_com_y
             + screws.connection_joint_2_wy * poses.com_x) + 0.0;
     // A_l column joint_3
     connection[2][0] = screws.connection_joint_3_wx + 0.0;
@@ -1866,12 +1776,12 @@ fn inertia_itself(
     connection[2][2] = screws.connection_joint_3_wz + 0.0;
     connection[2][3] = screws.connection_joint_3_vx
         - (screws.connection_joint_3_wy * locked_inertia_0_0_2_0_0
-            + screws.connection_joint_3_wz * poses.origin_base_y) + 0.0;
+            + screws.connection_joint_3_wz * poses.minus_com_y) + 0.0;
     connection[2][4] = screws.connection_joint_3_vy
         + (screws.connection_joint_3_wx * locked_inertia_0_0_2_0_0
             - screws.connection_joint_3_wz * poses.com_x) + 0.0;
     connection[2][5] = screws.connection_joint_3_vz
-        + (screws.connection_joint_3_wx * poses.origin_base_y
+        + (screws.connection_joint_3_wx * poses.minus_com_y
             + screws.connection_joint_3_wy * poses.com_x) + 0.0;
     // Λ_q column joint_1
     shape_inertia[0][0] = outside.outside_joint_1_mx * screws.connection_joint_1_wx
@@ -1925,9 +1835,9 @@ fn d_mu_itself(
     let d_mu_0_0_1_1 = poses.com_z + 0.023809523809523808;
     let d_mu_0_0_1_0 = mu[0] * 130.0;
     let d_mu_0_0_1 = d_mu_0_0_1_0 * d_mu_0_0_1_1;
-    let d_mu_0_0_3 = d_mu_0_0_1_0 * poses.origin_base_y;
+    let d_mu_0_0_3 = d_mu_0_0_1_0 * poses.minus_com_y;
     // D_μ column 0
-    d_mu[0][0] = 0.0 - (poses.origin_base_y * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_0_0_3);
+    d_mu[0][0] = 0.0 - (poses.minus_com_y * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_0_0_3);
     let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
@@ -1936,7 +1846,7 @@ fn d_mu_itself(
     let d_mu_1_0_4_1_0 = mu[2] * 130.0;
     let d_mu_1_0_4_0_0 = mu[1] * 130.0;
     let d_mu_1_0_4_1 = d_mu_1_0_4_1_0 * d_mu_0_0_1_1;
-    let d_mu_1_0_4_0 = d_mu_1_0_4_0_0 * poses.origin_base_y;
+    let d_mu_1_0_4_0 = d_mu_1_0_4_0_0 * poses.minus_com_y;
     let d_mu_1_0_4 = d_mu_1_0_4_0 - d_mu_1_0_4_1;
     d_mu[0][1] = 0.0
         - (d_mu_1_0_0 + (poses.com_x * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_1_0_4));
@@ -1944,18 +1854,18 @@ fn d_mu_itself(
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
     let d_mu_2_0_4 = mu[1] * d_mu_1_0_0_1 - wrench_base_mx_3;
     d_mu[0][2] = 0.0
-        - (poses.com_x * d_mu_0_0_3 - poses.origin_base_y * d_mu_1_0_4 - d_mu_2_0_4);
+        - (poses.com_x * d_mu_0_0_3 - poses.minus_com_y * d_mu_1_0_4 - d_mu_2_0_4);
     d_mu[0][3] = d_mu_1_0_4 + 0.0;
     d_mu[0][4] = 0.0 - d_mu_0_0_3;
     d_mu[0][5] = d_mu_0_0_1 + 0.0;
     let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
     let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
-    let d_mu_6_0_15_4_0 = mu[3] + (mu[1] * d_mu_0_0_1_1 + mu[2] * poses.origin_base_y);
+    let d_mu_6_0_15_4_0 = mu[3] + (mu[1] * d_mu_0_0_1_1 + mu[2] * poses.minus_com_y);
     let d_mu_6_0_17_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_mu_0_0_1_1);
-    let d_mu_6_0_15_2_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let d_mu_6_0_15_2_0 = mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
     let d_mu_6_0_15_4 = d_mu_6_0_15_4_0 * 130.0;
     let d_mu_6_0_17_6 = d_mu_6_0_17_6_0 * 130.0;
     let d_mu_6_0_15_2 = d_mu_6_0_15_2_0 * 130.0;
@@ -1976,7 +1886,7 @@ fn d_mu_itself(
         + (wrench_base_mx_3 * screws.connection_joint_1_wz
             - wrench_base_mx_1 * screws.connection_joint_1_wy
             - d_mu_6_0_15_2 * screws.connection_joint_1_vy)
-        - (d_mu_6_0_15 * d_mu_0_0_1_1 + d_mu_6_0_17 * poses.origin_base_y);
+        - (d_mu_6_0_15 * d_mu_0_0_1_1 + d_mu_6_0_17 * poses.minus_com_y);
     d_mu[0][6] = d_mu_6_0 + 0.0;
     let d_mu_7_0_0_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
     let d_mu_7_0_0_2_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
@@ -2006,7 +1916,7 @@ fn d_mu_itself(
             - wrench_base_mx_1 * screws.connection_joint_2_wy
             + (d_mu_6_0_17_6 * screws.connection_joint_2_vz
                 - d_mu_6_0_15_2 * screws.connection_joint_2_vy))
-        - (d_mu_7_0_18 * d_mu_0_0_1_1 + d_mu_7_0_20 * poses.origin_base_y);
+        - (d_mu_7_0_18 * d_mu_0_0_1_1 + d_mu_7_0_20 * poses.minus_com_y);
     d_mu[0][7] = d_mu_7_0 + 0.0;
     let d_mu_8_0_0_1 = poses.sin_joint_1 * inertias.inertia_link_3_xz;
     let d_mu_8_0_0_2_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
@@ -2035,21 +1945,21 @@ fn d_mu_itself(
             - wrench_base_mx_1 * screws.connection_joint_3_wy
             + (d_mu_6_0_17_6 * screws.connection_joint_3_vz
                 - d_mu_6_0_15_2 * screws.connection_joint_3_vy))
-        - (d_mu_8_0_18 * d_mu_0_0_1_1 + d_mu_8_0_20 * poses.origin_base_y);
+        - (d_mu_8_0_18 * d_mu_0_0_1_1 + d_mu_8_0_20 * poses.minus_com_y);
     d_mu[0][8] = d_mu_8_0 + 0.0;
     let d_mu_0_1_1 = d_mu_1_0_4_0_0 * d_mu_0_0_1_1;
     let d_mu_0_1_3_0 = d_mu_0_0_1_0 * poses.com_x;
     let d_mu_0_1_3 = d_mu_0_1_3_0 + d_mu_1_0_4_1;
     // D_μ column 1
     d_mu[1][0] = 0.0
-        - (poses.origin_base_y * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_0_1_3 - d_mu_1_0_0);
+        - (poses.minus_com_y * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_0_1_3 - d_mu_1_0_0);
     let d_mu_1_1_3 = d_mu_1_0_4_0_0 * poses.com_x;
     d_mu[1][1] = 0.0 - (poses.com_x * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_1_1_3);
     let wrench_base_my_1 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - wrench_base_my_1;
     d_mu[1][2] = 0.0
-        - (d_mu_2_1_0 + (poses.com_x * d_mu_0_1_3 - poses.origin_base_y * d_mu_1_1_3));
+        - (d_mu_2_1_0 + (poses.com_x * d_mu_0_1_3 - poses.minus_com_y * d_mu_1_1_3));
     d_mu[1][3] = d_mu_1_1_3 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_0_1_3;
     d_mu[1][5] = d_mu_0_1_1 + 0.0;
@@ -2108,15 +2018,15 @@ fn d_mu_itself(
                 - d_mu_6_0_15_4 * screws.connection_joint_3_vz))
         + (d_mu_8_1_18 * d_mu_0_0_1_1 - d_mu_8_0_20 * poses.com_x);
     d_mu[1][8] = d_mu_8_1 + 0.0;
-    let d_mu_0_2_4 = d_mu_1_0_4_1_0 * poses.origin_base_y;
+    let d_mu_0_2_4 = d_mu_1_0_4_1_0 * poses.minus_com_y;
     let d_mu_0_2_2 = d_mu_1_0_4_0 - d_mu_0_1_3_0;
     // D_μ column 2
     d_mu[2][0] = 0.0
-        - (d_mu_2_0_4 + (poses.origin_base_y * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_0_2_4));
+        - (d_mu_2_0_4 + (poses.minus_com_y * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_0_2_4));
     let d_mu_1_2_3 = d_mu_1_0_4_1_0 * poses.com_x;
     d_mu[2][1] = 0.0
         - (poses.com_x * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_1_2_3 - d_mu_2_1_0);
-    d_mu[2][2] = 0.0 - (poses.com_x * d_mu_0_2_4 - poses.origin_base_y * d_mu_1_2_3);
+    d_mu[2][2] = 0.0 - (poses.com_x * d_mu_0_2_4 - poses.minus_com_y * d_mu_1_2_3);
     d_mu[2][3] = d_mu_1_2_3 + 0.0;
     d_mu[2][4] = 0.0 - d_mu_0_2_4;
     d_mu[2][5] = d_mu_0_2_2 + 0.0;
@@ -2128,7 +2038,7 @@ fn d_mu_itself(
             - wrench_base_mx_3 * screws.connection_joint_1_wx
             + (d_mu_6_0_15_4 * screws.connection_joint_1_vy
                 - d_mu_6_0_17_6 * screws.connection_joint_1_vx))
-        + (d_mu_6_1_15 * poses.origin_base_y + d_mu_6_0_15 * poses.com_x);
+        + (d_mu_6_1_15 * poses.minus_com_y + d_mu_6_0_15 * poses.com_x);
     d_mu[2][6] = d_mu_6_2 + 0.0;
     let d_mu_7_2_4_1 = d_mu_7_1_2_1 - d_mu_7_0_0_1;
     let d_mu_7_2_4 = d_mu_7_2_4_1 + d_mu_7_2_4_1 + (d_mu_7_0_0_2 - d_mu_7_1_2_2);
@@ -2139,7 +2049,7 @@ fn d_mu_itself(
             - wrench_base_mx_3 * screws.connection_joint_2_wx
             + (d_mu_6_0_15_4 * screws.connection_joint_2_vy
                 - d_mu_6_0_17_6 * screws.connection_joint_2_vx))
-        + (d_mu_7_1_18 * poses.origin_base_y + d_mu_7_0_18 * poses.com_x);
+        + (d_mu_7_1_18 * poses.minus_com_y + d_mu_7_0_18 * poses.com_x);
     d_mu[2][7] = d_mu_7_2 + 0.0;
     let d_mu_8_2_4_1 = d_mu_8_1_2_3 - d_mu_8_0_0_1;
     let d_mu_8_2_4 = d_mu_8_2_4_1 + d_mu_8_2_4_1 + (d_mu_8_0_0_2 - d_mu_8_1_2_1);
@@ -2150,7 +2060,7 @@ fn d_mu_itself(
             - wrench_base_mx_3 * screws.connection_joint_3_wx
             + (d_mu_6_0_15_4 * screws.connection_joint_3_vy
                 - d_mu_6_0_17_6 * screws.connection_joint_3_vx))
-        + (d_mu_8_1_18 * poses.origin_base_y + d_mu_8_0_18 * poses.com_x);
+        + (d_mu_8_1_18 * poses.minus_com_y + d_mu_8_0_18 * poses.com_x);
     d_mu[2][8] = d_mu_8_2 + 0.0;
     // D_μ column 3
     d_mu[3][0] = 0.0 - d_mu_1_0_4;
@@ -2190,7 +2100,7 @@ fn d_mu_itself(
     d_mu[6][4] = 0.0 - d_mu_6_0_15;
     d_mu[6][5] = 0.0 - d_mu_6_0_17;
     d_mu[6][6] = 0.0;
-    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.com_x;
+    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
     let wrench_base_mx_4 = wrench_base_mx_4_1 + wrench_base_mx_4_1
         - (inertias.inertia_base_xy + inertias.inertia_base_xy);
     let wrench_base_mx_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
@@ -2324,7 +2234,7 @@ fn b2_itself(
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
     let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.com_x;
+    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
     let wrench_base_mx_4 = wrench_base_mx_4_1 + wrench_base_mx_4_1
         - (inertias.inertia_base_xy + inertias.inertia_base_xy);
     let wrench_base_mx_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
@@ -2478,7 +2388,7 @@ fn b2_itself(
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×3, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (3×3, by columns; kg·m²)
 ///
-/// 560 operations: 252 + −, 305 ×, 3 ÷; 3 sin cos; about 6.7 KiB of code.
+/// 598 operations: 275 + −, 320 ×, 3 ÷; 3 sin cos; about 7.1 KiB of code.
 pub fn inertia(
     q: &[f64; 3],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -2506,7 +2416,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (9×9, by columns; Λ's · 1/s)
 ///
-/// 1093 operations: 512 + −, 578 ×, 3 ÷; 3 sin cos; about 12.9 KiB of code.
+/// 1131 operations: 535 + −, 593 ×, 3 ÷; 3 sin cos; about 13.4 KiB of code.
 pub fn d_mu(q: &[f64; 3], mu: &[f64; 6], d_mu: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2531,7 +2441,7 @@ pub fn d_mu(q: &[f64; 3], mu: &[f64; 6], d_mu: &mut [[f64; 9]; 9]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (3×3, by columns; kg·m²/s)
 ///
-/// 766 operations: 362 + −, 401 ×, 3 ÷; 3 sin cos; about 9.1 KiB of code.
+/// 804 operations: 385 + −, 416 ×, 3 ÷; 3 sin cos; about 9.5 KiB of code.
 pub fn b2(q: &[f64; 3], mu: &[f64; 6], b2: &mut [[f64; 3]; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2551,7 +2461,7 @@ pub fn b2(q: &[f64; 3], mu: &[f64; 6], b2: &mut [[f64; 3]; 3]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (9×9, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (3×3, by columns; kg·m²/s)
 ///
-/// 1452 operations: 700 + −, 749 ×, 3 ÷; 3 sin cos; about 17.1 KiB of code.
+/// 1490 operations: 723 + −, 764 ×, 3 ÷; 3 sin cos; about 17.6 KiB of code.
 pub fn matrices(
     q: &[f64; 3],
     mu: &[f64; 6],
@@ -2594,7 +2504,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (3; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (9×9, by columns; Λ's · 1/s)
 ///
-/// 1810 operations: 903 + −, 904 ×, 3 ÷; 3 sin cos; about 21.3 KiB of code.
+/// 1848 operations: 926 + −, 919 ×, 3 ÷; 3 sin cos; about 21.8 KiB of code.
 pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2605,7 +2515,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let velocities = velocities(qd, &poses, &screws);
     let d_qdot_0_0_15_1_1 = poses.com_z + 0.023809523809523808;
     let d_qdot_0_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_qdot_0_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_qdot_0_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let d_qdot_0_0_0 = d_qdot_0_0_0_1 + d_qdot_0_0_0_1;
     let d_qdot_0_0_4 = poses.sin_joint_1 * inertias.composite_link_2_xz;
     let d_qdot_0_0_5_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
@@ -2622,7 +2532,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let d_qdot_0_0_15_0_0 = (screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]) * 0.5;
     let d_qdot_0_0_15_1 = d_qdot_0_0_15_1_0 * d_qdot_0_0_15_1_1;
-    let d_qdot_0_0_15_0 = d_qdot_0_0_15_0_0 * poses.origin_base_y;
+    let d_qdot_0_0_15_0 = d_qdot_0_0_15_0_0 * poses.minus_com_y;
     let d_qdot_0_0_15 = d_qdot_0_0_15_0 - d_qdot_0_0_15_1;
     // D_q\u{307} column 0
     d_qdot[0][0] = ((d_qdot_0_0_0 - d_qdot_0_0_1) * qd[0]
@@ -2637,7 +2547,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             - (screws.inside_joint_3_mz_2 - screws.inside_joint_3_mz_3)) * qd[2]) * 0.5;
     let d_qdot_1_0_1_0 = (screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2]) * 0.5;
-    let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.origin_base_y;
+    let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.minus_com_y;
     let d_qdot_1_0_2 = d_qdot_0_0_15_0_0 * poses.com_x;
     d_qdot[0][1] = d_qdot_1_0_0 + d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
     let d_qdot_2_0_0 = ((poses.sin_joint_1 * inertias.composite_link_2_zz
@@ -2684,7 +2594,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
             - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2]) * 0.5;
     let d_qdot_2_1_1 = d_qdot_0_0_15_0_0 * d_qdot_0_0_15_1_1;
-    let d_qdot_2_1_2 = d_qdot_0_0_15_1_0 * poses.origin_base_y;
+    let d_qdot_2_1_2 = d_qdot_0_0_15_1_0 * poses.minus_com_y;
     d_qdot[1][2] = d_qdot_2_1_0 - d_qdot_2_1_1 + d_qdot_2_1_2 + 0.0;
     d_qdot[1][3] = d_qdot_0_0_15_1_0 + 0.0;
     d_qdot[1][4] = 0.0;
@@ -3044,9 +2954,9 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_1_yz = factor_link_1_yz_0 + factor_link_2_yz;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
     let wrench_base_mx_6 = velocities.minus_velocity_base_wy * poses.origin_base_y
-        - velocities.minus_velocity_base_wx * poses.com_x;
+        - velocities.minus_velocity_base_wx * poses.minus_origin_base_x;
     let wrench_base_my_6 = velocities.velocity_link_1_vy
-        - velocities.velocity_link_1_wz * poses.com_x;
+        - velocities.velocity_link_1_wz * poses.minus_origin_base_x;
     let wrench_base_mx_8 = velocities.velocity_link_1_wz * poses.origin_base_y
         - velocities.velocity_link_1_vx;
     let wrench_base_mx = factor_link_1_xz
@@ -3508,7 +3418,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (3; N·m, N)
 ///
-/// 1003 operations: 434 + −, 566 ×, 3 ÷; 3 sin cos; about 11.9 KiB of code.
+/// 839 operations: 357 + −, 479 ×, 3 ÷; 3 sin cos; about 9.9 KiB of code.
 pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3518,7 +3428,6 @@ pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 
     let reactions = reactions(&inertias, &outside);
     let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
         mu,
-        &poses,
         &inertias,
         &complements,
         &screws,
@@ -3536,7 +3445,7 @@ pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (9; N·m, N)
 ///
-/// 1671 operations: 762 + −, 906 ×, 3 ÷; 3 sin cos; about 19.7 KiB of code.
+/// 1504 operations: 682 + −, 819 ×, 3 ÷; 3 sin cos; about 17.7 KiB of code.
 pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3547,7 +3456,6 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let velocities = velocities(qd, &poses, &screws);
     let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
         mu,
-        &poses,
         &inertias,
         &complements,
         &screws,
@@ -3559,7 +3467,7 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let d_mu_xi_0_2 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let d_mu_xi_0_9 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_xi_0_8_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_mu_xi_0_8_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let d_mu_xi_0_8 = d_mu_xi_0_8_1 + d_mu_xi_0_8_1;
     let d_mu_xi_0_12 = poses.sin_joint_1 * inertias.composite_link_2_xz;
     let d_mu_xi_0_13_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
@@ -3572,9 +3480,9 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let d_mu_xi_0_18 = d_mu_xi_0_18_1 + d_mu_xi_0_18_1;
     let d_mu_xi_0_19 = d_mu_xi_0_19_1 + d_mu_xi_0_19_1;
     let d_mu_xi_0_31_2_0 = mu[3]
-        + (mu[1] * d_mu_xi_0_31_2_0_2 + mu[2] * poses.origin_base_y);
+        + (mu[1] * d_mu_xi_0_31_2_0_2 + mu[2] * poses.minus_com_y);
     let d_mu_xi_0_33_2_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_mu_xi_0_31_2_0_2);
-    let d_mu_xi_0_31_0_0 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let d_mu_xi_0_31_0_0 = mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
     let d_mu_xi_0_31_2 = d_mu_xi_0_31_2_0 * 130.0;
     let d_mu_xi_0_33_2 = d_mu_xi_0_33_2_0 * 130.0;
     let d_mu_xi_0_31_0 = d_mu_xi_0_31_0_0 * 130.0;
@@ -3602,22 +3510,21 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let d_mu_xi_0_31_1 = mu[0] - velocities.minus_velocity_base_wx;
     let d_mu_xi_0_33_1 = mu[1] - velocities.minus_velocity_base_wy;
     let d_mu_xi_0_31_3 = mu[2] - velocities.minus_velocity_base_wz;
-    let d_mu_xi_0_7 = d_mu_xi_0_33_2_0 - velocities.minus_velocity_base_vy;
-    let d_mu_xi_0_5 = d_mu_xi_0_31_0_0 - velocities.minus_velocity_base_vz;
     let d_mu_xi_0_31 = d_mu_xi_0_31_0 * d_mu_xi_0_31_1 - d_mu_xi_0_31_2 * d_mu_xi_0_31_3
         - (mu[2] * d_mu_xi_0_31_5 - mu[0] * d_mu_xi_0_31_7) * 0.5;
     let d_mu_xi_0_33 = d_mu_xi_0_31_2 * d_mu_xi_0_33_1 - d_mu_xi_0_33_2 * d_mu_xi_0_31_1
         - (mu[0] * d_mu_xi_0_33_5 - mu[1] * d_mu_xi_0_31_5) * 0.5;
     // D_μ ξ
     d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_31_3 - d_mu_xi_0_2 * d_mu_xi_0_33_1
-        + (d_mu_xi_0_33_2 * d_mu_xi_0_5 - d_mu_xi_0_31_0 * d_mu_xi_0_7)
+        + (d_mu_xi_0_31_0 * velocities.minus_velocity_base_vy
+            - d_mu_xi_0_33_2 * velocities.minus_velocity_base_vz)
         - (((d_mu_xi_0_8 - d_mu_xi_0_9) * qd[0]
             + (d_mu_xi_0_12 + d_mu_xi_0_12 + (d_mu_xi_0_13 - d_mu_xi_0_14)) * qd[1]
             + (d_mu_xi_0_17 + d_mu_xi_0_17 + (d_mu_xi_0_18 + d_mu_xi_0_19)) * qd[2])
             * mu[0] + d_mu_xi_0_22 * mu[1] + d_mu_xi_0_24 * mu[2]
             + (d_mu_xi_0_33_5 * d_mu_xi_0_31_0_0 - d_mu_xi_0_31_7 * d_mu_xi_0_33_2_0))
             * 0.5
-        - (d_mu_xi_0_31 * d_mu_xi_0_31_2_0_2 + d_mu_xi_0_33 * poses.origin_base_y) + 0.0;
+        - (d_mu_xi_0_31 * d_mu_xi_0_31_2_0_2 + d_mu_xi_0_33 * poses.minus_com_y) + 0.0;
     let d_mu_xi_1_2 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let d_mu_xi_1_11_1 = inertias.composite_link_1_hx * poses.origin_base_y;
@@ -3637,11 +3544,11 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
             - inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
             - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2];
-    let d_mu_xi_1_5 = d_mu_xi_0_31_2_0 - velocities.minus_velocity_base_vx;
     let d_mu_xi_1_31 = d_mu_xi_0_33_2 * d_mu_xi_0_31_3 - d_mu_xi_0_31_0 * d_mu_xi_0_33_1
         - (mu[1] * d_mu_xi_0_31_7 - mu[2] * d_mu_xi_0_33_5) * 0.5;
     d_mu_xi[1] = d_mu_xi_0_2 * d_mu_xi_0_31_1 - d_mu_xi_1_2 * d_mu_xi_0_31_3
-        + (d_mu_xi_0_31_0 * d_mu_xi_1_5 - d_mu_xi_0_31_2 * d_mu_xi_0_5)
+        + (d_mu_xi_0_31_2 * velocities.minus_velocity_base_vz
+            - d_mu_xi_0_31_0 * velocities.minus_velocity_base_vx)
         - (d_mu_xi_0_22 * mu[0]
             + ((d_mu_xi_0_9 + d_mu_xi_1_11) * qd[0]
                 - (d_mu_xi_1_14 + d_mu_xi_1_14 + (d_mu_xi_1_15 + d_mu_xi_0_14)) * qd[1]
@@ -3653,14 +3560,15 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let d_mu_xi_2_16 = d_mu_xi_1_14 - d_mu_xi_0_12;
     let d_mu_xi_2_21 = d_mu_xi_1_21 - d_mu_xi_0_17;
     d_mu_xi[2] = d_mu_xi_1_2 * d_mu_xi_0_33_1 - d_mu_xi_0_0 * d_mu_xi_0_31_1
-        + (d_mu_xi_0_31_2 * d_mu_xi_0_7 - d_mu_xi_0_33_2 * d_mu_xi_1_5)
+        + (d_mu_xi_0_33_2 * velocities.minus_velocity_base_vx
+            - d_mu_xi_0_31_2 * velocities.minus_velocity_base_vy)
         - (d_mu_xi_0_24 * mu[0] + d_mu_xi_1_24 * mu[1]
             + ((d_mu_xi_1_11 + d_mu_xi_0_8) * qd[0]
                 + (d_mu_xi_2_16 + d_mu_xi_2_16 + (d_mu_xi_0_13 - d_mu_xi_1_15)) * qd[1]
                 + (d_mu_xi_2_21 + d_mu_xi_2_21 + (d_mu_xi_0_18 - d_mu_xi_1_19)) * qd[2])
                 * mu[2]
             + (d_mu_xi_0_31_5 * d_mu_xi_0_33_2_0 - d_mu_xi_0_33_5 * d_mu_xi_0_31_2_0))
-            * 0.5 + (d_mu_xi_1_31 * poses.origin_base_y + d_mu_xi_0_31 * poses.com_x)
+            * 0.5 + (d_mu_xi_1_31 * poses.minus_com_y + d_mu_xi_0_31 * poses.com_x)
         + 0.0;
     d_mu_xi[3] = d_mu_xi_1_31 + 0.0;
     d_mu_xi[4] = d_mu_xi_0_31 + 0.0;
@@ -3691,11 +3599,11 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let wrench_outside_link_1_mx_5 = mu[1] * velocities.minus_velocity_base_vx
         - mu[0] * velocities.minus_velocity_base_vy;
     let wrench_outside_link_1_my_0 = mu[0] * wrench_outside_link_1_my_0_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_0_46_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_26;
     let wrench_outside_link_1_mx_2 = mu[1] * wrench_outside_link_1_my_0_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_0_48_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_28;
     let wrench_outside_link_1_mx_0 = mu[2] * wrench_outside_link_1_my_0_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_0_37_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_21;
     let wrench_outside_link_1_mx = wrench_outside_link_1_mx_0
         * velocities.minus_velocity_base_wy
         - wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wz
@@ -3777,11 +3685,11 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let wrench_link_3_mx_5 = mu[0] * velocities.velocity_link_3_vy
         - mu[1] * velocities.velocity_link_3_vx;
     let wrench_link_3_my_2 = mu[0] * wrench_link_3_my_2_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_2_19_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_2_11;
     let wrench_link_3_mx_0 = mu[1] * wrench_link_3_my_2_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_2_21_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_2_13;
     let wrench_link_3_mx_2 = mu[2] * wrench_link_3_my_2_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_2_10_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_2_6;
     let wrench_link_3_mx = wrench_link_3_mx_0 * velocities.velocity_link_1_wz
         - wrench_link_3_mx_2 * velocities.velocity_link_3_wy
         + (inertias.inertia_link_3_hy * wrench_link_3_mx_5
@@ -3902,7 +3810,7 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (9; N·m, N)
 ///
-/// 1330 operations: 615 + −, 712 ×, 3 ÷; 3 sin cos; about 15.7 KiB of code.
+/// 1368 operations: 638 + −, 727 ×, 3 ÷; 3 sin cos; about 16.1 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3913,7 +3821,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let velocities = velocities(qd, &poses, &screws);
     let d_qdot_xi_0_21_4 = poses.com_z + 0.023809523809523808;
     let d_qdot_xi_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_qdot_xi_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_qdot_xi_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let d_qdot_xi_0_0 = d_qdot_xi_0_0_1 + d_qdot_xi_0_0_1;
     let d_qdot_xi_0_4 = poses.sin_joint_1 * inertias.composite_link_2_xz;
     let d_qdot_xi_0_5_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
@@ -3926,7 +3834,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_0_10 = d_qdot_xi_0_10_1 + d_qdot_xi_0_10_1;
     let d_qdot_xi_0_11 = d_qdot_xi_0_11_1 + d_qdot_xi_0_11_1;
     let d_qdot_xi_0_21 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_qdot_xi_0_21_4);
-    let d_qdot_xi_0_19 = mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let d_qdot_xi_0_19 = mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
     let d_qdot_xi_0_23_1 = screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
     let d_qdot_xi_0_25_1 = screws.inside_joint_1_fy * qd[0]
@@ -3956,8 +3864,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
         + (d_qdot_xi_0_9 + d_qdot_xi_0_9 + (d_qdot_xi_0_10 + d_qdot_xi_0_11)) * qd[2])
         * mu[0] + d_qdot_xi_0_14 * mu[1] + d_qdot_xi_0_16 * mu[2]
         + (d_qdot_xi_0_25_1 * d_qdot_xi_0_19 - d_qdot_xi_0_23_3 * d_qdot_xi_0_21)) * 0.5
-        - (d_qdot_xi_0_23 * d_qdot_xi_0_21_4 + d_qdot_xi_0_25 * poses.origin_base_y)
-        + 0.0;
+        - (d_qdot_xi_0_23 * d_qdot_xi_0_21_4 + d_qdot_xi_0_25 * poses.minus_com_y) + 0.0;
     let d_qdot_xi_1_3_1 = inertias.composite_link_1_hx * poses.origin_base_y;
     let d_qdot_xi_1_3 = d_qdot_xi_1_3_1 + d_qdot_xi_1_3_1;
     let d_qdot_xi_1_6 = poses.cos_joint_1 * inertias.composite_link_2_yz;
@@ -3966,8 +3873,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_1_13 = poses.cos_joint_1 * inertias.inertia_link_3_yz;
     let d_qdot_xi_1_11_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
     let d_qdot_xi_1_11 = d_qdot_xi_1_11_1 + d_qdot_xi_1_11_1;
-    let d_qdot_xi_1_19 = mu[3]
-        + (mu[1] * d_qdot_xi_0_21_4 + mu[2] * poses.origin_base_y);
+    let d_qdot_xi_1_19 = mu[3] + (mu[1] * d_qdot_xi_0_21_4 + mu[2] * poses.minus_com_y);
     let d_qdot_xi_1_16 = screws.inside_joint_1_mx * qd[0]
         + (poses.cos_joint_1 * inertias.composite_link_2_yy
             - inertias.inside_joint_2_mx_0_1
@@ -3993,7 +3899,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + (d_qdot_xi_2_13 + d_qdot_xi_2_13 + (d_qdot_xi_0_10 - d_qdot_xi_1_11))
                 * qd[2]) * mu[2]
         + (d_qdot_xi_0_23_1 * d_qdot_xi_0_21 - d_qdot_xi_0_25_1 * d_qdot_xi_1_19)) * 0.5
-        + (d_qdot_xi_1_23 * poses.origin_base_y + d_qdot_xi_0_23 * poses.com_x) + 0.0;
+        + (d_qdot_xi_1_23 * poses.minus_com_y + d_qdot_xi_0_23 * poses.com_x) + 0.0;
     d_qdot_xi[3] = d_qdot_xi_1_23 + 0.0;
     d_qdot_xi[4] = d_qdot_xi_0_23 + 0.0;
     d_qdot_xi[5] = d_qdot_xi_0_25 + 0.0;
@@ -4080,11 +3986,11 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let minus_twist_link_1_wx = velocities.minus_velocity_base_wy * qd[0];
     let twist_link_1_wy = velocities.minus_velocity_base_wx * qd[0];
     let twist_link_1_vx = (velocities.velocity_link_1_vy
-        - velocities.velocity_link_1_wz * poses.com_x) * qd[0];
+        - velocities.velocity_link_1_wz * poses.minus_origin_base_x) * qd[0];
     let twist_link_1_vy = (velocities.velocity_link_1_wz * poses.origin_base_y
         - velocities.velocity_link_1_vx) * qd[0];
     let twist_link_1_vz = (velocities.minus_velocity_base_wy * poses.origin_base_y
-        - velocities.minus_velocity_base_wx * poses.com_x) * qd[0];
+        - velocities.minus_velocity_base_wx * poses.minus_origin_base_x) * qd[0];
     let wrench_link_1_my_0_14 = inertias.inertia_link_1_xz
         * velocities.velocity_link_1_wz
         - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
@@ -4356,7 +4262,7 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (9; N·m, N)
 ///
-/// 1041 operations: 482 + −, 556 ×, 3 ÷; 3 sin cos; about 12.3 KiB of code.
+/// 1079 operations: 505 + −, 571 ×, 3 ÷; 3 sin cos; about 12.8 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -4377,13 +4283,13 @@ pub fn hamel_bias(
         + velocities.minus_velocity_base_wz;
     let minus_wrench_outside_link_1_my_5_0 = base_twist[3]
         + (base_twist[1] * minus_wrench_outside_link_1_my_5_0_2
-            + base_twist[2] * poses.origin_base_y) + velocities.minus_velocity_base_vx;
+            + base_twist[2] * poses.minus_com_y) + velocities.minus_velocity_base_vx;
     let minus_wrench_outside_link_1_mx_7_0 = base_twist[4]
         + (base_twist[2] * poses.com_x
             - base_twist[0] * minus_wrench_outside_link_1_my_5_0_2)
         + velocities.minus_velocity_base_vy;
     let minus_wrench_outside_link_1_mx_5_0 = base_twist[5]
-        - (base_twist[0] * poses.origin_base_y + base_twist[1] * poses.com_x)
+        - (base_twist[0] * poses.minus_com_y + base_twist[1] * poses.com_x)
         + velocities.minus_velocity_base_vz;
     let minus_wrench_outside_link_1_fy_1 = minus_wrench_outside_link_1_fy_1_0
         - velocities.minus_velocity_base_wx;
@@ -4439,7 +4345,7 @@ pub fn hamel_bias(
     let minus_twist_link_1_wy = minus_wrench_outside_link_1_fy_1 * qd[0];
     let twist_link_1_vy = (twist_link_1_vy_0 * poses.origin_base_y - twist_link_1_vy_2)
         * qd[0];
-    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.com_x
+    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.minus_origin_base_x
         - minus_wrench_outside_link_1_mx_3 * poses.origin_base_y) * qd[0];
     let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy
         * minus_wrench_outside_link_1_fy_1
@@ -4616,7 +4522,7 @@ pub fn hamel_bias(
     // C V
     hamel_bias[0] = wrench_base_mx
         - (wrench_base_fy * minus_wrench_outside_link_1_my_5_0_2
-            + wrench_base_fz * poses.origin_base_y) + 0.0;
+            + wrench_base_fz * poses.minus_com_y) + 0.0;
     let minus_wrench_outside_link_1_my_2 = inertias.inertia_base_xx
         * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_base_xy * minus_wrench_outside_link_1_mx_3
@@ -4631,8 +4537,8 @@ pub fn hamel_bias(
     let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4
         * minus_wrench_outside_link_1_mx_1
         - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_3;
-    let twist_link_1_vx = (wrench_outside_link_2_mx_15 - twist_link_1_vy_0 * poses.com_x)
-        * qd[0];
+    let twist_link_1_vx = (wrench_outside_link_2_mx_15
+        - twist_link_1_vy_0 * poses.minus_origin_base_x) * qd[0];
     let wrench_outside_link_2_my_10 = inertias.inertia_link_1_xx
         * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_link_1_xy * minus_wrench_outside_link_1_mx_3
@@ -4741,12 +4647,12 @@ pub fn hamel_bias(
     let wrench_link_1_mz = wrench_outside_link_2_mz + wrench_link_2_mz;
     let wrench_base_mz = wrench_link_1_mz - minus_wrench_outside_link_1_mz;
     hamel_bias[2] = wrench_base_mz
-        + (wrench_base_fx * poses.origin_base_y + wrench_base_fy * poses.com_x) + 0.0;
+        + (wrench_base_fx * poses.minus_com_y + wrench_base_fy * poses.com_x) + 0.0;
     hamel_bias[3] = wrench_base_fx + 0.0;
     hamel_bias[4] = wrench_base_fy + 0.0;
     hamel_bias[5] = wrench_base_fz + 0.0;
     hamel_bias[6] = wrench_link_1_mz + poses.origin_base_y * wrench_link_1_fx
-        + poses.com_x * wrench_link_1_fy + 0.0;
+        + poses.minus_origin_base_x * wrench_link_1_fy + 0.0;
     hamel_bias[7] = poses.cos_joint_1 * wrench_link_2_mx
         + poses.sin_joint_1 * wrench_link_2_my
         - screws.minus_screw_joint_2_vx * wrench_link_2_fx
@@ -4764,7 +4670,7 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 3×3, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 968 operations: 452 + −, 513 ×, 3 ÷; 3 sin cos; about 11.5 KiB of code.
+/// 1006 operations: 475 + −, 528 ×, 3 ÷; 3 sin cos; about 11.9 KiB of code.
 pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -4774,7 +4680,7 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     let reactions = reactions(&inertias, &outside);
     // 𝓑_ω(e_i, e_j) x, column joint_1
     curvature[0][0][0] = 0.0;
-    let minus_wrench_base_mz_0_1 = inertias.inertia_base_hy * poses.com_x;
+    let minus_wrench_base_mz_0_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
     let minus_wrench_base_mz_0 = minus_wrench_base_mz_0_1 + minus_wrench_base_mz_0_1
         - (inertias.inertia_base_xy + inertias.inertia_base_xy);
     let wrench_base_mx_3 = inertias.inertia_base_xx - inertias.inertia_base_yy
@@ -5132,7 +5038,7 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     curvature[2][2][2] = 0.0;
     // c
     com[0] = poses.com_x + 0.0;
-    com[1] = 0.0 - poses.origin_base_y;
+    com[1] = 0.0 - poses.minus_com_y;
     com[2] = poses.com_z + 0.023809523809523808 + 0.0;
 }
 /// The momentum Λ_b μ, in the base frame and about the centre of mass.
@@ -5142,7 +5048,7 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 285 operations: 124 + −, 158 ×, 3 ÷; 3 sin cos; about 3.5 KiB of code.
+/// 323 operations: 147 + −, 173 ×, 3 ÷; 3 sin cos; about 3.9 KiB of code.
 pub fn momentum(
     q: &[f64; 3],
     mu: &[f64; 6],
@@ -5156,23 +5062,23 @@ pub fn momentum(
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let body_momentum_0_1 = (mu[4] + (mu[2] * poses.com_x - mu[0] * body_momentum_0_1_4))
         * 130.0;
-    let body_momentum_0_3 = (mu[5] - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x))
+    let body_momentum_0_3 = (mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x))
         * 130.0;
     // Λ_b μ
     body_momentum[0] = body_momentum_0_0
         - (body_momentum_0_1 * body_momentum_0_1_4
-            + body_momentum_0_3 * poses.origin_base_y) + 0.0;
+            + body_momentum_0_3 * poses.minus_com_y) + 0.0;
     let body_momentum_1_0 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
     let body_momentum_1_1 = (mu[3]
-        + (mu[1] * body_momentum_0_1_4 + mu[2] * poses.origin_base_y)) * 130.0;
+        + (mu[1] * body_momentum_0_1_4 + mu[2] * poses.minus_com_y)) * 130.0;
     body_momentum[1] = body_momentum_1_0
         + (body_momentum_1_1 * body_momentum_0_1_4 - body_momentum_0_3 * poses.com_x)
         + 0.0;
     let body_momentum_2_0 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     body_momentum[2] = body_momentum_2_0
-        + (body_momentum_1_1 * poses.origin_base_y + body_momentum_0_1 * poses.com_x)
+        + (body_momentum_1_1 * poses.minus_com_y + body_momentum_0_1 * poses.com_x)
         + 0.0;
     body_momentum[3] = body_momentum_1_1 + 0.0;
     body_momentum[4] = body_momentum_0_1 + 0.0;
@@ -5191,18 +5097,18 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 285 operations: 124 + −, 158 ×, 3 ÷; 3 sin cos; about 3.5 KiB of code.
+/// 323 operations: 147 + −, 173 ×, 3 ÷; 3 sin cos; about 3.9 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 3], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
     let mu_0_3_3_8_6_2 = poses.com_z + 0.023809523809523808;
     let mu_0_3_3_8_6 = body_momentum[0]
-        + (body_momentum[4] * mu_0_3_3_8_6_2 + body_momentum[5] * poses.origin_base_y);
+        + (body_momentum[4] * mu_0_3_3_8_6_2 + body_momentum[5] * poses.minus_com_y);
     let mu_0_3_3_8 = body_momentum[1]
         + (body_momentum[5] * poses.com_x - body_momentum[3] * mu_0_3_3_8_6_2)
         - inertias.locked_inverse_pivot_y_2 * mu_0_3_3_8_6;
     let mu_0_3_3 = (body_momentum[2]
-        - (body_momentum[3] * poses.origin_base_y + body_momentum[4] * poses.com_x)
+        - (body_momentum[3] * poses.minus_com_y + body_momentum[4] * poses.com_x)
         - inertias.locked_inverse_pivot_z_2 * mu_0_3_3_8_6
         - inertias.locked_inverse_pivot_z_4 * mu_0_3_3_8)
         * inertias.locked_inverse_pivot_z;
@@ -5216,11 +5122,11 @@ pub fn velocity_of_momentum(q: &[f64; 3], body_momentum: &[f64; 6], mu: &mut [f6
     mu[1] = mu_0_3 + 0.0;
     mu[2] = mu_0_3_3 + 0.0;
     mu[3] = body_momentum[3] * 0.007692307692307693
-        - (mu_0_3 * mu_0_3_3_8_6_2 + mu_0_3_3 * poses.origin_base_y) + 0.0;
+        - (mu_0_3 * mu_0_3_3_8_6_2 + mu_0_3_3 * poses.minus_com_y) + 0.0;
     mu[4] = body_momentum[4] * 0.007692307692307693
         + (mu_0 * mu_0_3_3_8_6_2 - mu_0_3_3 * poses.com_x) + 0.0;
     mu[5] = body_momentum[5] * 0.007692307692307693
-        + (mu_0 * poses.origin_base_y + mu_0_3 * poses.com_x) + 0.0;
+        + (mu_0 * poses.minus_com_y + mu_0_3 * poses.com_x) + 0.0;
 }
 /// V₁ = μ − A_l q̇, which reconstructs the pose of the base: ġ₁ = g₁ V₁^.
 ///
@@ -5229,7 +5135,7 @@ pub fn velocity_of_momentum(q: &[f64; 3], body_momentum: &[f64; 6], mu: &mut [f6
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 471 operations: 212 + −, 256 ×, 3 ÷; 3 sin cos; about 5.6 KiB of code.
+/// 509 operations: 235 + −, 271 ×, 3 ÷; 3 sin cos; about 6.1 KiB of code.
 pub fn base_twist(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5248,7 +5154,7 @@ pub fn base_twist(
     let base_twist_3_2 = poses.com_z + 0.023809523809523808;
     base_twist[3] = mu[3]
         + (velocities.minus_velocity_base_wy * base_twist_3_2
-            + velocities.minus_velocity_base_wz * poses.origin_base_y
+            + velocities.minus_velocity_base_wz * poses.minus_com_y
             - velocities.minus_velocity_base_vx) + 0.0;
     base_twist[4] = mu[4]
         + (velocities.minus_velocity_base_wz * poses.com_x
@@ -5256,7 +5162,7 @@ pub fn base_twist(
             - velocities.minus_velocity_base_vy) + 0.0;
     base_twist[5] = mu[5]
         - (velocities.minus_velocity_base_vz
-            + (velocities.minus_velocity_base_wx * poses.origin_base_y
+            + (velocities.minus_velocity_base_wx * poses.minus_com_y
                 + velocities.minus_velocity_base_wy * poses.com_x)) + 0.0;
 }
 /// ½ μᵀ Λ_b μ + ½ q̇ᵀ Λ_q q̇.
@@ -5266,7 +5172,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 711 operations: 313 + −, 395 ×, 3 ÷; 3 sin cos; about 8.4 KiB of code.
+/// 749 operations: 336 + −, 410 ×, 3 ÷; 3 sin cos; about 8.9 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5280,11 +5186,11 @@ pub fn kinetic_energy(
     let velocities = velocities(qd, &poses, &screws);
     let kinetic_energy_0_0_22_2 = poses.com_z + 0.023809523809523808;
     let kinetic_energy_0_0_22 = mu[3]
-        + (mu[1] * kinetic_energy_0_0_22_2 + mu[2] * poses.origin_base_y);
+        + (mu[1] * kinetic_energy_0_0_22_2 + mu[2] * poses.minus_com_y);
     let kinetic_energy_0_0_25 = mu[4]
         + (mu[2] * poses.com_x - mu[0] * kinetic_energy_0_0_22_2);
     let kinetic_energy_0_0_28 = mu[5]
-        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+        - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
     let kinetic_energy_0_0 = mu[0]
         * (inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1]
             + inertias.composite_base_xz * mu[2])
@@ -5445,7 +5351,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (3; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (9; rad/s², m/s²)
 ///
-/// 1967 operations: 950 + −, 1005 ×, 12 ÷; 3 sin cos; about 23.2 KiB of code.
+/// 1978 operations: 952 + −, 1014 ×, 12 ÷; 3 sin cos; about 23.3 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5468,7 +5374,7 @@ pub fn forward_dynamics(
         &screws,
         &velocities,
     );
-    let xi_dot_0_3_3_34_6_0_2 = poses.com_z + 0.023809523809523808;
+    let xi_dot_0_3_3_34_4_0_2 = poses.com_z + 0.023809523809523808;
     let xi_dot_0_3_3_34_2 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let xi_dot_0_3_3_34_32_0 = inertias.composite_base_xy * mu[0]
@@ -5478,7 +5384,8 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_34_32_9 = inertias.composite_link_1_xy
         + inertias.composite_link_1_xy;
     let xi_dot_0_3_3_34_11_1 = inertias.composite_link_1_hx * poses.origin_base_y;
-    let xi_dot_0_3_3_34_32_8_1 = inertias.composite_link_1_hy * poses.com_x;
+    let xi_dot_0_3_3_34_32_8_1 = inertias.composite_link_1_hy
+        * poses.minus_origin_base_x;
     let xi_dot_0_3_3_34_32_8 = xi_dot_0_3_3_34_32_8_1 + xi_dot_0_3_3_34_32_8_1;
     let xi_dot_0_3_3_34_11 = xi_dot_0_3_3_34_11_1 + xi_dot_0_3_3_34_11_1;
     let xi_dot_0_3_3_16_1 = poses.sin_joint_1 * inertias.composite_link_2_xz;
@@ -5502,15 +5409,15 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_34_32_18 = xi_dot_0_3_3_34_32_18_1 + xi_dot_0_3_3_34_32_18_1;
     let xi_dot_0_3_3_34_32_19 = xi_dot_0_3_3_34_32_19_1 + xi_dot_0_3_3_34_32_19_1;
     let xi_dot_0_3_3_34_19 = xi_dot_0_3_3_34_19_1 + xi_dot_0_3_3_34_19_1;
-    let xi_dot_0_3_3_34_6_0 = mu[3]
-        + (mu[1] * xi_dot_0_3_3_34_6_0_2 + mu[2] * poses.origin_base_y);
-    let xi_dot_0_3_3_34_32_4_0 = mu[4]
-        + (mu[2] * poses.com_x - mu[0] * xi_dot_0_3_3_34_6_0_2);
-    let xi_dot_0_3_3_34_32_6_0 = mu[5]
-        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
-    let xi_dot_0_3_3_34_6 = xi_dot_0_3_3_34_6_0 * 130.0;
-    let xi_dot_0_3_3_34_32_4 = xi_dot_0_3_3_34_32_4_0 * 130.0;
+    let xi_dot_0_3_3_34_4_0 = mu[3]
+        + (mu[1] * xi_dot_0_3_3_34_4_0_2 + mu[2] * poses.minus_com_y);
+    let xi_dot_0_3_3_34_32_6_0 = mu[4]
+        + (mu[2] * poses.com_x - mu[0] * xi_dot_0_3_3_34_4_0_2);
+    let xi_dot_0_3_3_34_32_4_0 = mu[5]
+        - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
+    let xi_dot_0_3_3_34_4 = xi_dot_0_3_3_34_4_0 * 130.0;
     let xi_dot_0_3_3_34_32_6 = xi_dot_0_3_3_34_32_6_0 * 130.0;
+    let xi_dot_0_3_3_34_32_4 = xi_dot_0_3_3_34_32_4_0 * 130.0;
     let xi_dot_0_3_3_34_28 = screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
     let xi_dot_0_3_3_34_32_26 = screws.inside_joint_1_fy * qd[0]
@@ -5545,34 +5452,28 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_34_1 = mu[0] - velocities.minus_velocity_base_wx;
     let xi_dot_0_3_3_34_32_3 = mu[1] - velocities.minus_velocity_base_wy;
     let xi_dot_0_3_3_34_32_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let xi_dot_0_3_3_34_5 = xi_dot_0_3_3_34_6_0 - velocities.minus_velocity_base_vx;
-    let xi_dot_0_3_3_34_32_7 = xi_dot_0_3_3_34_32_4_0
-        - velocities.minus_velocity_base_vy;
-    let xi_dot_0_3_3_34_32_5 = xi_dot_0_3_3_34_32_6_0
-        - velocities.minus_velocity_base_vz;
     let wrench_base_mx_14 = base_wrench[0]
-        + (base_wrench[4] * xi_dot_0_3_3_34_6_0_2
-            + base_wrench[5] * poses.origin_base_y);
+        + (base_wrench[4] * xi_dot_0_3_3_34_4_0_2 + base_wrench[5] * poses.minus_com_y);
     let wrench_base_my_14 = base_wrench[1]
-        + (base_wrench[5] * poses.com_x - base_wrench[3] * xi_dot_0_3_3_34_6_0_2);
+        + (base_wrench[5] * poses.com_x - base_wrench[3] * xi_dot_0_3_3_34_4_0_2);
     let wrench_base_mz_14 = base_wrench[2]
-        - (base_wrench[3] * poses.origin_base_y + base_wrench[4] * poses.com_x);
+        - (base_wrench[3] * poses.minus_com_y + base_wrench[4] * poses.com_x);
     let xi_dot_0_3_3_34_32 = xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_32_1
         - xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_32_3
-        + (xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_32_5
-            - xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_32_7)
+        + (xi_dot_0_3_3_34_32_4 * velocities.minus_velocity_base_vy
+            - xi_dot_0_3_3_34_32_6 * velocities.minus_velocity_base_vz)
         - (((xi_dot_0_3_3_34_32_8 - xi_dot_0_3_3_34_32_9) * qd[0]
             + (xi_dot_0_3_3_16_1 + xi_dot_0_3_3_16_1
                 + (xi_dot_0_3_3_34_32_13 - xi_dot_0_3_3_34_32_14)) * qd[1]
             + (xi_dot_0_3_3_21_1 + xi_dot_0_3_3_21_1
                 + (xi_dot_0_3_3_34_32_18 + xi_dot_0_3_3_34_32_19)) * qd[2]) * mu[0]
             + xi_dot_0_3_3_34_32_22 * mu[1] + xi_dot_0_3_3_34_32_24 * mu[2]
-            + (xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_32_6_0
-                - xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_32_4_0)) + wrench_base_mx_14;
+            + (xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_32_4_0
+                - xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_32_6_0)) + wrench_base_mx_14;
     let xi_dot_0_3_3_34 = xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_1
         - xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_1
-        + (xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_5
-            - xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_5)
+        + (xi_dot_0_3_3_34_4 * velocities.minus_velocity_base_vz
+            - xi_dot_0_3_3_34_32_4 * velocities.minus_velocity_base_vx)
         - (xi_dot_0_3_3_34_32_22 * mu[0]
             + ((xi_dot_0_3_3_34_32_9 + xi_dot_0_3_3_34_11) * qd[0]
                 - (xi_dot_0_3_3_16_0 + xi_dot_0_3_3_16_0
@@ -5580,21 +5481,21 @@ pub fn forward_dynamics(
                 + (xi_dot_0_3_3_34_32_19 - xi_dot_0_3_3_34_19
                     - (xi_dot_0_3_3_21_0 + xi_dot_0_3_3_21_0)) * qd[2]) * mu[1]
             + xi_dot_0_3_3_34_24 * mu[2]
-            + (xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_6_0
-                - xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_6_0)) + wrench_base_my_14
+            + (xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_4_0
+                - xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_4_0)) + wrench_base_my_14
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_34_32;
     let xi_dot_0_3_3 = (xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_3
         - xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_1
-        + (xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_7
-            - xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_5)
+        + (xi_dot_0_3_3_34_32_6 * velocities.minus_velocity_base_vx
+            - xi_dot_0_3_3_34_4 * velocities.minus_velocity_base_vy)
         - (xi_dot_0_3_3_34_32_24 * mu[0] + xi_dot_0_3_3_34_24 * mu[1]
             + ((xi_dot_0_3_3_34_11 + xi_dot_0_3_3_34_32_8) * qd[0]
                 + (xi_dot_0_3_3_16 + xi_dot_0_3_3_16
                     + (xi_dot_0_3_3_34_32_13 - xi_dot_0_3_3_34_15)) * qd[1]
                 + (xi_dot_0_3_3_21 + xi_dot_0_3_3_21
                     + (xi_dot_0_3_3_34_32_18 - xi_dot_0_3_3_34_19)) * qd[2]) * mu[2]
-            + (xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_4_0
-                - xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_6_0)) + wrench_base_mz_14
+            + (xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_6_0
+                - xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_4_0)) + wrench_base_mz_14
         - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_34_32
         - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_34)
         * inertias.locked_inverse_pivot_z;
@@ -5607,23 +5508,23 @@ pub fn forward_dynamics(
     xi_dot[0] = xi_dot_0 + 0.0;
     xi_dot[1] = xi_dot_0_3 + 0.0;
     xi_dot[2] = xi_dot_0_3_3 + 0.0;
-    xi_dot[3] = (xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_32_1
-        - xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_32_3
+    xi_dot[3] = (xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_32_1
+        - xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_32_3
         - (mu[1] * xi_dot_0_3_3_34_32_28 - mu[2] * xi_dot_0_3_3_34_32_26)
         + base_wrench[3]) * 0.007692307692307693
-        - (xi_dot_0_3 * xi_dot_0_3_3_34_6_0_2 + xi_dot_0_3_3 * poses.origin_base_y)
+        - (xi_dot_0_3 * xi_dot_0_3_3_34_4_0_2 + xi_dot_0_3_3 * poses.minus_com_y)
         + gravity[0] + 0.0;
-    xi_dot[4] = (xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_1
-        - xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_1
+    xi_dot[4] = (xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_1
+        - xi_dot_0_3_3_34_4 * xi_dot_0_3_3_34_32_1
         - (mu[2] * xi_dot_0_3_3_34_28 - mu[0] * xi_dot_0_3_3_34_32_28) + base_wrench[4])
         * 0.007692307692307693
-        + (xi_dot_0 * xi_dot_0_3_3_34_6_0_2 - xi_dot_0_3_3 * poses.com_x) + gravity[1]
+        + (xi_dot_0 * xi_dot_0_3_3_34_4_0_2 - xi_dot_0_3_3 * poses.com_x) + gravity[1]
         + 0.0;
-    xi_dot[5] = (xi_dot_0_3_3_34_6 * xi_dot_0_3_3_34_32_3
-        - xi_dot_0_3_3_34_32_4 * xi_dot_0_3_3_34_1
+    xi_dot[5] = (xi_dot_0_3_3_34_4 * xi_dot_0_3_3_34_32_3
+        - xi_dot_0_3_3_34_32_6 * xi_dot_0_3_3_34_1
         - (mu[0] * xi_dot_0_3_3_34_32_26 - mu[1] * xi_dot_0_3_3_34_28) + base_wrench[5])
         * 0.007692307692307693
-        + (xi_dot_0 * poses.origin_base_y + xi_dot_0_3 * poses.com_x) + gravity[2] + 0.0;
+        + (xi_dot_0 * poses.minus_com_y + xi_dot_0_3 * poses.com_x) + gravity[2] + 0.0;
     let inverse_pivot_joint_3_d = 1.0
         / (poses.cos_joint_1 * screws.inside_joint_3_mx
             + poses.sin_joint_1 * screws.inside_joint_3_my
@@ -5834,9 +5735,9 @@ pub fn forward_dynamics(
                 * wrench_outside_link_2_mx
             + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
                 * wrench_outside_link_2_mz
-            - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_2_fx
             + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+                * wrench_outside_link_2_fx
+            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
                 * wrench_outside_link_2_fy
             + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
                 * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
@@ -5849,10 +5750,10 @@ pub fn forward_dynamics(
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
             + (articulated_link_2_hxz
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-                + (minus_articulated_link_2_hxx
+                - (minus_articulated_link_2_hxy
                     * common_forward_dynamics_inverse_dynamics
                         .wrench_link_1_mx_0_0_1_1_1_0_1
-                    - minus_articulated_link_2_hxy
+                    + minus_articulated_link_2_hxx
                         * common_forward_dynamics_inverse_dynamics
                             .wrench_link_1_mx_0_0_1_1_1_1_1)))
         + wrench_outside_link_2_mx * wrench_link_1_mx_14
@@ -5864,14 +5765,14 @@ pub fn forward_dynamics(
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
             + articulated_link_2_jyz
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            - (minus_articulated_link_2_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-                + (minus_articulated_link_2_hyy
+            + (articulated_link_2_hyx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+                - minus_articulated_link_2_hyy
                     * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_1_1
-                    + articulated_link_2_hyx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_1_mx_0_0_1_1_1_0_1)))
+                        .wrench_link_1_mx_0_0_1_1_1_0_1
+                - minus_articulated_link_2_hyz
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_0_1))
         + wrench_outside_link_2_my * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_1;
     let wrench_link_1_mz = wrench_link_2_mz
@@ -5882,10 +5783,10 @@ pub fn forward_dynamics(
             + articulated_link_2_jzz
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
             + (articulated_link_2_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
-                + minus_articulated_link_2_hzx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+                - minus_articulated_link_2_hzx
                     * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_0_1
+                        .wrench_link_1_mx_0_0_1_1_1_1_1
                 - minus_articulated_link_2_hzz
                     * common_forward_dynamics_inverse_dynamics
                         .wrench_link_1_mx_0_0_1_1_0_1))
@@ -5898,12 +5799,12 @@ pub fn forward_dynamics(
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
             - minus_articulated_link_2_hzx
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            - (articulated_link_2_mxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-                + minus_articulated_link_2_mxy
+            + (articulated_link_2_mxx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+                - minus_articulated_link_2_mxy
                     * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_1_1
-                + minus_articulated_link_2_mxz
+                        .wrench_link_1_mx_0_0_1_1_1_0_1
+                - minus_articulated_link_2_mxz
                     * common_forward_dynamics_inverse_dynamics
                         .wrench_link_1_mx_0_0_1_1_0_1))
         + wrench_outside_link_2_fx * wrench_link_1_mx_14
@@ -5915,9 +5816,9 @@ pub fn forward_dynamics(
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
             + articulated_link_2_hzy
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (minus_articulated_link_2_mxy
+            + (articulated_link_2_myy
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-                + articulated_link_2_myy
+                - minus_articulated_link_2_mxy
                     * common_forward_dynamics_inverse_dynamics
                         .wrench_link_1_mx_0_0_1_1_1_1_1
                 - minus_articulated_link_2_myz
@@ -5926,12 +5827,13 @@ pub fn forward_dynamics(
         + wrench_outside_link_2_fy * wrench_link_1_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1;
     let wrench_link_1_fz = wrench_link_2_fz
-        + (minus_articulated_link_2_mxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-            - minus_articulated_link_2_myz
+        + (articulated_link_2_mzz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
+            - (minus_articulated_link_2_mxz
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
-            + articulated_link_2_mzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
+                + minus_articulated_link_2_myz
+                    * common_forward_dynamics_inverse_dynamics
+                        .wrench_link_1_mx_0_0_1_1_1_0_1)
             - (articulated_link_2_hxz
                 * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
                 + minus_articulated_link_2_hyz
@@ -6011,28 +5913,29 @@ pub fn forward_dynamics(
             - wrench_outside_link_2_fz * inverse_pivot_joint_2_d
                 * wrench_outside_link_2_fz);
     let wrench_outside_link_1_mx = articulated_link_1_jxz
-        - (minus_articulated_link_1_hxy * poses.com_x
+        - (minus_articulated_link_1_hxy * poses.minus_origin_base_x
             + minus_articulated_link_1_hxx * poses.origin_base_y);
     let wrench_outside_link_1_my = articulated_link_1_jyz
         + (articulated_link_1_hyx * poses.origin_base_y
-            - minus_articulated_link_1_hyy * poses.com_x);
+            - minus_articulated_link_1_hyy * poses.minus_origin_base_x);
     let wrench_outside_link_1_mz = articulated_link_1_jzz
-        + (articulated_link_1_hzy * poses.com_x
+        + (articulated_link_1_hzy * poses.minus_origin_base_x
             - minus_articulated_link_1_hzx * poses.origin_base_y);
     let wrench_outside_link_1_fx = articulated_link_1_mxx * poses.origin_base_y
-        - minus_articulated_link_1_mxy * poses.com_x - minus_articulated_link_1_hzx;
+        - minus_articulated_link_1_mxy * poses.minus_origin_base_x
+        - minus_articulated_link_1_hzx;
     let wrench_outside_link_1_fy = articulated_link_1_hzy
-        + (articulated_link_1_myy * poses.com_x
+        + (articulated_link_1_myy * poses.minus_origin_base_x
             - minus_articulated_link_1_mxy * poses.origin_base_y);
     let minus_wrench_outside_link_1_fz = minus_articulated_link_1_hzz
         + (minus_articulated_link_1_mxz * poses.origin_base_y
-            + minus_articulated_link_1_myz * poses.com_x);
+            + minus_articulated_link_1_myz * poses.minus_origin_base_x);
     let inverse_pivot_joint_1_d = 1.0
         / (wrench_outside_link_1_mz + poses.origin_base_y * wrench_outside_link_1_fx
-            + poses.com_x * wrench_outside_link_1_fy);
+            + poses.minus_origin_base_x * wrench_outside_link_1_fy);
     let wrench_base_mx_12_0 = tau[0]
         - (wrench_link_1_mz + poses.origin_base_y * wrench_link_1_fx
-            + poses.com_x * wrench_link_1_fy);
+            + poses.minus_origin_base_x * wrench_link_1_fy);
     let wrench_base_mx_12 = (wrench_base_mx_12_0
         - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
             * wrench_outside_link_1_mx
@@ -6121,21 +6024,22 @@ pub fn forward_dynamics(
                         .wrench_base_mx_0_0_1_1_0_1))
         + wrench_outside_link_1_fy * wrench_base_mx_12
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0 + base_wrench[4]);
-    let wrench_base_fz = wrench_link_1_fz
-        + (articulated_link_1_hxz
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_mzz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                - (minus_articulated_link_1_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_1_1
-                    + minus_articulated_link_1_myz
+    let wrench_base_fz = common_forward_dynamics_inverse_dynamics.wrench_base_fz_0_0
+        - base_wrench[5]
+        + (wrench_link_1_fz
+            + (articulated_link_1_hxz
+                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
+                - articulated_link_1_hyz
+                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
+                + (articulated_link_1_mzz
+                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
+                    - (minus_articulated_link_1_mxz
                         * common_forward_dynamics_inverse_dynamics
-                            .wrench_base_mx_0_0_1_1_1_0_1)))
-        - minus_wrench_outside_link_1_fz * wrench_base_mx_12
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_fz_1_0 + base_wrench[5]);
+                            .wrench_base_mx_0_0_1_1_1_1_1
+                        + minus_articulated_link_1_myz
+                            * common_forward_dynamics_inverse_dynamics
+                                .wrench_base_mx_0_0_1_1_1_0_1)))
+            - minus_wrench_outside_link_1_fz * wrench_base_mx_12);
     let minus_articulated_base_hxx_1 = wrench_outside_link_1_mx
         * inverse_pivot_joint_1_d;
     let minus_articulated_base_hyy_1 = wrench_outside_link_1_my
@@ -6341,7 +6245,8 @@ pub fn forward_dynamics(
     xi_dot[6] = twist_link_1_wz_1 + 0.0;
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
     let twist_link_1_vx = twist_link_1_vx_0 + poses.origin_base_y * twist_link_1_wz_1;
-    let twist_link_1_vy = twist_link_1_vy_0 + poses.com_x * twist_link_1_wz_1;
+    let twist_link_1_vy = twist_link_1_vy_0
+        + poses.minus_origin_base_x * twist_link_1_wz_1;
     let twist_link_2_wx_0 = twist_link_1_wx
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1;
     let twist_link_2_wy_0 = twist_link_1_wy
@@ -6349,9 +6254,9 @@ pub fn forward_dynamics(
     let twist_link_2_wz = twist_link_1_wz
         + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1;
     let twist_link_2_vx_0 = twist_link_1_vx
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1;
-    let twist_link_2_vy_0 = twist_link_1_vy
         + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1;
+    let twist_link_2_vy_0 = twist_link_1_vy
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1;
     let twist_link_2_vz_0 = twist_link_1_vz
         + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1;
     let twist_link_2_wx_2 = (wrench_link_1_mx_14_0
@@ -6400,7 +6305,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (3; N·m, N)
 ///
-/// 1606 operations: 768 + −, 835 ×, 3 ÷; 3 sin cos; about 18.9 KiB of code.
+/// 1617 operations: 770 + −, 844 ×, 3 ÷; 3 sin cos; about 19.1 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -6431,7 +6336,7 @@ pub fn inverse_dynamics(
     let base_wrench_0_0_30 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let base_wrench_0_0_7 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let base_wrench_0_0_6_1 = inertias.composite_link_1_hy * poses.com_x;
+    let base_wrench_0_0_6_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let base_wrench_0_0_6 = base_wrench_0_0_6_1 + base_wrench_0_0_6_1;
     let base_wrench_0_0_10 = poses.sin_joint_1 * inertias.composite_link_2_xz;
     let base_wrench_0_0_11_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
@@ -6445,14 +6350,13 @@ pub fn inverse_dynamics(
     let base_wrench_0_0_16 = base_wrench_0_0_16_1 + base_wrench_0_0_16_1;
     let base_wrench_0_0_17 = base_wrench_0_0_17_1 + base_wrench_0_0_17_1;
     let base_wrench_0_1_13_0 = mu[3]
-        + (mu[1] * base_wrench_0_1_13_0_2 + mu[2] * poses.origin_base_y);
-    let base_wrench_0_0_32_0 = mu[4]
+        + (mu[1] * base_wrench_0_1_13_0_2 + mu[2] * poses.minus_com_y);
+    let base_wrench_0_0_34_0 = mu[4]
         + (mu[2] * poses.com_x - mu[0] * base_wrench_0_1_13_0_2);
-    let base_wrench_0_0_34_0 = mu[5]
-        - (mu[0] * poses.origin_base_y + mu[1] * poses.com_x);
+    let base_wrench_0_0_32_0 = mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
     let base_wrench_0_1_13 = base_wrench_0_1_13_0 * 130.0;
-    let base_wrench_0_0_32 = base_wrench_0_0_32_0 * 130.0;
     let base_wrench_0_0_34 = base_wrench_0_0_34_0 * 130.0;
+    let base_wrench_0_0_32 = base_wrench_0_0_32_0 * 130.0;
     let base_wrench_0_1_8 = screws.inside_joint_1_fx * qd[0]
         + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
     let base_wrench_0_0_24 = screws.inside_joint_1_fy * qd[0]
@@ -6477,8 +6381,6 @@ pub fn inverse_dynamics(
     let base_wrench_0_1_12 = mu[0] - velocities.minus_velocity_base_wx;
     let base_wrench_0_0_31 = mu[1] - velocities.minus_velocity_base_wy;
     let base_wrench_0_0_29 = mu[2] - velocities.minus_velocity_base_wz;
-    let base_wrench_0_0_35 = base_wrench_0_0_32_0 - velocities.minus_velocity_base_vy;
-    let base_wrench_0_0_33 = base_wrench_0_0_34_0 - velocities.minus_velocity_base_vz;
     let base_wrench_0_0 = inertias.composite_base_xx * xi_dot[0]
         + inertias.composite_base_xy * xi_dot[1] + inertias.composite_base_xz * xi_dot[2]
         + (((base_wrench_0_0_6 - base_wrench_0_0_7) * qd[0]
@@ -6487,26 +6389,26 @@ pub fn inverse_dynamics(
             + (base_wrench_0_0_15 + base_wrench_0_0_15
                 + (base_wrench_0_0_16 + base_wrench_0_0_17)) * qd[2]) * mu[0]
             + base_wrench_0_0_20 * mu[1] + base_wrench_0_0_22 * mu[2]
-            + (base_wrench_0_0_24 * base_wrench_0_0_34_0
-                - base_wrench_0_0_26 * base_wrench_0_0_32_0))
+            + (base_wrench_0_0_24 * base_wrench_0_0_32_0
+                - base_wrench_0_0_26 * base_wrench_0_0_34_0))
         - (base_wrench_0_0_28 * base_wrench_0_0_29
             - base_wrench_0_0_30 * base_wrench_0_0_31
-            + (base_wrench_0_0_32 * base_wrench_0_0_33
-                - base_wrench_0_0_34 * base_wrench_0_0_35));
+            + (base_wrench_0_0_32 * velocities.minus_velocity_base_vy
+                - base_wrench_0_0_34 * velocities.minus_velocity_base_vz));
     let base_wrench_0_1 = (xi_dot[4] - gravity[1]
         + (xi_dot[2] * poses.com_x - xi_dot[0] * base_wrench_0_1_13_0_2)) * 130.0
         + (mu[2] * base_wrench_0_1_8 - mu[0] * base_wrench_0_0_26)
-        - (base_wrench_0_0_34 * base_wrench_0_1_12
+        - (base_wrench_0_0_32 * base_wrench_0_1_12
             - base_wrench_0_1_13 * base_wrench_0_0_29);
     let base_wrench_0_3 = (xi_dot[5] - gravity[2]
-        - (xi_dot[0] * poses.origin_base_y + xi_dot[1] * poses.com_x)) * 130.0
+        - (xi_dot[0] * poses.minus_com_y + xi_dot[1] * poses.com_x)) * 130.0
         + (mu[0] * base_wrench_0_0_24 - mu[1] * base_wrench_0_1_8)
         - (base_wrench_0_1_13 * base_wrench_0_0_31
-            - base_wrench_0_0_32 * base_wrench_0_1_12);
+            - base_wrench_0_0_34 * base_wrench_0_1_12);
     // F₁
     base_wrench[0] = base_wrench_0_0
         - (base_wrench_0_1 * base_wrench_0_1_13_0_2
-            + base_wrench_0_3 * poses.origin_base_y) + 0.0;
+            + base_wrench_0_3 * poses.minus_com_y) + 0.0;
     let base_wrench_1_0_30 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
     let base_wrench_1_0_9_1 = inertias.composite_link_1_hx * poses.origin_base_y;
@@ -6528,7 +6430,6 @@ pub fn inverse_dynamics(
             - inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
             - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2];
-    let base_wrench_1_0_33 = base_wrench_0_1_13_0 - velocities.minus_velocity_base_vx;
     let base_wrench_1_0 = inertias.composite_base_xy * xi_dot[0]
         + inertias.composite_base_yy * xi_dot[1] + inertias.composite_base_yz * xi_dot[2]
         + (base_wrench_0_0_20 * mu[0]
@@ -6539,16 +6440,16 @@ pub fn inverse_dynamics(
                     - (base_wrench_1_0_19 + base_wrench_1_0_19)) * qd[2]) * mu[1]
             + base_wrench_1_0_22 * mu[2]
             + (base_wrench_0_0_26 * base_wrench_0_1_13_0
-                - base_wrench_0_1_8 * base_wrench_0_0_34_0))
+                - base_wrench_0_1_8 * base_wrench_0_0_32_0))
         - (base_wrench_0_0_30 * base_wrench_0_1_12
             - base_wrench_1_0_30 * base_wrench_0_0_29
-            + (base_wrench_0_0_34 * base_wrench_1_0_33
-                - base_wrench_0_1_13 * base_wrench_0_0_33));
+            + (base_wrench_0_1_13 * velocities.minus_velocity_base_vz
+                - base_wrench_0_0_32 * velocities.minus_velocity_base_vx));
     let base_wrench_1_1 = (xi_dot[3] - gravity[0]
-        + (xi_dot[1] * base_wrench_0_1_13_0_2 + xi_dot[2] * poses.origin_base_y)) * 130.0
+        + (xi_dot[1] * base_wrench_0_1_13_0_2 + xi_dot[2] * poses.minus_com_y)) * 130.0
         + (mu[1] * base_wrench_0_0_26 - mu[2] * base_wrench_0_0_24)
-        - (base_wrench_0_0_32 * base_wrench_0_0_29
-            - base_wrench_0_0_34 * base_wrench_0_0_31);
+        - (base_wrench_0_0_34 * base_wrench_0_0_29
+            - base_wrench_0_0_32 * base_wrench_0_0_31);
     base_wrench[1] = base_wrench_1_0
         + (base_wrench_1_1 * base_wrench_0_1_13_0_2 - base_wrench_0_3 * poses.com_x)
         + 0.0;
@@ -6562,14 +6463,14 @@ pub fn inverse_dynamics(
                     + (base_wrench_0_0_11 - base_wrench_1_0_13)) * qd[1]
                 + (base_wrench_2_0_19 + base_wrench_2_0_19
                     + (base_wrench_0_0_16 - base_wrench_1_0_17)) * qd[2]) * mu[2]
-            + (base_wrench_0_1_8 * base_wrench_0_0_32_0
+            + (base_wrench_0_1_8 * base_wrench_0_0_34_0
                 - base_wrench_0_0_24 * base_wrench_0_1_13_0))
         - (base_wrench_1_0_30 * base_wrench_0_0_31
             - base_wrench_0_0_28 * base_wrench_0_1_12
-            + (base_wrench_0_1_13 * base_wrench_0_0_35
-                - base_wrench_0_0_32 * base_wrench_1_0_33));
+            + (base_wrench_0_0_34 * velocities.minus_velocity_base_vx
+                - base_wrench_0_1_13 * velocities.minus_velocity_base_vy));
     base_wrench[2] = base_wrench_2_0
-        + (base_wrench_1_1 * poses.origin_base_y + base_wrench_0_1 * poses.com_x) + 0.0;
+        + (base_wrench_1_1 * poses.minus_com_y + base_wrench_0_1 * poses.com_x) + 0.0;
     base_wrench[3] = base_wrench_1_1 + 0.0;
     base_wrench[4] = base_wrench_0_1 + 0.0;
     base_wrench[5] = base_wrench_0_3 + 0.0;
@@ -6626,7 +6527,8 @@ pub fn inverse_dynamics(
         .wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx
         + poses.origin_base_y * xi_dot[6];
     let twist_link_1_vy = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy + poses.com_x * xi_dot[6];
+        .wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy
+        + poses.minus_origin_base_x * xi_dot[6];
     let wrench_link_1_mx_0 = inertias.inertia_link_1_xx * twist_link_1_wx
         - inertias.inertia_link_1_xy * minus_twist_link_1_wy
         + inertias.inertia_link_1_xz * twist_link_1_wz
@@ -6654,10 +6556,10 @@ pub fn inverse_dynamics(
         .wrench_link_1_mx_0_0_1_0_0_0_1 - minus_twist_link_1_wy
         + poses.sin_joint_1 * xi_dot[7];
     let twist_link_2_vx = twist_link_1_vx
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
         - screws.minus_screw_joint_2_vx * xi_dot[7];
     let twist_link_2_vy = twist_link_1_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
         + screws.screw_joint_2_vy * xi_dot[7];
     let twist_link_2_vz = twist_link_1_vz
         + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
@@ -6735,10 +6637,11 @@ pub fn inverse_dynamics(
             + screws.connection_joint_1_wz * base_wrench_2_0
             + screws.connection_joint_1_vx * base_wrench_1_1
             + screws.connection_joint_1_vy * base_wrench_0_1) + 0.0;
-    let minus_wrench_outside_link_1_fz = minus_twist_base_vz * 105.0
-        + (minus_twist_base_wx * inertias.inertia_base_hy
-            + minus_twist_base_wy * inertias.minus_inertia_base_hx)
-        + common_forward_dynamics_inverse_dynamics.wrench_base_fz_1_0;
+    let wrench_outside_link_1_fz = common_forward_dynamics_inverse_dynamics
+        .wrench_base_fz_0_0
+        - (minus_twist_base_vz * 105.0
+            + (minus_twist_base_wx * inertias.inertia_base_hy
+                + minus_twist_base_wy * inertias.minus_inertia_base_hx));
     let wrench_link_2_fx_0 = twist_link_2_vx * 10.0
         + (twist_link_2_wy * inertias.inertia_link_2_hz
             - twist_link_2_wz * inertias.inertia_link_2_hy)
@@ -6783,7 +6686,7 @@ pub fn inverse_dynamics(
         + (twist_link_1_wx * inertias.inertia_link_1_hy
             - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
         - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_1
-        - minus_wrench_outside_link_1_fz;
+        + wrench_outside_link_1_fz;
     tau[1] = reactions.reaction_joint_2_wx * wrench_link_2_mx
         + reactions.reaction_joint_2_wy * wrench_link_2_my
         + reactions.reaction_joint_2_wz * wrench_link_2_mz
@@ -6833,7 +6736,7 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×3, by columns; rad, m)
 ///
-/// 624 operations: 271 + −, 350 ×, 3 ÷; 3 sin cos; about 7.4 KiB of code.
+/// 662 operations: 294 + −, 365 ×, 3 ÷; 3 sin cos; about 7.9 KiB of code.
 pub fn kinematics_link_3(
     q: &[f64; 3],
     pose: &mut [[f64; 3]; 4],
@@ -6859,7 +6762,7 @@ pub fn kinematics_link_3(
     pose[2][2] = 0.0 - poses.rotation_link_3_zx;
     // g_k = [R p] column 3
     pose[3][0] = poses.origin_link_3_x + poses.com_x + 0.0;
-    pose[3][1] = poses.origin_link_3_y - poses.origin_base_y + 0.0;
+    pose[3][1] = poses.origin_link_3_y - poses.minus_com_y + 0.0;
     pose[3][2] = poses.origin_link_3_z + (poses.com_z + 0.023809523809523808) + 0.0;
     // J\u{303}_k = J_k − X_k A_l column joint_1
     generalized_jacobian[0][0] = poses.cos_joint_1 * reactions.reaction_joint_1_wx

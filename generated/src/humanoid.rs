@@ -289,96 +289,104 @@ struct Poses {
     rotation_right_wrist_cross_xy: f64,
     rotation_right_wrist_cross_yy: f64,
     rotation_right_wrist_cross_zy: f64,
-    com_x_0_0_0: f64,
-    com_y_0_0_0: f64,
-    com_x_0_0_2: f64,
-    com_y_0_0_2: f64,
-    com_z_0_0_0: f64,
-    com_x_0_0_4: f64,
-    com_y_0_0_4: f64,
-    com_z_0_0_3: f64,
-    com_x_0_0_6: f64,
-    com_y_0_0_6: f64,
-    com_z_0_0_5: f64,
-    com_x_0_0_8: f64,
-    com_y_0_0_8: f64,
-    com_z_0_0_7: f64,
-    com_x_0_0_10: f64,
-    com_y_0_0_10: f64,
-    com_z_0_0_9: f64,
-    com_x_0_0_12: f64,
-    com_y_0_0_12: f64,
-    com_x_0_0_14: f64,
-    com_y_0_0_14: f64,
-    com_z_0_0_12: f64,
-    com_x_0_0_16: f64,
-    com_y_0_0_16: f64,
-    com_z_0_0_14: f64,
-    com_x_0_0_18: f64,
-    com_y_0_0_18: f64,
-    com_z_0_0_16: f64,
-    com_x_0_0_20: f64,
-    com_y_0_0_20: f64,
-    com_z_0_0_18: f64,
-    com_x_0_0_22: f64,
-    com_y_0_0_22: f64,
-    com_z_0_0_20: f64,
-    com_x_0_0_24: f64,
-    com_y_0_0_24: f64,
-    com_x_0_1: f64,
-    com_y_0_1: f64,
-    com_z_0_1: f64,
-    com_x_0_3: f64,
-    com_y_0_3: f64,
-    com_z_0_3: f64,
-    com_x_0_5: f64,
-    com_y_0_5: f64,
-    com_z_0_5: f64,
-    com_x_0_7: f64,
-    com_y_0_7: f64,
-    com_z_0_7: f64,
-    com_x_0_9: f64,
-    com_y_0_9: f64,
-    com_z_0_9: f64,
-    com_x_0_11: f64,
-    com_y_0_11: f64,
-    com_z_0_11: f64,
-    com_x_0_13: f64,
-    com_y_0_13: f64,
-    com_z_0_13: f64,
-    com_x_0_15: f64,
-    com_y_0_15: f64,
-    com_z_0_15: f64,
-    com_x_0_17: f64,
-    com_y_0_17: f64,
-    com_z_0_17: f64,
-    com_x_0_19: f64,
-    com_y_0_19: f64,
-    com_z_0_19: f64,
-    com_x_0_21: f64,
-    com_y_0_21: f64,
-    com_z_0_21: f64,
-    com_x_0_23: f64,
-    com_y_0_23: f64,
-    com_z_0_23: f64,
-    com_x_1: f64,
-    com_y_1: f64,
-    com_z_1: f64,
-    com_x_3: f64,
-    com_y_3: f64,
-    com_z_3: f64,
-    com_x_5: f64,
-    com_y_5: f64,
-    com_z_5: f64,
-    com_x_7: f64,
-    com_y_7: f64,
-    com_z_7: f64,
-    com_x_9: f64,
-    com_y_9: f64,
-    com_z_9: f64,
     com_x: f64,
-    com_y: f64,
     com_z: f64,
+    minus_origin_pelvis_x_1_0_0_0: f64,
+    minus_origin_pelvis_y_1_0_0_0: f64,
+    minus_origin_pelvis_z_1_0_0_13_0: f64,
+    minus_origin_pelvis_x_1_0_0_4: f64,
+    minus_origin_pelvis_y_1_0_0_4: f64,
+    minus_origin_pelvis_z_1_0_0_0: f64,
+    minus_origin_pelvis_x_1_0_0_6: f64,
+    minus_origin_pelvis_y_1_0_0_6: f64,
+    minus_origin_pelvis_z_1_0_0_5: f64,
+    minus_origin_pelvis_x_1_0_0_8: f64,
+    minus_origin_pelvis_y_1_0_0_8: f64,
+    minus_origin_pelvis_z_1_0_0_7: f64,
+    minus_origin_pelvis_x_1_0_0_10: f64,
+    minus_origin_pelvis_y_1_0_0_10: f64,
+    minus_origin_pelvis_z_1_0_0_9: f64,
+    minus_origin_pelvis_x_1_0_0_12: f64,
+    minus_origin_pelvis_y_1_0_0_12: f64,
+    minus_origin_pelvis_z_1_0_0_11: f64,
+    minus_origin_pelvis_x_1_0_0_14: f64,
+    minus_origin_pelvis_y_1_0_0_14: f64,
+    minus_origin_pelvis_x_1_0_0_16: f64,
+    minus_origin_pelvis_y_1_0_0_16: f64,
+    minus_origin_pelvis_z_1_0_0_14: f64,
+    minus_origin_pelvis_x_1_0_0_18: f64,
+    minus_origin_pelvis_y_1_0_0_18: f64,
+    minus_origin_pelvis_z_1_0_0_16: f64,
+    minus_origin_pelvis_x_1_0_0_20: f64,
+    minus_origin_pelvis_y_1_0_0_20: f64,
+    minus_origin_pelvis_z_1_0_0_18: f64,
+    minus_origin_pelvis_x_1_0_0_22: f64,
+    minus_origin_pelvis_y_1_0_0_22: f64,
+    minus_origin_pelvis_z_1_0_0_20: f64,
+    minus_origin_pelvis_x_1_0_0_24: f64,
+    minus_origin_pelvis_y_1_0_0_24: f64,
+    minus_origin_pelvis_z_1_0_0_22: f64,
+    minus_origin_waist_bracket_y_0: f64,
+    minus_origin_pelvis_x_1_0_1: f64,
+    minus_origin_pelvis_y_1_0_1: f64,
+    minus_origin_pelvis_z_1_0_1: f64,
+    minus_origin_pelvis_x_1_0_3: f64,
+    minus_origin_pelvis_y_1_0_3: f64,
+    minus_origin_pelvis_z_1_0_3: f64,
+    minus_origin_pelvis_x_1_0_5: f64,
+    minus_origin_pelvis_y_1_0_5: f64,
+    minus_origin_pelvis_z_1_0_5: f64,
+    minus_origin_pelvis_x_1_0_7: f64,
+    minus_origin_pelvis_y_1_0_7: f64,
+    minus_origin_pelvis_z_1_0_7: f64,
+    minus_origin_pelvis_x_1_0_9: f64,
+    minus_origin_pelvis_y_1_0_9: f64,
+    minus_origin_pelvis_z_1_0_9: f64,
+    minus_origin_pelvis_x_1_0_11: f64,
+    minus_origin_pelvis_y_1_0_11: f64,
+    minus_origin_pelvis_z_1_0_11: f64,
+    minus_origin_pelvis_x_1_0_13: f64,
+    minus_origin_pelvis_y_1_0_13: f64,
+    minus_origin_pelvis_z_1_0_13: f64,
+    minus_origin_pelvis_x_1_0_15: f64,
+    minus_origin_pelvis_y_1_0_15: f64,
+    minus_origin_pelvis_z_1_0_15: f64,
+    minus_origin_pelvis_x_1_0_17: f64,
+    minus_origin_pelvis_y_1_0_17: f64,
+    minus_origin_pelvis_z_1_0_17: f64,
+    minus_origin_pelvis_x_1_0_19: f64,
+    minus_origin_pelvis_y_1_0_19: f64,
+    minus_origin_pelvis_z_1_0_19: f64,
+    minus_origin_pelvis_x_1_0_21: f64,
+    minus_origin_pelvis_y_1_0_21: f64,
+    minus_origin_pelvis_z_1_0_21: f64,
+    minus_origin_pelvis_x_1_0_23: f64,
+    minus_origin_pelvis_y_1_0_23: f64,
+    minus_origin_pelvis_z_1_0_23: f64,
+    minus_origin_pelvis_x_1_1: f64,
+    minus_origin_pelvis_y_1_1: f64,
+    minus_origin_pelvis_z_1_1: f64,
+    minus_origin_pelvis_x_1_3: f64,
+    minus_origin_pelvis_y_1_3: f64,
+    minus_origin_pelvis_z_1_3: f64,
+    minus_origin_pelvis_x_1_5: f64,
+    minus_origin_pelvis_y_1_5: f64,
+    minus_origin_pelvis_z_1_5: f64,
+    minus_origin_pelvis_x_1_7: f64,
+    minus_origin_pelvis_y_1_7: f64,
+    minus_origin_pelvis_z_1_7: f64,
+    minus_origin_pelvis_x_1_9: f64,
+    minus_origin_pelvis_y_1_9: f64,
+    minus_origin_pelvis_z_1_9: f64,
+    minus_origin_pelvis_x_1_11: f64,
+    minus_origin_pelvis_y_1_11: f64,
+    minus_origin_pelvis_z_1_11: f64,
+    minus_origin_pelvis_x_1: f64,
+    minus_origin_pelvis_y_1: f64,
+    minus_origin_pelvis_z_1: f64,
+    minus_origin_pelvis_x: f64,
+    minus_origin_pelvis_y: f64,
+    minus_origin_pelvis_z: f64,
     origin_left_hip_bracket_x: f64,
     origin_left_hip_bracket_y: f64,
     origin_left_hip_cross_x: f64,
@@ -1478,121 +1486,339 @@ fn poses(q: &[f64; 30]) -> Poses {
         + com_y_9 * 0.4) * 0.016570008285004136;
     let com_z = (com_z_0 + com_z_1 * 0.6 + com_z_3 * 0.7 + com_z_5 * 0.45 + com_z_7 * 0.2
         + com_z_9 * 0.4) * 0.016570008285004136;
+    let minus_origin_pelvis_x_1_0_0_0 = com_x_0_0_0 - com_x;
+    let minus_origin_pelvis_y_1_0_0_0 = com_y_0_0_0 - com_y;
+    let minus_origin_pelvis_z_1_0_0_13_0 = 0.1052670807453416 + com_z;
+    let minus_origin_pelvis_z_1_0_0_13 = minus_origin_pelvis_z_1_0_0_13_0 * 1.2;
+    let minus_origin_pelvis_x_1_0_0_4 = com_x_0_0_2 - com_x;
+    let minus_origin_pelvis_y_1_0_0_4 = com_y_0_0_2 - com_y;
+    let minus_origin_pelvis_z_1_0_0_0 = com_z_0_0_0 - com_z;
+    let minus_origin_pelvis_x_1_0_0_6 = com_x_0_0_4 - com_x;
+    let minus_origin_pelvis_y_1_0_0_6 = com_y_0_0_4 - com_y;
+    let minus_origin_pelvis_z_1_0_0_5 = com_z_0_0_3 - com_z;
+    let minus_origin_pelvis_x_1_0_0_8 = com_x_0_0_6 - com_x;
+    let minus_origin_pelvis_y_1_0_0_8 = com_y_0_0_6 - com_y;
+    let minus_origin_pelvis_z_1_0_0_7 = com_z_0_0_5 - com_z;
+    let minus_origin_pelvis_x_1_0_0_10 = com_x_0_0_8 - com_x;
+    let minus_origin_pelvis_y_1_0_0_10 = com_y_0_0_8 - com_y;
+    let minus_origin_pelvis_z_1_0_0_9 = com_z_0_0_7 - com_z;
+    let minus_origin_pelvis_x_1_0_0_12 = com_x_0_0_10 - com_x;
+    let minus_origin_pelvis_y_1_0_0_12 = com_y_0_0_10 - com_y;
+    let minus_origin_pelvis_z_1_0_0_11 = com_z_0_0_9 - com_z;
+    let minus_origin_pelvis_x_1_0_0_14 = com_x_0_0_12 - com_x;
+    let minus_origin_pelvis_y_1_0_0_14 = com_y_0_0_12 + com_y;
+    let minus_origin_pelvis_x_1_0_0_16 = com_x_0_0_14 - com_x;
+    let minus_origin_pelvis_y_1_0_0_16 = com_y_0_0_14 - com_y;
+    let minus_origin_pelvis_z_1_0_0_14 = com_z_0_0_12 + com_z;
+    let minus_origin_pelvis_x_1_0_0_18 = com_x_0_0_16 - com_x;
+    let minus_origin_pelvis_y_1_0_0_18 = com_y_0_0_16 - com_y;
+    let minus_origin_pelvis_z_1_0_0_16 = com_z_0_0_14 + com_z;
+    let minus_origin_pelvis_x_1_0_0_20 = com_x_0_0_18 - com_x;
+    let minus_origin_pelvis_y_1_0_0_20 = com_y_0_0_18 - com_y;
+    let minus_origin_pelvis_z_1_0_0_18 = com_z_0_0_16 - com_z;
+    let minus_origin_pelvis_x_1_0_0_22 = com_x_0_0_20 - com_x;
+    let minus_origin_pelvis_y_1_0_0_22 = com_y_0_0_20 - com_y;
+    let minus_origin_pelvis_z_1_0_0_20 = com_z_0_0_18 - com_z;
+    let minus_origin_pelvis_x_1_0_0_24 = com_x_0_0_22 - com_x;
+    let minus_origin_pelvis_y_1_0_0_24 = com_y_0_0_22 - com_y;
+    let minus_origin_pelvis_z_1_0_0_22 = com_z_0_0_20 - com_z;
+    let minus_origin_pelvis_x_1_0_0 = minus_origin_pelvis_x_1_0_0_0 * 1.2 - com_x * 8.05
+        + minus_origin_pelvis_x_1_0_0_4 * 1.3 + minus_origin_pelvis_x_1_0_0_6 * 4.5
+        + minus_origin_pelvis_x_1_0_0_8 * 2.8 + minus_origin_pelvis_x_1_0_0_10 * 0.5
+        + minus_origin_pelvis_x_1_0_0_12 * 1.2999999999999998
+        + minus_origin_pelvis_x_1_0_0_14 * 1.2 + minus_origin_pelvis_x_1_0_0_16 * 1.3
+        + minus_origin_pelvis_x_1_0_0_18 * 4.5 + minus_origin_pelvis_x_1_0_0_20 * 2.8
+        + minus_origin_pelvis_x_1_0_0_22 * 0.5
+        + minus_origin_pelvis_x_1_0_0_24 * 1.2999999999999998;
+    let minus_origin_pelvis_y_1_0_0 = minus_origin_pelvis_y_1_0_0_0 * 1.2 - com_y * 8.05
+        + minus_origin_pelvis_y_1_0_0_4 * 1.3 + minus_origin_pelvis_y_1_0_0_6 * 4.5
+        + minus_origin_pelvis_y_1_0_0_8 * 2.8 + minus_origin_pelvis_y_1_0_0_10 * 0.5
+        + minus_origin_pelvis_y_1_0_0_12 * 1.2999999999999998
+        - minus_origin_pelvis_y_1_0_0_14 * 1.2 + minus_origin_pelvis_y_1_0_0_16 * 1.3
+        + minus_origin_pelvis_y_1_0_0_18 * 4.5 + minus_origin_pelvis_y_1_0_0_20 * 2.8
+        + minus_origin_pelvis_y_1_0_0_22 * 0.5
+        + minus_origin_pelvis_y_1_0_0_24 * 1.2999999999999998;
+    let minus_origin_pelvis_z_1_0_0 = minus_origin_pelvis_z_1_0_0_0 * 1.3
+        - (com_z * 8.05 + minus_origin_pelvis_z_1_0_0_13)
+        + minus_origin_pelvis_z_1_0_0_5 * 4.5 + minus_origin_pelvis_z_1_0_0_7 * 2.8
+        + minus_origin_pelvis_z_1_0_0_9 * 0.5
+        + minus_origin_pelvis_z_1_0_0_11 * 1.2999999999999998
+        - minus_origin_pelvis_z_1_0_0_13 - minus_origin_pelvis_z_1_0_0_14 * 1.3
+        - minus_origin_pelvis_z_1_0_0_16 * 4.5 + minus_origin_pelvis_z_1_0_0_18 * 2.8
+        + minus_origin_pelvis_z_1_0_0_20 * 0.5
+        + minus_origin_pelvis_z_1_0_0_22 * 1.2999999999999998;
+    let minus_origin_waist_bracket_y_0 = 0.002124223602318044 + com_y;
+    let minus_origin_pelvis_x_1_0_1 = com_x_0_0_24 - com_x;
+    let minus_origin_pelvis_y_1_0_1 = com_y_0_0_24 - com_y;
+    let minus_origin_pelvis_z_1_0_1 = 0.10473291925465839 - com_z;
+    let minus_origin_pelvis_x_1_0_3 = com_x_0_1 - com_x;
+    let minus_origin_pelvis_y_1_0_3 = com_y_0_1 - com_y;
+    let minus_origin_pelvis_z_1_0_3 = com_z_0_1 - com_z;
+    let minus_origin_pelvis_x_1_0_5 = com_x_0_3 - com_x;
+    let minus_origin_pelvis_y_1_0_5 = com_y_0_3 - com_y;
+    let minus_origin_pelvis_z_1_0_5 = com_z_0_3 - com_z;
+    let minus_origin_pelvis_x_1_0_7 = com_x_0_5 - com_x;
+    let minus_origin_pelvis_y_1_0_7 = com_y_0_5 - com_y;
+    let minus_origin_pelvis_z_1_0_7 = com_z_0_5 - com_z;
+    let minus_origin_pelvis_x_1_0_9 = com_x_0_7 - com_x;
+    let minus_origin_pelvis_y_1_0_9 = com_y_0_7 - com_y;
+    let minus_origin_pelvis_z_1_0_9 = com_z_0_7 - com_z;
+    let minus_origin_pelvis_x_1_0_11 = com_x_0_9 - com_x;
+    let minus_origin_pelvis_y_1_0_11 = com_y_0_9 - com_y;
+    let minus_origin_pelvis_z_1_0_11 = com_z_0_9 - com_z;
+    let minus_origin_pelvis_x_1_0_13 = com_x_0_11 - com_x;
+    let minus_origin_pelvis_y_1_0_13 = com_y_0_11 - com_y;
+    let minus_origin_pelvis_z_1_0_13 = com_z_0_11 - com_z;
+    let minus_origin_pelvis_x_1_0_15 = com_x_0_13 - com_x;
+    let minus_origin_pelvis_y_1_0_15 = com_y_0_13 - com_y;
+    let minus_origin_pelvis_z_1_0_15 = com_z_0_13 - com_z;
+    let minus_origin_pelvis_x_1_0_17 = com_x_0_15 - com_x;
+    let minus_origin_pelvis_y_1_0_17 = com_y_0_15 - com_y;
+    let minus_origin_pelvis_z_1_0_17 = com_z_0_15 - com_z;
+    let minus_origin_pelvis_x_1_0_19 = com_x_0_17 - com_x;
+    let minus_origin_pelvis_y_1_0_19 = com_y_0_17 - com_y;
+    let minus_origin_pelvis_z_1_0_19 = com_z_0_17 - com_z;
+    let minus_origin_pelvis_x_1_0_21 = com_x_0_19 - com_x;
+    let minus_origin_pelvis_y_1_0_21 = com_y_0_19 - com_y;
+    let minus_origin_pelvis_z_1_0_21 = com_z_0_19 - com_z;
+    let minus_origin_pelvis_x_1_0_23 = com_x_0_21 - com_x;
+    let minus_origin_pelvis_y_1_0_23 = com_y_0_21 - com_y;
+    let minus_origin_pelvis_z_1_0_23 = com_z_0_21 - com_z;
+    let minus_origin_pelvis_x_1_0 = minus_origin_pelvis_x_1_0_0
+        + minus_origin_pelvis_x_1_0_1 * 1.5 + minus_origin_pelvis_x_1_0_3 * 1.5
+        + minus_origin_pelvis_x_1_0_5 * 16.0 + minus_origin_pelvis_x_1_0_7 * 0.5
+        + minus_origin_pelvis_x_1_0_9 * 0.5 + minus_origin_pelvis_x_1_0_11 * 3.0
+        + minus_origin_pelvis_x_1_0_13 * 0.7 + minus_origin_pelvis_x_1_0_15 * 0.6
+        + minus_origin_pelvis_x_1_0_17 * 0.7 + minus_origin_pelvis_x_1_0_19 * 0.45
+        + minus_origin_pelvis_x_1_0_21 * 0.2 + minus_origin_pelvis_x_1_0_23 * 0.4;
+    let minus_origin_pelvis_y_1_0 = minus_origin_pelvis_y_1_0_0
+        + minus_origin_pelvis_y_1_0_1 * 1.5 + minus_origin_pelvis_y_1_0_3 * 1.5
+        + minus_origin_pelvis_y_1_0_5 * 16.0 + minus_origin_pelvis_y_1_0_7 * 0.5
+        + minus_origin_pelvis_y_1_0_9 * 0.5 + minus_origin_pelvis_y_1_0_11 * 3.0
+        + minus_origin_pelvis_y_1_0_13 * 0.7 + minus_origin_pelvis_y_1_0_15 * 0.6
+        + minus_origin_pelvis_y_1_0_17 * 0.7 + minus_origin_pelvis_y_1_0_19 * 0.45
+        + minus_origin_pelvis_y_1_0_21 * 0.2 + minus_origin_pelvis_y_1_0_23 * 0.4;
+    let minus_origin_pelvis_z_1_0 = minus_origin_pelvis_z_1_0_0
+        + minus_origin_pelvis_z_1_0_1 * 1.5 + minus_origin_pelvis_z_1_0_3 * 1.5
+        + minus_origin_pelvis_z_1_0_5 * 16.0 + minus_origin_pelvis_z_1_0_7 * 0.5
+        + minus_origin_pelvis_z_1_0_9 * 0.5 + minus_origin_pelvis_z_1_0_11 * 3.0
+        + minus_origin_pelvis_z_1_0_13 * 0.7 + minus_origin_pelvis_z_1_0_15 * 0.6
+        + minus_origin_pelvis_z_1_0_17 * 0.7 + minus_origin_pelvis_z_1_0_19 * 0.45
+        + minus_origin_pelvis_z_1_0_21 * 0.2 + minus_origin_pelvis_z_1_0_23 * 0.4;
+    let minus_origin_pelvis_x_1_1 = com_x_0_23 - com_x;
+    let minus_origin_pelvis_y_1_1 = com_y_0_23 - com_y;
+    let minus_origin_pelvis_z_1_1 = com_z_0_23 - com_z;
+    let minus_origin_pelvis_x_1_3 = com_x_1 - com_x;
+    let minus_origin_pelvis_y_1_3 = com_y_1 - com_y;
+    let minus_origin_pelvis_z_1_3 = com_z_1 - com_z;
+    let minus_origin_pelvis_x_1_5 = com_x_3 - com_x;
+    let minus_origin_pelvis_y_1_5 = com_y_3 - com_y;
+    let minus_origin_pelvis_z_1_5 = com_z_3 - com_z;
+    let minus_origin_pelvis_x_1_7 = com_x_5 - com_x;
+    let minus_origin_pelvis_y_1_7 = com_y_5 - com_y;
+    let minus_origin_pelvis_z_1_7 = com_z_5 - com_z;
+    let minus_origin_pelvis_x_1_9 = com_x_7 - com_x;
+    let minus_origin_pelvis_y_1_9 = com_y_7 - com_y;
+    let minus_origin_pelvis_z_1_9 = com_z_7 - com_z;
+    let minus_origin_pelvis_x_1_11 = com_x_9 - com_x;
+    let minus_origin_pelvis_y_1_11 = com_y_9 - com_y;
+    let minus_origin_pelvis_z_1_11 = com_z_9 - com_z;
+    let minus_origin_pelvis_x_1 = (minus_origin_pelvis_x_1_0
+        + minus_origin_pelvis_x_1_1 * 0.7 + minus_origin_pelvis_x_1_3 * 0.6
+        + minus_origin_pelvis_x_1_5 * 0.7 + minus_origin_pelvis_x_1_7 * 0.45
+        + minus_origin_pelvis_x_1_9 * 0.2 + minus_origin_pelvis_x_1_11 * 0.4)
+        * 0.016570008285004136;
+    let minus_origin_pelvis_y_1 = (minus_origin_pelvis_y_1_0
+        + minus_origin_pelvis_y_1_1 * 0.7 + minus_origin_pelvis_y_1_3 * 0.6
+        + minus_origin_pelvis_y_1_5 * 0.7 + minus_origin_pelvis_y_1_7 * 0.45
+        + minus_origin_pelvis_y_1_9 * 0.2 + minus_origin_pelvis_y_1_11 * 0.4)
+        * 0.016570008285004136;
+    let minus_origin_pelvis_z_1 = (minus_origin_pelvis_z_1_0
+        + minus_origin_pelvis_z_1_1 * 0.7 + minus_origin_pelvis_z_1_3 * 0.6
+        + minus_origin_pelvis_z_1_5 * 0.7 + minus_origin_pelvis_z_1_7 * 0.45
+        + minus_origin_pelvis_z_1_9 * 0.2 + minus_origin_pelvis_z_1_11 * 0.4)
+        * 0.016570008285004136;
+    // pelvis
+    let minus_origin_pelvis_x = com_x + minus_origin_pelvis_x_1;
+    let minus_origin_pelvis_y = com_y + minus_origin_pelvis_y_1;
+    let minus_origin_pelvis_z = com_z + minus_origin_pelvis_z_1;
     // left_hip_bracket
-    let origin_left_hip_bracket_x = 0.015211180123890746 - com_x;
-    let origin_left_hip_bracket_y = 0.08787577639768196 - com_y;
+    let origin_left_hip_bracket_x = 0.015211180123890746 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_hip_bracket_y = 0.08787577639768196 - com_y
+        - minus_origin_pelvis_y_1;
     // left_hip_cross
-    let origin_left_hip_cross_x = origin_left_hip_cross_x_0 - com_x;
-    let origin_left_hip_cross_y = origin_left_hip_cross_y_0 - com_y;
-    let minus_origin_left_hip_cross_z = 0.14526708074534161 + com_z;
+    let origin_left_hip_cross_x = origin_left_hip_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_hip_cross_y = origin_left_hip_cross_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let minus_origin_left_hip_cross_z = 0.14526708074534161 + com_z
+        + minus_origin_pelvis_z_1;
     // left_thigh
-    let origin_left_thigh_x = origin_left_thigh_x_0 - com_x;
-    let origin_left_thigh_y = origin_left_thigh_y_0 - com_y;
-    let origin_left_thigh_z = origin_left_thigh_z_0 - com_z;
+    let origin_left_thigh_x = origin_left_thigh_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_left_thigh_y = origin_left_thigh_y_0 - com_y - minus_origin_pelvis_y_1;
+    let origin_left_thigh_z = origin_left_thigh_z_0 - com_z - minus_origin_pelvis_z_1;
     // left_shank
-    let origin_left_shank_x = origin_left_shank_x_0 - com_x;
-    let origin_left_shank_y = origin_left_shank_y_0 - com_y;
-    let origin_left_shank_z = origin_left_shank_z_0 - com_z;
+    let origin_left_shank_x = origin_left_shank_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_left_shank_y = origin_left_shank_y_0 - com_y - minus_origin_pelvis_y_1;
+    let origin_left_shank_z = origin_left_shank_z_0 - com_z - minus_origin_pelvis_z_1;
     // left_ankle_cross
-    let origin_left_ankle_cross_x = origin_left_ankle_cross_x_0 - com_x;
-    let origin_left_ankle_cross_y = origin_left_ankle_cross_y_0 - com_y;
-    let origin_left_ankle_cross_z = origin_left_ankle_cross_z_0 - com_z;
+    let origin_left_ankle_cross_x = origin_left_ankle_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_ankle_cross_y = origin_left_ankle_cross_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_ankle_cross_z = origin_left_ankle_cross_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // left_ankle_bracket
-    let origin_left_ankle_bracket_x = origin_left_ankle_bracket_x_0 - com_x;
-    let origin_left_ankle_bracket_y = origin_left_ankle_bracket_y_0 - com_y;
-    let origin_left_ankle_bracket_z = origin_left_ankle_bracket_z_0 - com_z;
+    let origin_left_ankle_bracket_x = origin_left_ankle_bracket_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_ankle_bracket_y = origin_left_ankle_bracket_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_ankle_bracket_z = origin_left_ankle_bracket_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_hip_bracket
-    let minus_origin_right_hip_bracket_y = 0.09212422360231803 + com_y;
+    let minus_origin_right_hip_bracket_y = 0.09212422360231803 + com_y
+        + minus_origin_pelvis_y_1;
     // right_hip_cross
-    let origin_right_hip_cross_x = origin_right_hip_cross_x_0 - com_x;
-    let minus_origin_right_hip_cross_y = minus_origin_right_hip_cross_y_0 + com_y;
+    let origin_right_hip_cross_x = origin_right_hip_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let minus_origin_right_hip_cross_y = minus_origin_right_hip_cross_y_0 + com_y
+        + minus_origin_pelvis_y_1;
     // right_thigh
-    let origin_right_thigh_x = origin_right_thigh_x_0 - com_x;
-    let origin_right_thigh_y = origin_right_thigh_y_0 - com_y;
-    let minus_origin_right_thigh_z = minus_origin_right_thigh_z_0 + com_z;
+    let origin_right_thigh_x = origin_right_thigh_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_right_thigh_y = origin_right_thigh_y_0 - com_y - minus_origin_pelvis_y_1;
+    let minus_origin_right_thigh_z = minus_origin_right_thigh_z_0 + com_z
+        + minus_origin_pelvis_z_1;
     // right_shank
-    let origin_right_shank_x = origin_right_shank_x_0 - com_x;
-    let origin_right_shank_y = origin_right_shank_y_0 - com_y;
-    let origin_right_shank_z = origin_right_shank_z_0 - com_z;
+    let origin_right_shank_x = origin_right_shank_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_right_shank_y = origin_right_shank_y_0 - com_y - minus_origin_pelvis_y_1;
+    let origin_right_shank_z = origin_right_shank_z_0 - com_z - minus_origin_pelvis_z_1;
     // right_ankle_cross
-    let origin_right_ankle_cross_x = origin_right_ankle_cross_x_0 - com_x;
-    let origin_right_ankle_cross_y = origin_right_ankle_cross_y_0 - com_y;
-    let origin_right_ankle_cross_z = origin_right_ankle_cross_z_0 - com_z;
+    let origin_right_ankle_cross_x = origin_right_ankle_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_ankle_cross_y = origin_right_ankle_cross_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_ankle_cross_z = origin_right_ankle_cross_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_ankle_bracket
-    let origin_right_ankle_bracket_x = origin_right_ankle_bracket_x_0 - com_x;
-    let origin_right_ankle_bracket_y = origin_right_ankle_bracket_y_0 - com_y;
-    let origin_right_ankle_bracket_z = origin_right_ankle_bracket_z_0 - com_z;
+    let origin_right_ankle_bracket_x = origin_right_ankle_bracket_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_ankle_bracket_y = origin_right_ankle_bracket_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_ankle_bracket_z = origin_right_ankle_bracket_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // waist_bracket
-    let minus_origin_waist_bracket_x = 0.0017888198761092534 + com_x;
-    let minus_origin_waist_bracket_y = 0.002124223602318044 + com_y;
+    let minus_origin_waist_bracket_x = 0.0017888198761092534 + com_x
+        + minus_origin_pelvis_x_1;
+    let minus_origin_waist_bracket_y = minus_origin_waist_bracket_y_0
+        + minus_origin_pelvis_y_1;
     // waist_cross
-    let origin_waist_cross_x = origin_waist_cross_x_0 - com_x;
-    let origin_waist_cross_y = origin_waist_cross_y_0 - com_y;
-    let origin_waist_cross_z = 0.1297329192546584 - com_z;
+    let origin_waist_cross_x = origin_waist_cross_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_waist_cross_y = origin_waist_cross_y_0 - com_y - minus_origin_pelvis_y_1;
+    let origin_waist_cross_z = 0.1297329192546584 - com_z - minus_origin_pelvis_z_1;
     // torso
-    let origin_torso_x = origin_torso_x_0 - com_x;
-    let origin_torso_y = origin_torso_y_0 - com_y;
-    let origin_torso_z = origin_torso_z_0 - com_z;
+    let origin_torso_x = origin_torso_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_torso_y = origin_torso_y_0 - com_y - minus_origin_pelvis_y_1;
+    let origin_torso_z = origin_torso_z_0 - com_z - minus_origin_pelvis_z_1;
     // neck_bracket
-    let origin_neck_bracket_x = origin_neck_bracket_x_0 - com_x;
-    let origin_neck_bracket_y = origin_neck_bracket_y_0 - com_y;
-    let origin_neck_bracket_z = origin_neck_bracket_z_0 - com_z;
+    let origin_neck_bracket_x = origin_neck_bracket_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_neck_bracket_y = origin_neck_bracket_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_neck_bracket_z = origin_neck_bracket_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // neck_cross
-    let origin_neck_cross_x = origin_neck_cross_x_0 - com_x;
-    let origin_neck_cross_y = origin_neck_cross_y_0 - com_y;
-    let origin_neck_cross_z = origin_neck_cross_z_0 - com_z;
+    let origin_neck_cross_x = origin_neck_cross_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_neck_cross_y = origin_neck_cross_y_0 - com_y - minus_origin_pelvis_y_1;
+    let origin_neck_cross_z = origin_neck_cross_z_0 - com_z - minus_origin_pelvis_z_1;
     // head
-    let origin_head_x = origin_head_x_0 - com_x;
-    let origin_head_y = origin_head_y_0 - com_y;
-    let origin_head_z = origin_head_z_0 - com_z;
+    let origin_head_x = origin_head_x_0 - com_x - minus_origin_pelvis_x_1;
+    let origin_head_y = origin_head_y_0 - com_y - minus_origin_pelvis_y_1;
+    let origin_head_z = origin_head_z_0 - com_z - minus_origin_pelvis_z_1;
     // left_shoulder_bracket
-    let origin_left_shoulder_bracket_x = origin_left_shoulder_bracket_x_0 - com_x;
-    let origin_left_shoulder_bracket_y = origin_left_shoulder_bracket_y_0 - com_y;
-    let origin_left_shoulder_bracket_z = origin_left_shoulder_bracket_z_0 - com_z;
+    let origin_left_shoulder_bracket_x = origin_left_shoulder_bracket_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_shoulder_bracket_y = origin_left_shoulder_bracket_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_shoulder_bracket_z = origin_left_shoulder_bracket_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // left_shoulder_cross
-    let origin_left_shoulder_cross_x = origin_left_shoulder_cross_x_0 - com_x;
-    let origin_left_shoulder_cross_y = origin_left_shoulder_cross_y_0 - com_y;
-    let origin_left_shoulder_cross_z = origin_left_shoulder_cross_z_0 - com_z;
+    let origin_left_shoulder_cross_x = origin_left_shoulder_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_shoulder_cross_y = origin_left_shoulder_cross_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_shoulder_cross_z = origin_left_shoulder_cross_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // left_upper_arm
-    let origin_left_upper_arm_x = origin_left_upper_arm_x_0 - com_x;
-    let origin_left_upper_arm_y = origin_left_upper_arm_y_0 - com_y;
-    let origin_left_upper_arm_z = origin_left_upper_arm_z_0 - com_z;
+    let origin_left_upper_arm_x = origin_left_upper_arm_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_upper_arm_y = origin_left_upper_arm_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_upper_arm_z = origin_left_upper_arm_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // left_forearm
-    let origin_left_forearm_x = origin_left_forearm_x_0 - com_x;
-    let origin_left_forearm_y = origin_left_forearm_y_0 - com_y;
-    let origin_left_forearm_z = origin_left_forearm_z_0 - com_z;
+    let origin_left_forearm_x = origin_left_forearm_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_forearm_y = origin_left_forearm_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_forearm_z = origin_left_forearm_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // left_wrist_bracket
-    let origin_left_wrist_bracket_x = origin_left_wrist_bracket_x_0 - com_x;
-    let origin_left_wrist_bracket_y = origin_left_wrist_bracket_y_0 - com_y;
-    let origin_left_wrist_bracket_z = origin_left_wrist_bracket_z_0 - com_z;
+    let origin_left_wrist_bracket_x = origin_left_wrist_bracket_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_wrist_bracket_y = origin_left_wrist_bracket_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_wrist_bracket_z = origin_left_wrist_bracket_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // left_wrist_cross
-    let origin_left_wrist_cross_x = origin_left_wrist_cross_x_0 - com_x;
-    let origin_left_wrist_cross_y = origin_left_wrist_cross_y_0 - com_y;
-    let origin_left_wrist_cross_z = origin_left_wrist_cross_z_0 - com_z;
+    let origin_left_wrist_cross_x = origin_left_wrist_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_left_wrist_cross_y = origin_left_wrist_cross_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_left_wrist_cross_z = origin_left_wrist_cross_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_shoulder_bracket
-    let origin_right_shoulder_bracket_x = origin_right_shoulder_bracket_x_0 - com_x;
-    let origin_right_shoulder_bracket_y = origin_right_shoulder_bracket_y_0 - com_y;
-    let origin_right_shoulder_bracket_z = origin_right_shoulder_bracket_z_0 - com_z;
+    let origin_right_shoulder_bracket_x = origin_right_shoulder_bracket_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_shoulder_bracket_y = origin_right_shoulder_bracket_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_shoulder_bracket_z = origin_right_shoulder_bracket_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_shoulder_cross
-    let origin_right_shoulder_cross_x = origin_right_shoulder_cross_x_0 - com_x;
-    let origin_right_shoulder_cross_y = origin_right_shoulder_cross_y_0 - com_y;
-    let origin_right_shoulder_cross_z = origin_right_shoulder_cross_z_0 - com_z;
+    let origin_right_shoulder_cross_x = origin_right_shoulder_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_shoulder_cross_y = origin_right_shoulder_cross_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_shoulder_cross_z = origin_right_shoulder_cross_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_upper_arm
-    let origin_right_upper_arm_x = origin_right_upper_arm_x_0 - com_x;
-    let origin_right_upper_arm_y = origin_right_upper_arm_y_0 - com_y;
-    let origin_right_upper_arm_z = origin_right_upper_arm_z_0 - com_z;
+    let origin_right_upper_arm_x = origin_right_upper_arm_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_upper_arm_y = origin_right_upper_arm_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_upper_arm_z = origin_right_upper_arm_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_forearm
-    let origin_right_forearm_x = origin_right_forearm_x_0 - com_x;
-    let origin_right_forearm_y = origin_right_forearm_y_0 - com_y;
-    let origin_right_forearm_z = origin_right_forearm_z_0 - com_z;
+    let origin_right_forearm_x = origin_right_forearm_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_forearm_y = origin_right_forearm_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_forearm_z = origin_right_forearm_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_wrist_bracket
-    let origin_right_wrist_bracket_x = origin_right_wrist_bracket_x_0 - com_x;
-    let origin_right_wrist_bracket_y = origin_right_wrist_bracket_y_0 - com_y;
-    let origin_right_wrist_bracket_z = origin_right_wrist_bracket_z_0 - com_z;
+    let origin_right_wrist_bracket_x = origin_right_wrist_bracket_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_wrist_bracket_y = origin_right_wrist_bracket_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_wrist_bracket_z = origin_right_wrist_bracket_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     // right_wrist_cross
-    let origin_right_wrist_cross_x = origin_right_wrist_cross_x_0 - com_x;
-    let origin_right_wrist_cross_y = origin_right_wrist_cross_y_0 - com_y;
-    let origin_right_wrist_cross_z = origin_right_wrist_cross_z_0 - com_z;
+    let origin_right_wrist_cross_x = origin_right_wrist_cross_x_0 - com_x
+        - minus_origin_pelvis_x_1;
+    let origin_right_wrist_cross_y = origin_right_wrist_cross_y_0 - com_y
+        - minus_origin_pelvis_y_1;
+    let origin_right_wrist_cross_z = origin_right_wrist_cross_z_0 - com_z
+        - minus_origin_pelvis_z_1;
     Poses {
         sin_left_hip_yaw,
         cos_left_hip_yaw,
@@ -1768,96 +1994,104 @@ fn poses(q: &[f64; 30]) -> Poses {
         rotation_right_wrist_cross_xy,
         rotation_right_wrist_cross_yy,
         rotation_right_wrist_cross_zy,
-        com_x_0_0_0,
-        com_y_0_0_0,
-        com_x_0_0_2,
-        com_y_0_0_2,
-        com_z_0_0_0,
-        com_x_0_0_4,
-        com_y_0_0_4,
-        com_z_0_0_3,
-        com_x_0_0_6,
-        com_y_0_0_6,
-        com_z_0_0_5,
-        com_x_0_0_8,
-        com_y_0_0_8,
-        com_z_0_0_7,
-        com_x_0_0_10,
-        com_y_0_0_10,
-        com_z_0_0_9,
-        com_x_0_0_12,
-        com_y_0_0_12,
-        com_x_0_0_14,
-        com_y_0_0_14,
-        com_z_0_0_12,
-        com_x_0_0_16,
-        com_y_0_0_16,
-        com_z_0_0_14,
-        com_x_0_0_18,
-        com_y_0_0_18,
-        com_z_0_0_16,
-        com_x_0_0_20,
-        com_y_0_0_20,
-        com_z_0_0_18,
-        com_x_0_0_22,
-        com_y_0_0_22,
-        com_z_0_0_20,
-        com_x_0_0_24,
-        com_y_0_0_24,
-        com_x_0_1,
-        com_y_0_1,
-        com_z_0_1,
-        com_x_0_3,
-        com_y_0_3,
-        com_z_0_3,
-        com_x_0_5,
-        com_y_0_5,
-        com_z_0_5,
-        com_x_0_7,
-        com_y_0_7,
-        com_z_0_7,
-        com_x_0_9,
-        com_y_0_9,
-        com_z_0_9,
-        com_x_0_11,
-        com_y_0_11,
-        com_z_0_11,
-        com_x_0_13,
-        com_y_0_13,
-        com_z_0_13,
-        com_x_0_15,
-        com_y_0_15,
-        com_z_0_15,
-        com_x_0_17,
-        com_y_0_17,
-        com_z_0_17,
-        com_x_0_19,
-        com_y_0_19,
-        com_z_0_19,
-        com_x_0_21,
-        com_y_0_21,
-        com_z_0_21,
-        com_x_0_23,
-        com_y_0_23,
-        com_z_0_23,
-        com_x_1,
-        com_y_1,
-        com_z_1,
-        com_x_3,
-        com_y_3,
-        com_z_3,
-        com_x_5,
-        com_y_5,
-        com_z_5,
-        com_x_7,
-        com_y_7,
-        com_z_7,
-        com_x_9,
-        com_y_9,
-        com_z_9,
         com_x,
-        com_y,
         com_z,
+        minus_origin_pelvis_x_1_0_0_0,
+        minus_origin_pelvis_y_1_0_0_0,
+        minus_origin_pelvis_z_1_0_0_13_0,
+        minus_origin_pelvis_x_1_0_0_4,
+        minus_origin_pelvis_y_1_0_0_4,
+        minus_origin_pelvis_z_1_0_0_0,
+        minus_origin_pelvis_x_1_0_0_6,
+        minus_origin_pelvis_y_1_0_0_6,
+        minus_origin_pelvis_z_1_0_0_5,
+        minus_origin_pelvis_x_1_0_0_8,
+        minus_origin_pelvis_y_1_0_0_8,
+        minus_origin_pelvis_z_1_0_0_7,
+        minus_origin_pelvis_x_1_0_0_10,
+        minus_origin_pelvis_y_1_0_0_10,
+        minus_origin_pelvis_z_1_0_0_9,
+        minus_origin_pelvis_x_1_0_0_12,
+        minus_origin_pelvis_y_1_0_0_12,
+        minus_origin_pelvis_z_1_0_0_11,
+        minus_origin_pelvis_x_1_0_0_14,
+        minus_origin_pelvis_y_1_0_0_14,
+        minus_origin_pelvis_x_1_0_0_16,
+        minus_origin_pelvis_y_1_0_0_16,
+        minus_origin_pelvis_z_1_0_0_14,
+        minus_origin_pelvis_x_1_0_0_18,
+        minus_origin_pelvis_y_1_0_0_18,
+        minus_origin_pelvis_z_1_0_0_16,
+        minus_origin_pelvis_x_1_0_0_20,
+        minus_origin_pelvis_y_1_0_0_20,
+        minus_origin_pelvis_z_1_0_0_18,
+        minus_origin_pelvis_x_1_0_0_22,
+        minus_origin_pelvis_y_1_0_0_22,
+        minus_origin_pelvis_z_1_0_0_20,
+        minus_origin_pelvis_x_1_0_0_24,
+        minus_origin_pelvis_y_1_0_0_24,
+        minus_origin_pelvis_z_1_0_0_22,
+        minus_origin_waist_bracket_y_0,
+        minus_origin_pelvis_x_1_0_1,
+        minus_origin_pelvis_y_1_0_1,
+        minus_origin_pelvis_z_1_0_1,
+        minus_origin_pelvis_x_1_0_3,
+        minus_origin_pelvis_y_1_0_3,
+        minus_origin_pelvis_z_1_0_3,
+        minus_origin_pelvis_x_1_0_5,
+        minus_origin_pelvis_y_1_0_5,
+        minus_origin_pelvis_z_1_0_5,
+        minus_origin_pelvis_x_1_0_7,
+        minus_origin_pelvis_y_1_0_7,
+        minus_origin_pelvis_z_1_0_7,
+        minus_origin_pelvis_x_1_0_9,
+        minus_origin_pelvis_y_1_0_9,
+        minus_origin_pelvis_z_1_0_9,
+        minus_origin_pelvis_x_1_0_11,
+        minus_origin_pelvis_y_1_0_11,
+        minus_origin_pelvis_z_1_0_11,
+        minus_origin_pelvis_x_1_0_13,
+        minus_origin_pelvis_y_1_0_13,
+        minus_origin_pelvis_z_1_0_13,
+        minus_origin_pelvis_x_1_0_15,
+        minus_origin_pelvis_y_1_0_15,
+        minus_origin_pelvis_z_1_0_15,
+        minus_origin_pelvis_x_1_0_17,
+        minus_origin_pelvis_y_1_0_17,
+        minus_origin_pelvis_z_1_0_17,
+        minus_origin_pelvis_x_1_0_19,
+        minus_origin_pelvis_y_1_0_19,
+        minus_origin_pelvis_z_1_0_19,
+        minus_origin_pelvis_x_1_0_21,
+        minus_origin_pelvis_y_1_0_21,
+        minus_origin_pelvis_z_1_0_21,
+        minus_origin_pelvis_x_1_0_23,
+        minus_origin_pelvis_y_1_0_23,
+        minus_origin_pelvis_z_1_0_23,
+        minus_origin_pelvis_x_1_1,
+        minus_origin_pelvis_y_1_1,
+        minus_origin_pelvis_z_1_1,
+        minus_origin_pelvis_x_1_3,
+        minus_origin_pelvis_y_1_3,
+        minus_origin_pelvis_z_1_3,
+        minus_origin_pelvis_x_1_5,
+        minus_origin_pelvis_y_1_5,
+        minus_origin_pelvis_z_1_5,
+        minus_origin_pelvis_x_1_7,
+        minus_origin_pelvis_y_1_7,
+        minus_origin_pelvis_z_1_7,
+        minus_origin_pelvis_x_1_9,
+        minus_origin_pelvis_y_1_9,
+        minus_origin_pelvis_z_1_9,
+        minus_origin_pelvis_x_1_11,
+        minus_origin_pelvis_y_1_11,
+        minus_origin_pelvis_z_1_11,
+        minus_origin_pelvis_x_1,
+        minus_origin_pelvis_y_1,
+        minus_origin_pelvis_z_1,
+        minus_origin_pelvis_x,
+        minus_origin_pelvis_y,
+        minus_origin_pelvis_z,
         origin_left_hip_bracket_x,
         origin_left_hip_bracket_y,
         origin_left_hip_cross_x,
@@ -2656,27 +2890,30 @@ struct Inertias {
 #[inline(never)]
 fn inertias(poses: &Poses) -> Inertias {
     // pelvis
-    let minus_inertia_pelvis_hx = poses.com_x * 8.05;
-    let minus_inertia_pelvis_hy = poses.com_y * 8.05;
-    let minus_inertia_pelvis_hz = poses.com_z * 8.05;
-    let inertia_pelvis_yy_1 = minus_inertia_pelvis_hx * poses.com_x;
-    let inertia_pelvis_xx_1 = minus_inertia_pelvis_hy * poses.com_y;
-    let inertia_pelvis_xx_2 = minus_inertia_pelvis_hz * poses.com_z;
+    let minus_inertia_pelvis_hx = poses.minus_origin_pelvis_x * 8.05;
+    let minus_inertia_pelvis_hy = poses.minus_origin_pelvis_y * 8.05;
+    let minus_inertia_pelvis_hz = poses.minus_origin_pelvis_z * 8.05;
+    let inertia_pelvis_yy_1 = minus_inertia_pelvis_hx * poses.minus_origin_pelvis_x;
+    let inertia_pelvis_xx_1 = minus_inertia_pelvis_hy * poses.minus_origin_pelvis_y;
+    let inertia_pelvis_xx_2 = minus_inertia_pelvis_hz * poses.minus_origin_pelvis_z;
     let inertia_pelvis_xx = 0.04545281788604178
         + (inertia_pelvis_xx_1 + inertia_pelvis_xx_2);
     let inertia_pelvis_xy = 0.00003378881969909928
-        - minus_inertia_pelvis_hx * poses.com_y;
+        - minus_inertia_pelvis_hx * poses.minus_origin_pelvis_y;
     let inertia_pelvis_xz = 0.00007264596261841687
-        - minus_inertia_pelvis_hx * poses.com_z;
+        - minus_inertia_pelvis_hx * poses.minus_origin_pelvis_z;
     let inertia_pelvis_yy = 0.02628746643670526
         + (inertia_pelvis_yy_1 + inertia_pelvis_xx_2);
     let minus_inertia_pelvis_yz = 0.00004273291919740719
-        + minus_inertia_pelvis_hy * poses.com_z;
+        + minus_inertia_pelvis_hy * poses.minus_origin_pelvis_z;
     let inertia_pelvis_zz = 0.04542106643695201
         + (inertia_pelvis_yy_1 + inertia_pelvis_xx_1);
-    let inertia_left_hip_bracket_hx_0 = poses.com_x_0_0_0 - poses.com_x;
-    let inertia_left_hip_bracket_hy_0 = poses.com_y_0_0_0 - poses.com_y;
-    let minus_inertia_left_hip_bracket_hz_0 = 0.1052670807453416 + poses.com_z;
+    let inertia_left_hip_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_0
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_hip_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_0
+        - poses.minus_origin_pelvis_y_1;
+    let minus_inertia_left_hip_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_13_0
+        + poses.minus_origin_pelvis_z_1;
     let inertia_left_hip_bracket_xy_0 = 0.00124 * poses.cos_left_hip_yaw;
     let inertia_left_hip_bracket_xy_2 = 0.00124 * poses.sin_left_hip_yaw;
     let inertia_left_hip_bracket_xx_0 = inertia_left_hip_bracket_xy_0
@@ -2705,9 +2942,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + (inertia_left_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_2);
     let inertia_left_hip_bracket_zz = 0.0015
         + (inertia_left_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_1);
-    let inertia_left_hip_cross_hx_0 = poses.com_x_0_0_2 - poses.com_x;
-    let inertia_left_hip_cross_hy_0 = poses.com_y_0_0_2 - poses.com_y;
-    let inertia_left_hip_cross_hz_0 = poses.com_z_0_0_0 - poses.com_z;
+    let inertia_left_hip_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_4
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_hip_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_4
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_0
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_hip_cross_xx_0 = 0.001535625
         * poses.minus_rotation_left_hip_cross_xx;
     let inertia_left_hip_cross_xx_2 = 0.001535625
@@ -2749,9 +2989,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.cos_left_hip_roll
         + 0.001535625 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
         + (inertia_left_hip_cross_yy_7 + inertia_left_hip_cross_xx_6);
-    let inertia_left_thigh_hx_0 = poses.com_x_0_0_4 - poses.com_x;
-    let inertia_left_thigh_hy_0 = poses.com_y_0_0_4 - poses.com_y;
-    let inertia_left_thigh_hz_0 = poses.com_z_0_0_3 - poses.com_z;
+    let inertia_left_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_6
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_6
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_5
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_thigh_xx_0 = 0.0471 * poses.rotation_left_thigh_xx;
     let inertia_left_thigh_xx_2 = 0.0082875 * poses.minus_rotation_left_thigh_xy;
     let inertia_left_thigh_xx_4 = 0.0478875 * poses.minus_rotation_left_hip_cross_xy;
@@ -2792,9 +3035,12 @@ fn inertias(poses: &Poses) -> Inertias {
             * poses.minus_rotation_left_thigh_zy
         + 0.0478875 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
         + (inertia_left_thigh_yy_6 + inertia_left_thigh_xx_6);
-    let inertia_left_shank_hx_0 = poses.com_x_0_0_6 - poses.com_x;
-    let inertia_left_shank_hy_0 = poses.com_y_0_0_6 - poses.com_y;
-    let inertia_left_shank_hz_0 = poses.com_z_0_0_5 - poses.com_z;
+    let inertia_left_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_8
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_8
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_7
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_shank_xx_0 = 0.025579167 * poses.rotation_left_shank_xx;
     let inertia_left_shank_xx_2 = 0.0035758333 * poses.minus_rotation_left_shank_xy;
     let inertia_left_shank_xx_4 = 0.025783333 * poses.minus_rotation_left_hip_cross_xy;
@@ -2834,9 +3080,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0035758333 * poses.rotation_left_shank_zy * poses.rotation_left_shank_zy
         + 0.025783333 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
         + (inertia_left_shank_yy_6 + inertia_left_shank_xx_6);
-    let inertia_left_ankle_cross_hx_0 = poses.com_x_0_0_8 - poses.com_x;
-    let inertia_left_ankle_cross_hy_0 = poses.com_y_0_0_8 - poses.com_y;
-    let inertia_left_ankle_cross_hz_0 = poses.com_z_0_0_7 - poses.com_z;
+    let inertia_left_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_10
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_10
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_9
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_ankle_cross_xx_0 = 0.0002625 * poses.rotation_left_ankle_cross_xx;
     let inertia_left_ankle_cross_xx_2 = 0.0002625
         * poses.minus_rotation_left_ankle_cross_xy;
@@ -2886,9 +3135,12 @@ fn inertias(poses: &Poses) -> Inertias {
             * poses.rotation_left_ankle_cross_zy
         + 0.000225 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
         + (inertia_left_ankle_cross_yy_6 + inertia_left_ankle_cross_xx_6);
-    let inertia_left_ankle_bracket_hx_0 = poses.com_x_0_0_10 - poses.com_x;
-    let inertia_left_ankle_bracket_hy_0 = poses.com_y_0_0_10 - poses.com_y;
-    let inertia_left_ankle_bracket_hz_0 = poses.com_z_0_0_9 - poses.com_z;
+    let inertia_left_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_12
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_12
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_ankle_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_11
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_ankle_bracket_xx_0 = 0.004348151315384616
         * poses.minus_rotation_left_ankle_bracket_xx
         + 0.00006461538461538462 * poses.rotation_left_ankle_bracket_xy
@@ -2965,8 +3217,10 @@ fn inertias(poses: &Poses) -> Inertias {
                 + 0.00003715384615384614 * poses.rotation_left_ankle_bracket_zy))
             * poses.rotation_left_ankle_cross_zx
         + (inertia_left_ankle_bracket_yy_6 + inertia_left_ankle_bracket_xx_6);
-    let inertia_right_hip_bracket_hx_0 = poses.com_x_0_0_12 - poses.com_x;
-    let minus_inertia_right_hip_bracket_hy_0 = poses.com_y_0_0_12 + poses.com_y;
+    let inertia_right_hip_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_14
+        - poses.minus_origin_pelvis_x_1;
+    let minus_inertia_right_hip_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_14
+        + poses.minus_origin_pelvis_y_1;
     let inertia_right_hip_bracket_xy_0 = 0.00124 * poses.cos_right_hip_yaw;
     let inertia_right_hip_bracket_xy_2 = 0.00124 * poses.sin_right_hip_yaw;
     let inertia_right_hip_bracket_xx_0 = inertia_right_hip_bracket_xy_0
@@ -2993,9 +3247,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + (inertia_right_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_2);
     let inertia_right_hip_bracket_zz = 0.0015
         + (inertia_right_hip_bracket_yy_1 + inertia_right_hip_bracket_xx_1);
-    let inertia_right_hip_cross_hx_0 = poses.com_x_0_0_14 - poses.com_x;
-    let inertia_right_hip_cross_hy_0 = poses.com_y_0_0_14 - poses.com_y;
-    let minus_inertia_right_hip_cross_hz_0 = poses.com_z_0_0_12 + poses.com_z;
+    let inertia_right_hip_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_16
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_hip_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_16
+        - poses.minus_origin_pelvis_y_1;
+    let minus_inertia_right_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_14
+        + poses.minus_origin_pelvis_z_1;
     let inertia_right_hip_cross_xx_0 = 0.001535625
         * poses.minus_rotation_right_hip_cross_xx;
     let inertia_right_hip_cross_xx_2 = 0.001535625
@@ -3040,9 +3297,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.cos_right_hip_roll
         + 0.001535625 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
         + (inertia_right_hip_cross_yy_7 + inertia_right_hip_cross_xx_6);
-    let inertia_right_thigh_hx_0 = poses.com_x_0_0_16 - poses.com_x;
-    let inertia_right_thigh_hy_0 = poses.com_y_0_0_16 - poses.com_y;
-    let minus_inertia_right_thigh_hz_0 = poses.com_z_0_0_14 + poses.com_z;
+    let inertia_right_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_18
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_18
+        - poses.minus_origin_pelvis_y_1;
+    let minus_inertia_right_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_16
+        + poses.minus_origin_pelvis_z_1;
     let inertia_right_thigh_xx_0 = 0.0471 * poses.rotation_right_thigh_xx;
     let inertia_right_thigh_xx_2 = 0.0082875 * poses.minus_rotation_right_thigh_xy;
     let inertia_right_thigh_xx_4 = 0.0478875 * poses.minus_rotation_right_hip_cross_xy;
@@ -3084,9 +3344,12 @@ fn inertias(poses: &Poses) -> Inertias {
             * poses.minus_rotation_right_thigh_zy
         + 0.0478875 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
         + (inertia_right_thigh_yy_6 + inertia_right_thigh_xx_6);
-    let inertia_right_shank_hx_0 = poses.com_x_0_0_18 - poses.com_x;
-    let inertia_right_shank_hy_0 = poses.com_y_0_0_18 - poses.com_y;
-    let inertia_right_shank_hz_0 = poses.com_z_0_0_16 - poses.com_z;
+    let inertia_right_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_20
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_20
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_18
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_shank_xx_0 = 0.025579167 * poses.rotation_right_shank_xx;
     let inertia_right_shank_xx_2 = 0.0035758333 * poses.minus_rotation_right_shank_xy;
     let inertia_right_shank_xx_4 = 0.025783333 * poses.minus_rotation_right_hip_cross_xy;
@@ -3126,9 +3389,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0035758333 * poses.rotation_right_shank_zy * poses.rotation_right_shank_zy
         + 0.025783333 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
         + (inertia_right_shank_yy_6 + inertia_right_shank_xx_6);
-    let inertia_right_ankle_cross_hx_0 = poses.com_x_0_0_20 - poses.com_x;
-    let inertia_right_ankle_cross_hy_0 = poses.com_y_0_0_20 - poses.com_y;
-    let inertia_right_ankle_cross_hz_0 = poses.com_z_0_0_18 - poses.com_z;
+    let inertia_right_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_22
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_22
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_20
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_ankle_cross_xx_0 = 0.0002625 * poses.rotation_right_ankle_cross_xx;
     let inertia_right_ankle_cross_xx_2 = 0.0002625
         * poses.minus_rotation_right_ankle_cross_xy;
@@ -3178,9 +3444,12 @@ fn inertias(poses: &Poses) -> Inertias {
             * poses.rotation_right_ankle_cross_zy
         + 0.000225 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
         + (inertia_right_ankle_cross_yy_6 + inertia_right_ankle_cross_xx_6);
-    let inertia_right_ankle_bracket_hx_0 = poses.com_x_0_0_22 - poses.com_x;
-    let inertia_right_ankle_bracket_hy_0 = poses.com_y_0_0_22 - poses.com_y;
-    let inertia_right_ankle_bracket_hz_0 = poses.com_z_0_0_20 - poses.com_z;
+    let inertia_right_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_24
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_24
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_ankle_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_22
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_ankle_bracket_xx_2 = 0.00006461538461538462
         * poses.rotation_right_ankle_bracket_xy
         - 0.004348151315384616 * poses.minus_rotation_right_ankle_bracket_xx
@@ -3257,9 +3526,12 @@ fn inertias(poses: &Poses) -> Inertias {
             + 0.0013697916700000001 * poses.rotation_right_ankle_cross_zx)
             * poses.rotation_right_ankle_cross_zx
         + (inertia_right_ankle_bracket_yy_6 + inertia_right_ankle_bracket_xx_6);
-    let inertia_waist_bracket_hx_0 = poses.com_x_0_0_24 - poses.com_x;
-    let inertia_waist_bracket_hy_0 = poses.com_y_0_0_24 - poses.com_y;
-    let inertia_waist_bracket_hz_0 = 0.10473291925465839 - poses.com_z;
+    let inertia_waist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_1
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_waist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_1
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_waist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_1
+        - poses.minus_origin_pelvis_z_1;
     let inertia_waist_bracket_xy_0 = 0.0016625 * poses.cos_waist_yaw;
     let inertia_waist_bracket_xy_2 = 0.0016625 * poses.sin_waist_yaw;
     let inertia_waist_bracket_xx_0 = inertia_waist_bracket_xy_0 * poses.cos_waist_yaw
@@ -3287,9 +3559,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + (inertia_waist_bracket_yy_1 + inertia_waist_bracket_xx_2);
     let inertia_waist_bracket_zz = 0.0027
         + (inertia_waist_bracket_yy_1 + inertia_waist_bracket_xx_1);
-    let inertia_waist_cross_hx_0 = poses.com_x_0_1 - poses.com_x;
-    let inertia_waist_cross_hy_0 = poses.com_y_0_1 - poses.com_y;
-    let inertia_waist_cross_hz_0 = poses.com_z_0_1 - poses.com_z;
+    let inertia_waist_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_3
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_waist_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_3
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_waist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_3
+        - poses.minus_origin_pelvis_z_1;
     let inertia_waist_cross_xx_0 = 0.0021875 * poses.minus_rotation_waist_cross_xx;
     let inertia_waist_cross_xx_2 = 0.0021875 * poses.minus_rotation_waist_cross_xy;
     let inertia_waist_cross_xx_4 = 0.001875 * poses.cos_waist_yaw;
@@ -3324,9 +3599,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_waist_cross_zz = 0.0021875 * poses.cos_waist_roll * poses.cos_waist_roll
         + 0.0021875 * poses.sin_waist_roll * poses.sin_waist_roll
         + (inertia_waist_cross_yy_7 + inertia_waist_cross_xx_6);
-    let inertia_torso_hx_0 = poses.com_x_0_3 - poses.com_x;
-    let inertia_torso_hy_0 = poses.com_y_0_3 - poses.com_y;
-    let inertia_torso_hz_0 = poses.com_z_0_3 - poses.com_z;
+    let inertia_torso_hx_0 = poses.minus_origin_pelvis_x_1_0_5
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_torso_hy_0 = poses.minus_origin_pelvis_y_1_0_5
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_torso_hz_0 = poses.minus_origin_pelvis_z_1_0_5
+        - poses.minus_origin_pelvis_z_1;
     let inertia_torso_xx_0 = 0.26293333 * poses.rotation_torso_xx;
     let inertia_torso_xx_2 = 0.13333333 * poses.rotation_neck_bracket_xz;
     let inertia_torso_xx_4 = 0.216 * poses.minus_rotation_waist_cross_xy;
@@ -3365,9 +3643,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.13333333 * poses.rotation_neck_bracket_zz * poses.rotation_neck_bracket_zz
         + 0.216 * poses.sin_waist_roll * poses.sin_waist_roll
         + (inertia_torso_yy_6 + inertia_torso_xx_6);
-    let inertia_neck_bracket_hx_0 = poses.com_x_0_5 - poses.com_x;
-    let inertia_neck_bracket_hy_0 = poses.com_y_0_5 - poses.com_y;
-    let inertia_neck_bracket_hz_0 = poses.com_z_0_5 - poses.com_z;
+    let inertia_neck_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_7
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_neck_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_7
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_neck_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_7
+        - poses.minus_origin_pelvis_z_1;
     let inertia_neck_bracket_xx_0 = 0.00021666667 * poses.rotation_neck_bracket_xx;
     let inertia_neck_bracket_xx_2 = 0.00021666667 * poses.minus_rotation_neck_bracket_xy;
     let inertia_neck_bracket_xx_4 = 0.000225 * poses.rotation_neck_bracket_xz;
@@ -3411,9 +3692,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00021666667 * poses.rotation_neck_bracket_zy * poses.rotation_neck_bracket_zy
         + 0.000225 * poses.rotation_neck_bracket_zz * poses.rotation_neck_bracket_zz
         + (inertia_neck_bracket_yy_6 + inertia_neck_bracket_xx_6);
-    let inertia_neck_cross_hx_0 = poses.com_x_0_7 - poses.com_x;
-    let inertia_neck_cross_hy_0 = poses.com_y_0_7 - poses.com_y;
-    let inertia_neck_cross_hz_0 = poses.com_z_0_7 - poses.com_z;
+    let inertia_neck_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_9
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_neck_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_9
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_neck_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_9
+        - poses.minus_origin_pelvis_z_1;
     let inertia_neck_cross_xx_0 = 0.000248 * poses.minus_rotation_neck_cross_xx;
     let inertia_neck_cross_xx_2 = 0.000248 * poses.rotation_neck_cross_xy;
     let inertia_neck_cross_xx_4 = 0.000196 * poses.rotation_neck_bracket_xx;
@@ -3453,9 +3737,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.000248 * poses.rotation_neck_cross_zy * poses.rotation_neck_cross_zy
         + 0.000196 * poses.rotation_neck_bracket_zx * poses.rotation_neck_bracket_zx
         + (inertia_neck_cross_yy_6 + inertia_neck_cross_xx_6);
-    let inertia_head_hx_0 = poses.com_x_0_9 - poses.com_x;
-    let inertia_head_hy_0 = poses.com_y_0_9 - poses.com_y;
-    let inertia_head_hz_0 = poses.com_z_0_9 - poses.com_z;
+    let inertia_head_hx_0 = poses.minus_origin_pelvis_x_1_0_11
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_head_hy_0 = poses.minus_origin_pelvis_y_1_0_11
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_head_hz_0 = poses.minus_origin_pelvis_z_1_0_11
+        - poses.minus_origin_pelvis_z_1;
     let inertia_head_xx_0 = 0.012 * poses.rotation_head_xx;
     let inertia_head_xx_2 = 0.012 * poses.minus_rotation_head_xy;
     let inertia_head_xx_4 = 0.012 * poses.rotation_neck_cross_xy;
@@ -3493,9 +3780,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.012 * poses.rotation_head_zy * poses.rotation_head_zy
         + 0.012 * poses.rotation_neck_cross_zy * poses.rotation_neck_cross_zy
         + (inertia_head_yy_6 + inertia_head_xx_6);
-    let inertia_left_shoulder_bracket_hx_0 = poses.com_x_0_11 - poses.com_x;
-    let inertia_left_shoulder_bracket_hy_0 = poses.com_y_0_11 - poses.com_y;
-    let inertia_left_shoulder_bracket_hz_0 = poses.com_z_0_11 - poses.com_z;
+    let inertia_left_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_13
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_13
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_13
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_shoulder_bracket_xx_0 = 0.00056583333
         * poses.rotation_left_shoulder_bracket_xx;
     let inertia_left_shoulder_bracket_xx_2 = 0.00056583333
@@ -3552,9 +3842,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00056 * poses.rotation_left_shoulder_bracket_zz
             * poses.rotation_left_shoulder_bracket_zz
         + (inertia_left_shoulder_bracket_yy_6 + inertia_left_shoulder_bracket_xx_6);
-    let inertia_left_shoulder_cross_hx_0 = poses.com_x_0_13 - poses.com_x;
-    let inertia_left_shoulder_cross_hy_0 = poses.com_y_0_13 - poses.com_y;
-    let inertia_left_shoulder_cross_hz_0 = poses.com_z_0_13 - poses.com_z;
+    let inertia_left_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_15
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_15
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_15
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_shoulder_cross_xx_0 = 0.0005366
         * poses.rotation_left_shoulder_cross_xx;
     let inertia_left_shoulder_cross_xx_2 = 0.0005366
@@ -3609,9 +3902,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0004332 * poses.rotation_left_shoulder_bracket_zx
             * poses.rotation_left_shoulder_bracket_zx
         + (inertia_left_shoulder_cross_yy_6 + inertia_left_shoulder_cross_xx_6);
-    let inertia_left_upper_arm_hx_0 = poses.com_x_0_15 - poses.com_x;
-    let inertia_left_upper_arm_hy_0 = poses.com_y_0_15 - poses.com_y;
-    let inertia_left_upper_arm_hz_0 = poses.com_z_0_15 - poses.com_z;
+    let inertia_left_upper_arm_hx_0 = poses.minus_origin_pelvis_x_1_0_17
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_upper_arm_hy_0 = poses.minus_origin_pelvis_y_1_0_17
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_upper_arm_hz_0 = poses.minus_origin_pelvis_z_1_0_17
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_upper_arm_xx_0 = 0.0026191667 * poses.rotation_left_upper_arm_xx;
     let inertia_left_upper_arm_xx_2 = 0.0026614583 * poses.rotation_left_upper_arm_xy;
     let inertia_left_upper_arm_xx_4 = 0.00061395833
@@ -3662,9 +3958,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00061395833 * poses.rotation_left_shoulder_cross_zx
             * poses.rotation_left_shoulder_cross_zx
         + (inertia_left_upper_arm_yy_6 + inertia_left_upper_arm_xx_6);
-    let inertia_left_forearm_hx_0 = poses.com_x_0_17 - poses.com_x;
-    let inertia_left_forearm_hy_0 = poses.com_y_0_17 - poses.com_y;
-    let inertia_left_forearm_hz_0 = poses.com_z_0_17 - poses.com_z;
+    let inertia_left_forearm_hx_0 = poses.minus_origin_pelvis_x_1_0_19
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_forearm_hy_0 = poses.minus_origin_pelvis_y_1_0_19
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_forearm_hz_0 = poses.minus_origin_pelvis_z_1_0_19
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_forearm_xx_0 = 0.0013375125 * poses.rotation_left_forearm_xx;
     let inertia_left_forearm_xx_2 = 0.000245025 * poses.rotation_left_forearm_xy;
     let inertia_left_forearm_xx_4 = 0.0013375125 * poses.rotation_left_upper_arm_xy;
@@ -3709,9 +4008,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0013375125 * poses.rotation_left_upper_arm_zy
             * poses.rotation_left_upper_arm_zy
         + (inertia_left_forearm_yy_6 + inertia_left_forearm_xx_6);
-    let inertia_left_wrist_bracket_hx_0 = poses.com_x_0_19 - poses.com_x;
-    let inertia_left_wrist_bracket_hy_0 = poses.com_y_0_19 - poses.com_y;
-    let inertia_left_wrist_bracket_hz_0 = poses.com_z_0_19 - poses.com_z;
+    let inertia_left_wrist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_21
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_wrist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_21
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_wrist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_21
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_wrist_bracket_xx_0 = 0.000057916667
         * poses.rotation_left_wrist_bracket_xx;
     let inertia_left_wrist_bracket_xx_2 = 0.000057916667
@@ -3763,9 +4065,12 @@ fn inertias(poses: &Poses) -> Inertias {
             * poses.rotation_left_wrist_bracket_zy
         + 0.0000625 * poses.rotation_left_forearm_zy * poses.rotation_left_forearm_zy
         + (inertia_left_wrist_bracket_yy_6 + inertia_left_wrist_bracket_xx_6);
-    let inertia_left_wrist_cross_hx_0 = poses.com_x_0_21 - poses.com_x;
-    let inertia_left_wrist_cross_hy_0 = poses.com_y_0_21 - poses.com_y;
-    let inertia_left_wrist_cross_hz_0 = poses.com_z_0_21 - poses.com_z;
+    let inertia_left_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_23
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_23
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_23
+        - poses.minus_origin_pelvis_z_1;
     let inertia_left_wrist_cross_xx_0 = 0.0010358020799999998
         * poses.rotation_left_wrist_cross_xx
         - 0.000051187500000000004 * poses.rotation_left_wrist_cross_xy
@@ -3839,9 +4144,12 @@ fn inertias(poses: &Poses) -> Inertias {
                 + 0.000021937499999999998 * poses.rotation_left_wrist_cross_zy))
             * poses.rotation_left_wrist_bracket_zy
         + (inertia_left_wrist_cross_yy_6 + inertia_left_wrist_cross_xx_6);
-    let inertia_right_shoulder_bracket_hx_0 = poses.com_x_0_23 - poses.com_x;
-    let inertia_right_shoulder_bracket_hy_0 = poses.com_y_0_23 - poses.com_y;
-    let inertia_right_shoulder_bracket_hz_0 = poses.com_z_0_23 - poses.com_z;
+    let inertia_right_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_1
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_1
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_1
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_shoulder_bracket_xx_0 = 0.00056583333
         * poses.rotation_right_shoulder_bracket_xx;
     let inertia_right_shoulder_bracket_xx_2 = 0.00056583333
@@ -3900,9 +4208,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00056 * poses.rotation_right_shoulder_bracket_zz
             * poses.rotation_right_shoulder_bracket_zz
         + (inertia_right_shoulder_bracket_yy_6 + inertia_right_shoulder_bracket_xx_6);
-    let inertia_right_shoulder_cross_hx_0 = poses.com_x_1 - poses.com_x;
-    let inertia_right_shoulder_cross_hy_0 = poses.com_y_1 - poses.com_y;
-    let inertia_right_shoulder_cross_hz_0 = poses.com_z_1 - poses.com_z;
+    let inertia_right_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_3
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_3
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_3
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_shoulder_cross_xx_0 = 0.0005366
         * poses.rotation_right_shoulder_cross_xx;
     let inertia_right_shoulder_cross_xx_2 = 0.0005366
@@ -3960,9 +4271,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0004332 * poses.minus_rotation_right_shoulder_bracket_zx
             * poses.minus_rotation_right_shoulder_bracket_zx
         + (inertia_right_shoulder_cross_yy_6 + inertia_right_shoulder_cross_xx_6);
-    let inertia_right_upper_arm_hx_0 = poses.com_x_3 - poses.com_x;
-    let inertia_right_upper_arm_hy_0 = poses.com_y_3 - poses.com_y;
-    let inertia_right_upper_arm_hz_0 = poses.com_z_3 - poses.com_z;
+    let inertia_right_upper_arm_hx_0 = poses.minus_origin_pelvis_x_1_5
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_upper_arm_hy_0 = poses.minus_origin_pelvis_y_1_5
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_upper_arm_hz_0 = poses.minus_origin_pelvis_z_1_5
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_upper_arm_xx_0 = 0.0026191667 * poses.rotation_right_upper_arm_xx;
     let inertia_right_upper_arm_xx_2 = 0.0026614583
         * poses.minus_rotation_right_upper_arm_xy;
@@ -4014,9 +4328,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00061395833 * poses.rotation_right_shoulder_cross_zx
             * poses.rotation_right_shoulder_cross_zx
         + (inertia_right_upper_arm_yy_6 + inertia_right_upper_arm_xx_6);
-    let inertia_right_forearm_hx_0 = poses.com_x_5 - poses.com_x;
-    let inertia_right_forearm_hy_0 = poses.com_y_5 - poses.com_y;
-    let inertia_right_forearm_hz_0 = poses.com_z_5 - poses.com_z;
+    let inertia_right_forearm_hx_0 = poses.minus_origin_pelvis_x_1_7
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_forearm_hy_0 = poses.minus_origin_pelvis_y_1_7
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_forearm_hz_0 = poses.minus_origin_pelvis_z_1_7
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_forearm_xx_0 = 0.0013375125 * poses.rotation_right_forearm_xx;
     let inertia_right_forearm_xx_2 = 0.000245025 * poses.rotation_right_forearm_xy;
     let inertia_right_forearm_xx_4 = 0.0013375125
@@ -4065,9 +4382,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0013375125 * poses.rotation_right_upper_arm_zy
             * poses.rotation_right_upper_arm_zy
         + (inertia_right_forearm_yy_6 + inertia_right_forearm_xx_6);
-    let inertia_right_wrist_bracket_hx_0 = poses.com_x_7 - poses.com_x;
-    let inertia_right_wrist_bracket_hy_0 = poses.com_y_7 - poses.com_y;
-    let inertia_right_wrist_bracket_hz_0 = poses.com_z_7 - poses.com_z;
+    let inertia_right_wrist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_9
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_wrist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_9
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_wrist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_9
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_wrist_bracket_xx_0 = 0.000057916667
         * poses.rotation_right_wrist_bracket_xx;
     let inertia_right_wrist_bracket_xx_2 = 0.000057916667
@@ -4119,9 +4439,12 @@ fn inertias(poses: &Poses) -> Inertias {
             * poses.rotation_right_wrist_bracket_zy
         + 0.0000625 * poses.rotation_right_forearm_zy * poses.rotation_right_forearm_zy
         + (inertia_right_wrist_bracket_yy_6 + inertia_right_wrist_bracket_xx_6);
-    let inertia_right_wrist_cross_hx_0 = poses.com_x_9 - poses.com_x;
-    let inertia_right_wrist_cross_hy_0 = poses.com_y_9 - poses.com_y;
-    let inertia_right_wrist_cross_hz_0 = poses.com_z_9 - poses.com_z;
+    let inertia_right_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_11
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_11
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_11
+        - poses.minus_origin_pelvis_z_1;
     let inertia_right_wrist_cross_xx_0 = 0.0010358020799999998
         * poses.rotation_right_wrist_cross_xx
         - 0.000051187500000000004 * poses.rotation_right_wrist_cross_xy
@@ -12010,11 +12333,11 @@ mod inertia_itself {
         connection: &mut [[f64; 6]; 30],
     ) -> InertiaItself {
         let locked_inertia_0_0_2_0_0 = poses.com_z + 0.030267080745341613;
-        let locked_inertia_0_0_1_0 = poses.minus_origin_waist_bracket_y
+        let locked_inertia_0_0_1_0 = poses.minus_origin_waist_bracket_y_0
             * 60.35000000000001;
         let locked_inertia_0_0_2_0 = locked_inertia_0_0_2_0_0 * 60.35000000000001;
         let locked_inertia_0_0_1 = locked_inertia_0_0_1_0
-            * poses.minus_origin_waist_bracket_y;
+            * poses.minus_origin_waist_bracket_y_0;
         let locked_inertia_0_0_2 = locked_inertia_0_0_2_0 * locked_inertia_0_0_2_0_0;
         // Λ_b column 0
         locked_inertia[0][0] = inertias.composite_pelvis_xx
@@ -12022,7 +12345,7 @@ mod inertia_itself {
         let locked_inertia_1_0_1_0 = poses.com_x - 0.010211180123890747;
         let locked_inertia_1_0_1 = locked_inertia_1_0_1_0 * 60.35000000000001;
         let locked_inertia_1_0 = inertias.composite_pelvis_xy
-            - locked_inertia_1_0_1 * poses.minus_origin_waist_bracket_y;
+            - locked_inertia_1_0_1 * poses.minus_origin_waist_bracket_y_0;
         locked_inertia[0][1] = locked_inertia_1_0 + 0.0;
         let locked_inertia_2_0 = inertias.composite_pelvis_xz
             - locked_inertia_1_0_1 * locked_inertia_0_0_2_0_0;
@@ -12075,20 +12398,20 @@ mod inertia_itself {
         connection[0][1] = screws.connection_left_hip_yaw_wy + 0.0;
         connection[0][2] = screws.connection_left_hip_yaw_wz + 0.0;
         connection[0][3] = screws.connection_left_hip_yaw_vx
-            + (screws.connection_left_hip_yaw_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_hip_yaw_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_hip_yaw_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[0][4] = screws.connection_left_hip_yaw_vy
             + (screws.connection_left_hip_yaw_wx * locked_inertia_0_0_2_0_0
                 - screws.connection_left_hip_yaw_wz * locked_inertia_1_0_1_0) + 0.0;
         connection[0][5] = screws.connection_left_hip_yaw_wy * locked_inertia_1_0_1_0
-            - screws.connection_left_hip_yaw_wx * poses.minus_origin_waist_bracket_y
+            - screws.connection_left_hip_yaw_wx * poses.minus_origin_waist_bracket_y_0
             + 0.0;
         // A_l column left_hip_roll
         connection[1][0] = screws.connection_left_hip_roll_wx + 0.0;
         connection[1][1] = screws.connection_left_hip_roll_wy + 0.0;
         connection[1][2] = screws.connection_left_hip_roll_wz + 0.0;
         connection[1][3] = screws.connection_left_hip_roll_vx
-            + (screws.connection_left_hip_roll_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_hip_roll_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_hip_roll_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[1][4] = screws.connection_left_hip_roll_wx * locked_inertia_0_0_2_0_0
             - screws.connection_left_hip_roll_wz * locked_inertia_1_0_1_0
@@ -12096,13 +12419,13 @@ mod inertia_itself {
         connection[1][5] = screws.connection_left_hip_roll_vz
             + (screws.connection_left_hip_roll_wy * locked_inertia_1_0_1_0
                 - screws.connection_left_hip_roll_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column left_hip_pitch
         connection[2][0] = screws.connection_left_hip_pitch_wx + 0.0;
         connection[2][1] = screws.connection_left_hip_pitch_wy + 0.0;
         connection[2][2] = screws.connection_left_hip_pitch_wz + 0.0;
         connection[2][3] = screws.connection_left_hip_pitch_vx
-            + (screws.connection_left_hip_pitch_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_hip_pitch_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_hip_pitch_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[2][4] = screws.connection_left_hip_pitch_vy
             + (screws.connection_left_hip_pitch_wx * locked_inertia_0_0_2_0_0
@@ -12110,27 +12433,28 @@ mod inertia_itself {
         connection[2][5] = screws.connection_left_hip_pitch_vz
             + (screws.connection_left_hip_pitch_wy * locked_inertia_1_0_1_0
                 - screws.connection_left_hip_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column left_knee
         connection[3][0] = screws.connection_left_knee_wx + 0.0;
         connection[3][1] = screws.connection_left_knee_wy + 0.0;
         connection[3][2] = screws.connection_left_knee_wz + 0.0;
         connection[3][3] = screws.connection_left_knee_vx
-            + (screws.connection_left_knee_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_knee_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_knee_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[3][4] = screws.connection_left_knee_vy
             + (screws.connection_left_knee_wx * locked_inertia_0_0_2_0_0
                 - screws.connection_left_knee_wz * locked_inertia_1_0_1_0) + 0.0;
         connection[3][5] = screws.connection_left_knee_vz
             + (screws.connection_left_knee_wy * locked_inertia_1_0_1_0
-                - screws.connection_left_knee_wx * poses.minus_origin_waist_bracket_y)
+                - screws.connection_left_knee_wx * poses.minus_origin_waist_bracket_y_0)
             + 0.0;
         // A_l column left_ankle_pitch
         connection[4][0] = screws.connection_left_ankle_pitch_wx + 0.0;
         connection[4][1] = screws.connection_left_ankle_pitch_wy + 0.0;
         connection[4][2] = screws.connection_left_ankle_pitch_wz + 0.0;
         connection[4][3] = screws.connection_left_ankle_pitch_vx
-            + (screws.connection_left_ankle_pitch_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_ankle_pitch_wz
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_ankle_pitch_wy * locked_inertia_0_0_2_0_0)
             + 0.0;
         connection[4][4] = screws.connection_left_ankle_pitch_vy
@@ -12139,13 +12463,14 @@ mod inertia_itself {
         connection[4][5] = screws.connection_left_ankle_pitch_vz
             + (screws.connection_left_ankle_pitch_wy * locked_inertia_1_0_1_0
                 - screws.connection_left_ankle_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column left_ankle_roll
         connection[5][0] = screws.connection_left_ankle_roll_wx + 0.0;
         connection[5][1] = screws.connection_left_ankle_roll_wy + 0.0;
         connection[5][2] = screws.connection_left_ankle_roll_wz + 0.0;
         connection[5][3] = screws.connection_left_ankle_roll_vx
-            + (screws.connection_left_ankle_roll_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_ankle_roll_wz
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_ankle_roll_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[5][4] = screws.connection_left_ankle_roll_vy
             + (screws.connection_left_ankle_roll_wx * locked_inertia_0_0_2_0_0
@@ -12153,27 +12478,27 @@ mod inertia_itself {
         connection[5][5] = screws.connection_left_ankle_roll_vz
             + (screws.connection_left_ankle_roll_wy * locked_inertia_1_0_1_0
                 - screws.connection_left_ankle_roll_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_hip_yaw
         connection[6][0] = screws.connection_right_hip_yaw_wx + 0.0;
         connection[6][1] = screws.connection_right_hip_yaw_wy + 0.0;
         connection[6][2] = screws.connection_right_hip_yaw_wz + 0.0;
         connection[6][3] = screws.connection_right_hip_yaw_wz
-            * poses.minus_origin_waist_bracket_y
+            * poses.minus_origin_waist_bracket_y_0
             - screws.connection_right_hip_yaw_wy * locked_inertia_0_0_2_0_0
             - screws.minus_connection_right_hip_yaw_vx + 0.0;
         connection[6][4] = screws.connection_right_hip_yaw_vy
             + (screws.connection_right_hip_yaw_wx * locked_inertia_0_0_2_0_0
                 - screws.connection_right_hip_yaw_wz * locked_inertia_1_0_1_0) + 0.0;
         connection[6][5] = screws.connection_right_hip_yaw_wy * locked_inertia_1_0_1_0
-            - screws.connection_right_hip_yaw_wx * poses.minus_origin_waist_bracket_y
+            - screws.connection_right_hip_yaw_wx * poses.minus_origin_waist_bracket_y_0
             + 0.0;
         // A_l column right_hip_roll
         connection[7][0] = screws.connection_right_hip_roll_wx + 0.0;
         connection[7][1] = screws.connection_right_hip_roll_wy + 0.0;
         connection[7][2] = screws.connection_right_hip_roll_wz + 0.0;
         connection[7][3] = screws.connection_right_hip_roll_vx
-            + (screws.connection_right_hip_roll_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_right_hip_roll_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_hip_roll_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[7][4] = screws.connection_right_hip_roll_wx * locked_inertia_0_0_2_0_0
             - screws.connection_right_hip_roll_wz * locked_inertia_1_0_1_0
@@ -12181,13 +12506,14 @@ mod inertia_itself {
         connection[7][5] = screws.connection_right_hip_roll_vz
             + (screws.connection_right_hip_roll_wy * locked_inertia_1_0_1_0
                 - screws.connection_right_hip_roll_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_hip_pitch
         connection[8][0] = screws.connection_right_hip_pitch_wx + 0.0;
         connection[8][1] = screws.connection_right_hip_pitch_wy + 0.0;
         connection[8][2] = screws.connection_right_hip_pitch_wz + 0.0;
         connection[8][3] = screws.connection_right_hip_pitch_vx
-            + (screws.connection_right_hip_pitch_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_right_hip_pitch_wz
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_hip_pitch_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[8][4] = screws.connection_right_hip_pitch_vy
             + (screws.connection_right_hip_pitch_wx * locked_inertia_0_0_2_0_0
@@ -12195,20 +12521,20 @@ mod inertia_itself {
         connection[8][5] = screws.connection_right_hip_pitch_vz
             + (screws.connection_right_hip_pitch_wy * locked_inertia_1_0_1_0
                 - screws.connection_right_hip_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_knee
         connection[9][0] = screws.connection_right_knee_wx + 0.0;
         connection[9][1] = screws.connection_right_knee_wy + 0.0;
         connection[9][2] = screws.connection_right_knee_wz + 0.0;
         connection[9][3] = screws.connection_right_knee_vx
-            + (screws.connection_right_knee_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_right_knee_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_knee_wy * locked_inertia_0_0_2_0_0) + 0.0;
         connection[9][4] = screws.connection_right_knee_vy
             + (screws.connection_right_knee_wx * locked_inertia_0_0_2_0_0
                 - screws.connection_right_knee_wz * locked_inertia_1_0_1_0) + 0.0;
         connection[9][5] = screws.connection_right_knee_vz
             + (screws.connection_right_knee_wy * locked_inertia_1_0_1_0
-                - screws.connection_right_knee_wx * poses.minus_origin_waist_bracket_y)
+                - screws.connection_right_knee_wx * poses.minus_origin_waist_bracket_y_0)
             + 0.0;
         // A_l column right_ankle_pitch
         connection[10][0] = screws.connection_right_ankle_pitch_wx + 0.0;
@@ -12216,7 +12542,7 @@ mod inertia_itself {
         connection[10][2] = screws.connection_right_ankle_pitch_wz + 0.0;
         connection[10][3] = screws.connection_right_ankle_pitch_vx
             + (screws.connection_right_ankle_pitch_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_ankle_pitch_wy * locked_inertia_0_0_2_0_0)
             + 0.0;
         connection[10][4] = screws.connection_right_ankle_pitch_vy
@@ -12225,13 +12551,14 @@ mod inertia_itself {
         connection[10][5] = screws.connection_right_ankle_pitch_vz
             + (screws.connection_right_ankle_pitch_wy * locked_inertia_1_0_1_0
                 - screws.connection_right_ankle_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_ankle_roll
         connection[11][0] = screws.connection_right_ankle_roll_wx + 0.0;
         connection[11][1] = screws.connection_right_ankle_roll_wy + 0.0;
         connection[11][2] = screws.connection_right_ankle_roll_wz + 0.0;
         connection[11][3] = screws.connection_right_ankle_roll_vx
-            + (screws.connection_right_ankle_roll_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_right_ankle_roll_wz
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_ankle_roll_wy * locked_inertia_0_0_2_0_0)
             + 0.0;
         connection[11][4] = screws.connection_right_ankle_roll_vy
@@ -12240,26 +12567,27 @@ mod inertia_itself {
         connection[11][5] = screws.connection_right_ankle_roll_vz
             + (screws.connection_right_ankle_roll_wy * locked_inertia_1_0_1_0
                 - screws.connection_right_ankle_roll_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column waist_yaw
         connection[12][0] = screws.connection_waist_yaw_wx + 0.0;
         connection[12][1] = screws.connection_waist_yaw_wy + 0.0;
         connection[12][2] = screws.connection_waist_yaw_wz + 0.0;
         connection[12][3] = screws.connection_waist_yaw_wz
-            * poses.minus_origin_waist_bracket_y
+            * poses.minus_origin_waist_bracket_y_0
             - screws.connection_waist_yaw_wy * locked_inertia_0_0_2_0_0
             - screws.minus_connection_waist_yaw_vx + 0.0;
         connection[12][4] = screws.connection_waist_yaw_vy
             + (screws.connection_waist_yaw_wx * locked_inertia_0_0_2_0_0
                 - screws.connection_waist_yaw_wz * locked_inertia_1_0_1_0) + 0.0;
         connection[12][5] = screws.connection_waist_yaw_wy * locked_inertia_1_0_1_0
-            - screws.connection_waist_yaw_wx * poses.minus_origin_waist_bracket_y + 0.0;
+            - screws.connection_waist_yaw_wx * poses.minus_origin_waist_bracket_y_0
+            + 0.0;
         // A_l column waist_roll
         connection[13][0] = screws.connection_waist_roll_wx + 0.0;
         connection[13][1] = screws.connection_waist_roll_wy + 0.0;
         connection[13][2] = screws.connection_waist_roll_wz + 0.0;
         connection[13][3] = screws.connection_waist_roll_vx
-            + (screws.connection_waist_roll_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_waist_roll_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_waist_roll_wy * locked_inertia_0_0_2_0_0) + 0.0;
         InertiaItself {
             locked_inertia_1_0_1_0,
@@ -12283,14 +12611,14 @@ mod inertia_itself {
                     * inertia_itself.locked_inertia_1_0_1_0) + 0.0;
         connection[13][5] = screws.connection_waist_roll_vz
             + (screws.connection_waist_roll_wy * inertia_itself.locked_inertia_1_0_1_0
-                - screws.connection_waist_roll_wx * poses.minus_origin_waist_bracket_y)
+                - screws.connection_waist_roll_wx * poses.minus_origin_waist_bracket_y_0)
             + 0.0;
         // A_l column waist_pitch
         connection[14][0] = screws.connection_waist_pitch_wx + 0.0;
         connection[14][1] = screws.connection_waist_pitch_wy + 0.0;
         connection[14][2] = screws.connection_waist_pitch_wz + 0.0;
         connection[14][3] = screws.connection_waist_pitch_vx
-            + (screws.connection_waist_pitch_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_waist_pitch_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_waist_pitch_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[14][4] = screws.connection_waist_pitch_vy
@@ -12299,14 +12627,14 @@ mod inertia_itself {
                     * inertia_itself.locked_inertia_1_0_1_0) + 0.0;
         connection[14][5] = screws.connection_waist_pitch_vz
             + (screws.connection_waist_pitch_wy * inertia_itself.locked_inertia_1_0_1_0
-                - screws.connection_waist_pitch_wx * poses.minus_origin_waist_bracket_y)
-            + 0.0;
+                - screws.connection_waist_pitch_wx
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column neck_yaw
         connection[15][0] = screws.connection_neck_yaw_wx + 0.0;
         connection[15][1] = screws.connection_neck_yaw_wy + 0.0;
         connection[15][2] = screws.connection_neck_yaw_wz + 0.0;
         connection[15][3] = screws.connection_neck_yaw_vx
-            + (screws.connection_neck_yaw_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_neck_yaw_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_neck_yaw_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[15][4] = screws.connection_neck_yaw_vy
@@ -12315,14 +12643,14 @@ mod inertia_itself {
             + 0.0;
         connection[15][5] = screws.connection_neck_yaw_vz
             + (screws.connection_neck_yaw_wy * inertia_itself.locked_inertia_1_0_1_0
-                - screws.connection_neck_yaw_wx * poses.minus_origin_waist_bracket_y)
+                - screws.connection_neck_yaw_wx * poses.minus_origin_waist_bracket_y_0)
             + 0.0;
         // A_l column neck_roll
         connection[16][0] = screws.connection_neck_roll_wx + 0.0;
         connection[16][1] = screws.connection_neck_roll_wy + 0.0;
         connection[16][2] = screws.connection_neck_roll_wz + 0.0;
         connection[16][3] = screws.connection_neck_roll_vx
-            + (screws.connection_neck_roll_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_neck_roll_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_neck_roll_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[16][4] = screws.connection_neck_roll_vy
@@ -12331,14 +12659,14 @@ mod inertia_itself {
             + 0.0;
         connection[16][5] = screws.connection_neck_roll_vz
             + (screws.connection_neck_roll_wy * inertia_itself.locked_inertia_1_0_1_0
-                - screws.connection_neck_roll_wx * poses.minus_origin_waist_bracket_y)
+                - screws.connection_neck_roll_wx * poses.minus_origin_waist_bracket_y_0)
             + 0.0;
         // A_l column neck_pitch
         connection[17][0] = screws.connection_neck_pitch_wx + 0.0;
         connection[17][1] = screws.connection_neck_pitch_wy + 0.0;
         connection[17][2] = screws.connection_neck_pitch_wz + 0.0;
         connection[17][3] = screws.connection_neck_pitch_vx
-            + (screws.connection_neck_pitch_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_neck_pitch_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_neck_pitch_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[17][4] = screws.connection_neck_pitch_vy
@@ -12347,7 +12675,7 @@ mod inertia_itself {
                     * inertia_itself.locked_inertia_1_0_1_0) + 0.0;
         connection[17][5] = screws.connection_neck_pitch_vz
             + (screws.connection_neck_pitch_wy * inertia_itself.locked_inertia_1_0_1_0
-                - screws.connection_neck_pitch_wx * poses.minus_origin_waist_bracket_y)
+                - screws.connection_neck_pitch_wx * poses.minus_origin_waist_bracket_y_0)
             + 0.0;
         // A_l column left_shoulder_pitch
         connection[18][0] = screws.connection_left_shoulder_pitch_wx + 0.0;
@@ -12355,7 +12683,7 @@ mod inertia_itself {
         connection[18][2] = screws.connection_left_shoulder_pitch_wz + 0.0;
         connection[18][3] = screws.connection_left_shoulder_pitch_vx
             + (screws.connection_left_shoulder_pitch_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_shoulder_pitch_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[18][4] = screws.connection_left_shoulder_pitch_vy
@@ -12367,14 +12695,14 @@ mod inertia_itself {
             + (screws.connection_left_shoulder_pitch_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_left_shoulder_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column left_shoulder_roll
         connection[19][0] = screws.connection_left_shoulder_roll_wx + 0.0;
         connection[19][1] = screws.connection_left_shoulder_roll_wy + 0.0;
         connection[19][2] = screws.connection_left_shoulder_roll_wz + 0.0;
         connection[19][3] = screws.connection_left_shoulder_roll_vx
             + (screws.connection_left_shoulder_roll_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_shoulder_roll_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[19][4] = screws.connection_left_shoulder_roll_vy
@@ -12386,14 +12714,14 @@ mod inertia_itself {
             + (screws.connection_left_shoulder_roll_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_left_shoulder_roll_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column left_shoulder_yaw
         connection[20][0] = screws.connection_left_shoulder_yaw_wx + 0.0;
         connection[20][1] = screws.connection_left_shoulder_yaw_wy + 0.0;
         connection[20][2] = screws.connection_left_shoulder_yaw_wz + 0.0;
         connection[20][3] = screws.connection_left_shoulder_yaw_vx
             + (screws.connection_left_shoulder_yaw_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_shoulder_yaw_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[20][4] = screws.connection_left_shoulder_yaw_vy
@@ -12405,13 +12733,13 @@ mod inertia_itself {
             + (screws.connection_left_shoulder_yaw_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_left_shoulder_yaw_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column left_elbow
         connection[21][0] = screws.connection_left_elbow_wx + 0.0;
         connection[21][1] = screws.connection_left_elbow_wy + 0.0;
         connection[21][2] = screws.connection_left_elbow_wz + 0.0;
         connection[21][3] = screws.connection_left_elbow_vx
-            + (screws.connection_left_elbow_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_elbow_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_elbow_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[21][4] = screws.connection_left_elbow_vy
@@ -12420,14 +12748,14 @@ mod inertia_itself {
                     * inertia_itself.locked_inertia_1_0_1_0) + 0.0;
         connection[21][5] = screws.connection_left_elbow_vz
             + (screws.connection_left_elbow_wy * inertia_itself.locked_inertia_1_0_1_0
-                - screws.connection_left_elbow_wx * poses.minus_origin_waist_bracket_y)
+                - screws.connection_left_elbow_wx * poses.minus_origin_waist_bracket_y_0)
             + 0.0;
         // A_l column left_wrist_yaw
         connection[22][0] = screws.connection_left_wrist_yaw_wx + 0.0;
         connection[22][1] = screws.connection_left_wrist_yaw_wy + 0.0;
         connection[22][2] = screws.connection_left_wrist_yaw_wz + 0.0;
         connection[22][3] = screws.connection_left_wrist_yaw_vx
-            + (screws.connection_left_wrist_yaw_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_wrist_yaw_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_wrist_yaw_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[22][4] = screws.connection_left_wrist_yaw_vy
@@ -12439,13 +12767,14 @@ mod inertia_itself {
             + (screws.connection_left_wrist_yaw_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_left_wrist_yaw_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column left_wrist_pitch
         connection[23][0] = screws.connection_left_wrist_pitch_wx + 0.0;
         connection[23][1] = screws.connection_left_wrist_pitch_wy + 0.0;
         connection[23][2] = screws.connection_left_wrist_pitch_wz + 0.0;
         connection[23][3] = screws.connection_left_wrist_pitch_vx
-            + (screws.connection_left_wrist_pitch_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_left_wrist_pitch_wz
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_left_wrist_pitch_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[23][4] = screws.connection_left_wrist_pitch_vy
@@ -12457,14 +12786,14 @@ mod inertia_itself {
             + (screws.connection_left_wrist_pitch_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_left_wrist_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_shoulder_pitch
         connection[24][0] = screws.connection_right_shoulder_pitch_wx + 0.0;
         connection[24][1] = screws.connection_right_shoulder_pitch_wy + 0.0;
         connection[24][2] = screws.connection_right_shoulder_pitch_wz + 0.0;
         connection[24][3] = screws.connection_right_shoulder_pitch_vx
             + (screws.connection_right_shoulder_pitch_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_shoulder_pitch_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[24][4] = screws.connection_right_shoulder_pitch_vy
@@ -12476,14 +12805,14 @@ mod inertia_itself {
             + (screws.connection_right_shoulder_pitch_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_right_shoulder_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_shoulder_roll
         connection[25][0] = screws.connection_right_shoulder_roll_wx + 0.0;
         connection[25][1] = screws.connection_right_shoulder_roll_wy + 0.0;
         connection[25][2] = screws.connection_right_shoulder_roll_wz + 0.0;
         connection[25][3] = screws.connection_right_shoulder_roll_vx
             + (screws.connection_right_shoulder_roll_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_shoulder_roll_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[25][4] = screws.connection_right_shoulder_roll_vy
@@ -12495,14 +12824,14 @@ mod inertia_itself {
             + (screws.connection_right_shoulder_roll_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_right_shoulder_roll_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_shoulder_yaw
         connection[26][0] = screws.connection_right_shoulder_yaw_wx + 0.0;
         connection[26][1] = screws.connection_right_shoulder_yaw_wy + 0.0;
         connection[26][2] = screws.connection_right_shoulder_yaw_wz + 0.0;
         connection[26][3] = screws.connection_right_shoulder_yaw_vx
             + (screws.connection_right_shoulder_yaw_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_shoulder_yaw_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[26][4] = screws.connection_right_shoulder_yaw_vy
@@ -12514,13 +12843,13 @@ mod inertia_itself {
             + (screws.connection_right_shoulder_yaw_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_right_shoulder_yaw_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_elbow
         connection[27][0] = screws.connection_right_elbow_wx + 0.0;
         connection[27][1] = screws.connection_right_elbow_wy + 0.0;
         connection[27][2] = screws.connection_right_elbow_wz + 0.0;
         connection[27][3] = screws.connection_right_elbow_vx
-            + (screws.connection_right_elbow_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_right_elbow_wz * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_elbow_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[27][4] = screws.connection_right_elbow_vy
@@ -12529,14 +12858,15 @@ mod inertia_itself {
                     * inertia_itself.locked_inertia_1_0_1_0) + 0.0;
         connection[27][5] = screws.connection_right_elbow_vz
             + (screws.connection_right_elbow_wy * inertia_itself.locked_inertia_1_0_1_0
-                - screws.connection_right_elbow_wx * poses.minus_origin_waist_bracket_y)
-            + 0.0;
+                - screws.connection_right_elbow_wx
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_wrist_yaw
         connection[28][0] = screws.connection_right_wrist_yaw_wx + 0.0;
         connection[28][1] = screws.connection_right_wrist_yaw_wy + 0.0;
         connection[28][2] = screws.connection_right_wrist_yaw_wz + 0.0;
         connection[28][3] = screws.connection_right_wrist_yaw_vx
-            + (screws.connection_right_wrist_yaw_wz * poses.minus_origin_waist_bracket_y
+            + (screws.connection_right_wrist_yaw_wz
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_wrist_yaw_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[28][4] = screws.connection_right_wrist_yaw_vy
@@ -12548,14 +12878,14 @@ mod inertia_itself {
             + (screws.connection_right_wrist_yaw_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_right_wrist_yaw_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // A_l column right_wrist_pitch
         connection[29][0] = screws.connection_right_wrist_pitch_wx + 0.0;
         connection[29][1] = screws.connection_right_wrist_pitch_wy + 0.0;
         connection[29][2] = screws.connection_right_wrist_pitch_wz + 0.0;
         connection[29][3] = screws.connection_right_wrist_pitch_vx
             + (screws.connection_right_wrist_pitch_wz
-                * poses.minus_origin_waist_bracket_y
+                * poses.minus_origin_waist_bracket_y_0
                 - screws.connection_right_wrist_pitch_wy
                     * inertia_itself.locked_inertia_0_0_2_0_0) + 0.0;
         connection[29][4] = screws.connection_right_wrist_pitch_vy
@@ -12567,7 +12897,7 @@ mod inertia_itself {
             + (screws.connection_right_wrist_pitch_wy
                 * inertia_itself.locked_inertia_1_0_1_0
                 - screws.connection_right_wrist_pitch_wx
-                    * poses.minus_origin_waist_bracket_y) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0) + 0.0;
         // Λ_q column left_hip_yaw
         shape_inertia[0][0] = outside.outside_left_hip_yaw_mx
             * screws.connection_left_hip_yaw_wx
@@ -18755,9 +19085,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_pelvis_mx_21: f64,
         pub(super) wrench_pelvis_my_21: f64,
         pub(super) wrench_pelvis_mz_21: f64,
-        pub(super) wrench_pelvis_my_18: f64,
-        pub(super) wrench_pelvis_mx_20: f64,
-        pub(super) wrench_waist_bracket_mx_20: f64,
         pub(super) xi_dot_0_3_3_21_19_8_0_0_5: f64,
         pub(super) xi_dot_0_3_3_21_19_8_0_0_6: f64,
         pub(super) xi_dot_0_3_3_21_10_0_0_1: f64,
@@ -18783,6 +19110,8 @@ mod forward_dynamics_itself {
         pub(super) xi_dot_0_3_3_21_10_0_0_19: f64,
         pub(super) xi_dot_0_3_3_12_0_0_21: f64,
         pub(super) xi_dot_0_3_3_21_10_0_0_20_1: f64,
+        pub(super) xi_dot_0_3_3_21_19_8_0_0_20_1: f64,
+        pub(super) xi_dot_0_3_3_21_19_8_0_0_21: f64,
     }
     /// What only `forward_dynamics` computes.
     #[inline(never)]
@@ -18798,11 +19127,11 @@ mod forward_dynamics_itself {
         let xi_dot_0_3_3_21_6_0_2 = poses.com_z + 0.030267080745341613;
         let xi_dot_0_3_3_21_6_0 = mu[3]
             + (mu[1] * xi_dot_0_3_3_21_6_0_2
-                - mu[2] * poses.minus_origin_waist_bracket_y);
+                - mu[2] * poses.minus_origin_waist_bracket_y_0);
         let xi_dot_0_3_3_21_19_4_0 = mu[4]
             + (mu[2] * xi_dot_0_3_3_21_19_4_0_2 - mu[0] * xi_dot_0_3_3_21_6_0_2);
         let xi_dot_0_3_3_21_19_6_0 = mu[5]
-            + (mu[0] * poses.minus_origin_waist_bracket_y
+            + (mu[0] * poses.minus_origin_waist_bracket_y_0
                 - mu[1] * xi_dot_0_3_3_21_19_4_0_2);
         let xi_dot_0_3_3_21_2 = inertias.composite_pelvis_xx * mu[0]
             + inertias.composite_pelvis_xy * mu[1]
@@ -18821,17 +19150,13 @@ mod forward_dynamics_itself {
         let wrench_pelvis_mx_14 = mu[2] - velocities.minus_velocity_pelvis_wz;
         let wrench_pelvis_mx_21 = base_wrench[0]
             + (base_wrench[4] * xi_dot_0_3_3_21_6_0_2
-                - base_wrench[5] * poses.minus_origin_waist_bracket_y);
+                - base_wrench[5] * poses.minus_origin_waist_bracket_y_0);
         let wrench_pelvis_my_21 = base_wrench[1]
             + (base_wrench[5] * xi_dot_0_3_3_21_19_4_0_2
                 - base_wrench[3] * xi_dot_0_3_3_21_6_0_2);
         let wrench_pelvis_mz_21 = base_wrench[2]
-            + (base_wrench[3] * poses.minus_origin_waist_bracket_y
+            + (base_wrench[3] * poses.minus_origin_waist_bracket_y_0
                 - base_wrench[4] * xi_dot_0_3_3_21_19_4_0_2);
-        let wrench_pelvis_my_18 = velocities.velocity_pelvis_vx + xi_dot_0_3_3_21_6_0;
-        let wrench_pelvis_mx_20 = velocities.velocity_pelvis_vy + xi_dot_0_3_3_21_19_4_0;
-        let wrench_waist_bracket_mx_20 = xi_dot_0_3_3_21_19_6_0
-            - velocities.minus_velocity_pelvis_vz;
         let xi_dot_0_3_3_21_19_8_0_0_5 = inertias.composite_left_hip_bracket_xy
             + inertias.composite_left_hip_bracket_xy;
         let xi_dot_0_3_3_21_10_0_0_1_1 = inertias.composite_left_hip_bracket_hx
@@ -18921,6 +19246,12 @@ mod forward_dynamics_itself {
             + xi_dot_0_3_3_21_19_8_0_0_19_0;
         let xi_dot_0_3_3_21_10_0_0_20_1 = inertias.composite_left_ankle_cross_hx
             * screws.screw_left_ankle_pitch_vx;
+        let xi_dot_0_3_3_21_19_8_0_0_21_1 = inertias.composite_left_ankle_cross_hy
+            * screws.minus_screw_left_ankle_pitch_vy;
+        let xi_dot_0_3_3_21_19_8_0_0_20_1 = inertias.composite_left_ankle_cross_hz
+            * screws.screw_left_ankle_pitch_vz;
+        let xi_dot_0_3_3_21_19_8_0_0_21 = xi_dot_0_3_3_21_19_8_0_0_21_1
+            + xi_dot_0_3_3_21_19_8_0_0_21_1;
         ForwardDynamicsItself {
             xi_dot_0_3_3_21_19_4_0_2,
             xi_dot_0_3_3_21_6_0_2,
@@ -18939,9 +19270,6 @@ mod forward_dynamics_itself {
             wrench_pelvis_mx_21,
             wrench_pelvis_my_21,
             wrench_pelvis_mz_21,
-            wrench_pelvis_my_18,
-            wrench_pelvis_mx_20,
-            wrench_waist_bracket_mx_20,
             xi_dot_0_3_3_21_19_8_0_0_5,
             xi_dot_0_3_3_21_19_8_0_0_6,
             xi_dot_0_3_3_21_10_0_0_1,
@@ -18967,11 +19295,12 @@ mod forward_dynamics_itself {
             xi_dot_0_3_3_21_10_0_0_19,
             xi_dot_0_3_3_12_0_0_21,
             xi_dot_0_3_3_21_10_0_0_20_1,
+            xi_dot_0_3_3_21_19_8_0_0_20_1,
+            xi_dot_0_3_3_21_19_8_0_0_21,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_21_1 {
-        pub(super) xi_dot_0_3_3_21_19_8_0_0_21: f64,
+    pub(super) struct ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_20 {
         pub(super) xi_dot_0_3_3_21_19_8_0_0_20: f64,
         pub(super) xi_dot_0_3_3_21_10_0_0_20: f64,
         pub(super) xi_dot_0_3_3_21_19_8_0_0_24: f64,
@@ -19011,21 +19340,16 @@ mod forward_dynamics_itself {
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1(
+    pub(super) fn forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20(
         qd: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
         forward_dynamics_itself: &ForwardDynamicsItself,
-    ) -> ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_21_1 {
-        let xi_dot_0_3_3_21_19_8_0_0_21_1 = inertias.composite_left_ankle_cross_hy
-            * screws.minus_screw_left_ankle_pitch_vy;
-        let xi_dot_0_3_3_21_19_8_0_0_20_1 = inertias.composite_left_ankle_cross_hz
-            * screws.screw_left_ankle_pitch_vz;
-        let xi_dot_0_3_3_21_19_8_0_0_21 = xi_dot_0_3_3_21_19_8_0_0_21_1
-            + xi_dot_0_3_3_21_19_8_0_0_21_1;
-        let xi_dot_0_3_3_21_19_8_0_0_20 = xi_dot_0_3_3_21_19_8_0_0_20_1
-            + xi_dot_0_3_3_21_19_8_0_0_20_1;
+    ) -> ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_20 {
+        let xi_dot_0_3_3_21_19_8_0_0_20 = forward_dynamics_itself
+            .xi_dot_0_3_3_21_19_8_0_0_20_1
+            + forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_20_1;
         let xi_dot_0_3_3_21_10_0_0_20 = forward_dynamics_itself
             .xi_dot_0_3_3_21_10_0_0_20_1
             + forward_dynamics_itself.xi_dot_0_3_3_21_10_0_0_20_1;
@@ -19293,8 +19617,7 @@ mod forward_dynamics_itself {
             + xi_dot_0_3_3_21_19_8_0_0_47_0;
         let xi_dot_0_3_3_21_10_0_0_48_1 = inertias.composite_right_ankle_cross_hx
             * screws.screw_right_ankle_pitch_vx;
-        ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_21_1 {
-            xi_dot_0_3_3_21_19_8_0_0_21,
+        ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_20 {
             xi_dot_0_3_3_21_19_8_0_0_20,
             xi_dot_0_3_3_21_10_0_0_20,
             xi_dot_0_3_3_21_19_8_0_0_24,
@@ -19381,7 +19704,7 @@ mod forward_dynamics_itself {
         inertias: &Inertias,
         screws: &Screws,
         forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1: &ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_21_1,
+        forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20: &ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_20,
     ) -> ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_49_1 {
         let xi_dot_0_3_3_21_19_8_0_0_49_1 = inertias.composite_right_ankle_cross_hy
             * screws.minus_screw_right_ankle_pitch_vy;
@@ -19391,9 +19714,9 @@ mod forward_dynamics_itself {
             + xi_dot_0_3_3_21_19_8_0_0_49_1;
         let xi_dot_0_3_3_21_19_8_0_0_48 = xi_dot_0_3_3_21_19_8_0_0_48_1
             + xi_dot_0_3_3_21_19_8_0_0_48_1;
-        let xi_dot_0_3_3_21_10_0_0_48 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+        let xi_dot_0_3_3_21_10_0_0_48 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
             .xi_dot_0_3_3_21_10_0_0_48_1
-            + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_48_1;
         let xi_dot_0_3_3_21_19_8_0_0 = (forward_dynamics_itself.xi_dot_0_3_3_12_0_0_4_1
             + forward_dynamics_itself.xi_dot_0_3_3_12_0_0_4_1
@@ -19411,49 +19734,48 @@ mod forward_dynamics_itself {
                     - forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_16)) * qd[3]
             + (forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_19
                 + forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_19
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_20
-                    - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
-                        .xi_dot_0_3_3_21_19_8_0_0_21)) * qd[4]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    - forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_21)) * qd[4]
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_19_8_0_0_24
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_24
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_25
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_26)) * qd[5]
-            - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_19_8_0_0_28
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_29) * qd[6]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_12_0_0_32_1
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_12_0_0_32_1
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_33
-                    - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_34)) * qd[7]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_19_8_0_0_37
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_37
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_38
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_39)) * qd[8]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_19_8_0_0_42
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_42
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_43
-                    - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_44)) * qd[9]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_19_8_0_0_47
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_47
                 + (xi_dot_0_3_3_21_19_8_0_0_48 - xi_dot_0_3_3_21_19_8_0_0_49)) * qd[10];
         let xi_dot_0_3_3_21_10_0_0 = (forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_5
@@ -19472,49 +19794,49 @@ mod forward_dynamics_itself {
                     + forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_15)) * qd[3]
             + (forward_dynamics_itself.xi_dot_0_3_3_21_10_0_0_19
                 + forward_dynamics_itself.xi_dot_0_3_3_21_10_0_0_19
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_20
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_20)) * qd[4]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_24
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_24
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_25
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_26)) * qd[5]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_19_8_0_0_28
-                - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_29) * qd[6]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_31
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_33
-                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_12_0_0_32_0
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_12_0_0_32_0)) * qd[7]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_37
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_37
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_38
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_39)) * qd[8]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_42
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_42
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_43
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_43)) * qd[9]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_47
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_47
                 + (xi_dot_0_3_3_21_10_0_0_48 + xi_dot_0_3_3_21_19_8_0_0_48)) * qd[10];
         let xi_dot_0_3_3_12_0_0 = (forward_dynamics_itself.xi_dot_0_3_3_21_10_0_0_1
@@ -19531,52 +19853,51 @@ mod forward_dynamics_itself {
                 - forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_16
                 - (forward_dynamics_itself.xi_dot_0_3_3_12_0_0_16
                     + forward_dynamics_itself.xi_dot_0_3_3_12_0_0_16)) * qd[3]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_20
-                - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
-                    .xi_dot_0_3_3_21_19_8_0_0_21
+                - forward_dynamics_itself.xi_dot_0_3_3_21_19_8_0_0_21
                 - (forward_dynamics_itself.xi_dot_0_3_3_12_0_0_21
                     + forward_dynamics_itself.xi_dot_0_3_3_12_0_0_21)) * qd[4]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_12_0_0_24
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_12_0_0_24
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_25
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_25)) * qd[5]
-            - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_29
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_29) * qd[6]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_12_0_0_32
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_12_0_0_32
-                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_10_0_0_31
-                    - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_21_19_8_0_0_34)) * qd[7]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_38
-                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_38
-                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_12_0_0_39
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_12_0_0_39)) * qd[8]
-            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+            + (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                 .xi_dot_0_3_3_21_10_0_0_43
-                - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                - forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_21_19_8_0_0_44
-                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_12_0_0_44
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_12_0_0_44)) * qd[9]
             + (xi_dot_0_3_3_21_10_0_0_48 - xi_dot_0_3_3_21_19_8_0_0_49
-                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                - (forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                     .xi_dot_0_3_3_12_0_0_49
-                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+                    + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
                         .xi_dot_0_3_3_12_0_0_49)) * qd[10];
         let xi_dot_0_3_3_21_19_8_0_2_0 = poses.rotation_right_ankle_cross_yx
             * inertias.inertia_right_ankle_bracket_xz;
@@ -19786,7 +20107,7 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1: &ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_21_1,
+        forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20: &ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_20,
         forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_49_1: &ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_49_1,
     ) -> ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_26_1 {
         let xi_dot_0_3_3_21_19_8_0_26_1 = inertias.composite_neck_cross_hy
@@ -19801,7 +20122,7 @@ mod forward_dynamics_itself {
             .xi_dot_0_3_3_21_10_0_26_1
             + forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_49_1
                 .xi_dot_0_3_3_21_10_0_26_1;
-        let xi_dot_0_3_3_21_19_11_0_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+        let xi_dot_0_3_3_21_19_11_0_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
             .xi_dot_0_3_3_21_19_11_0_0_0
             + (poses.rotation_right_hip_cross_yy * inertias.composite_right_shank_zz
                 - inertias.inside_right_knee_my_0_1
@@ -19849,7 +20170,7 @@ mod forward_dynamics_itself {
                     - poses.rotation_neck_bracket_yx * inertias.composite_neck_cross_xx)
                 - (screws.inside_neck_roll_my_5 + screws.inside_neck_roll_my_4))
                 * qd[16];
-        let xi_dot_0_3_3_21_11_0_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+        let xi_dot_0_3_3_21_11_0_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
             .xi_dot_0_3_3_21_11_0_0_0
             + (inertias.inside_right_knee_mx_0_1
                 + poses.minus_rotation_right_hip_cross_xy
@@ -19922,7 +20243,7 @@ mod forward_dynamics_itself {
             + xi_dot_0_3_3_21_19_8_0_32_1;
         let xi_dot_0_3_3_21_10_0_31 = xi_dot_0_3_3_21_10_0_31_1
             + xi_dot_0_3_3_21_10_0_31_1;
-        let xi_dot_0_3_3_21_19_9_0_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1
+        let xi_dot_0_3_3_21_19_9_0_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20
             .xi_dot_0_3_3_21_19_9_0_0_0
             + (inertias.inside_right_ankle_pitch_mz_0_0_0
                 - poses.sin_right_hip_roll * inertias.composite_right_ankle_cross_yy
@@ -20626,6 +20947,7 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
         forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_49_1: &ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_0_49_1,
         forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_26_1: &ForwardDynamicsItselfFromXiDot0_3_3_21_19_8_0_26_1,
@@ -21007,10 +21329,10 @@ mod forward_dynamics_itself {
             * forward_dynamics_itself.wrench_pelvis_mx_14
             - forward_dynamics_itself.xi_dot_0_3_3_21_19_2
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
-            + (forward_dynamics_itself.xi_dot_0_3_3_21_19_4
-                * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                - forward_dynamics_itself.xi_dot_0_3_3_21_19_6
-                    * forward_dynamics_itself.wrench_pelvis_mx_20)
+            - (forward_dynamics_itself.xi_dot_0_3_3_21_19_4
+                * velocities.minus_velocity_pelvis_vz
+                + forward_dynamics_itself.xi_dot_0_3_3_21_19_6
+                    * velocities.velocity_pelvis_vy)
             - (xi_dot_0_3_3_21_19_8 + xi_dot_0_3_3_21_19_9 * mu[1]
                 + xi_dot_0_3_3_21_19_11 * mu[2]
                 + (xi_dot_0_3_3_21_19_13 * forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0
@@ -21022,9 +21344,9 @@ mod forward_dynamics_itself {
             - forward_dynamics_itself.xi_dot_0_3_3_21_2
                 * forward_dynamics_itself.wrench_pelvis_mx_14
             + (forward_dynamics_itself.xi_dot_0_3_3_21_19_6
-                * forward_dynamics_itself.wrench_pelvis_my_18
-                - forward_dynamics_itself.xi_dot_0_3_3_21_6
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20)
+                * velocities.velocity_pelvis_vx
+                + forward_dynamics_itself.xi_dot_0_3_3_21_6
+                    * velocities.minus_velocity_pelvis_vz)
             - (xi_dot_0_3_3_21_19_9 * mu[0] + xi_dot_0_3_3_21_10
                 + xi_dot_0_3_3_21_11 * mu[2]
                 + (xi_dot_0_3_3_21_19_15 * forward_dynamics_itself.xi_dot_0_3_3_21_6_0
@@ -21036,10 +21358,9 @@ mod forward_dynamics_itself {
             * forward_dynamics_itself.wrench_waist_bracket_mx_18
             - forward_dynamics_itself.xi_dot_0_3_3_21_19_0
                 * forward_dynamics_itself.wrench_waist_bracket_my_16
-            + (forward_dynamics_itself.xi_dot_0_3_3_21_6
-                * forward_dynamics_itself.wrench_pelvis_mx_20
+            + (forward_dynamics_itself.xi_dot_0_3_3_21_6 * velocities.velocity_pelvis_vy
                 - forward_dynamics_itself.xi_dot_0_3_3_21_19_4
-                    * forward_dynamics_itself.wrench_pelvis_my_18)
+                    * velocities.velocity_pelvis_vx)
             - (xi_dot_0_3_3_21_19_11 * mu[0] + xi_dot_0_3_3_21_11 * mu[1]
                 + xi_dot_0_3_3_12
                 + (xi_dot_0_3_3_21_15 * forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0
@@ -21064,7 +21385,7 @@ mod forward_dynamics_itself {
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             - (mu[1] * xi_dot_0_3_3_21_19_15 - mu[2] * xi_dot_0_3_3_21_19_13)
             + base_wrench[3]) * 0.016570008285004136
-            + (xi_dot_0_3_3 * poses.minus_origin_waist_bracket_y
+            + (xi_dot_0_3_3 * poses.minus_origin_waist_bracket_y_0
                 - xi_dot_0_3 * forward_dynamics_itself.xi_dot_0_3_3_21_6_0_2)
             + gravity[0] + 0.0;
         xi_dot[4] = (forward_dynamics_itself.xi_dot_0_3_3_21_19_6
@@ -21083,7 +21404,7 @@ mod forward_dynamics_itself {
             - (mu[0] * xi_dot_0_3_3_21_19_13 - mu[1] * xi_dot_0_3_3_21_15)
             + base_wrench[5]) * 0.016570008285004136
             + (xi_dot_0_3 * forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0_2
-                - xi_dot_0 * poses.minus_origin_waist_bracket_y) + gravity[2] + 0.0;
+                - xi_dot_0 * poses.minus_origin_waist_bracket_y_0) + gravity[2] + 0.0;
     }
     /// What only `forward_dynamics` computes. Continued.
     pub(super) struct ForwardDynamicsItselfFromWrenchPelvisMy15 {
@@ -21094,12 +21415,10 @@ mod forward_dynamics_itself {
         pub(super) wrench_pelvis_mx_17: f64,
         pub(super) wrench_pelvis_mx_19: f64,
         pub(super) wrench_left_hip_cross_mx_16: f64,
-        pub(super) wrench_left_hip_bracket_my_20: f64,
-        pub(super) wrench_left_hip_bracket_mx_22: f64,
         pub(super) wrench_left_hip_bracket_my_17: f64,
         pub(super) wrench_left_hip_bracket_mx_15: f64,
         pub(super) wrench_left_hip_bracket_mx_17: f64,
-        pub(super) wrench_left_hip_bracket_mx_21_0: f64,
+        pub(super) wrench_left_hip_bracket_mx_21_4: f64,
         pub(super) wrench_left_hip_bracket_my_21_2: f64,
         pub(super) wrench_left_hip_bracket_mx_19_4: f64,
         pub(super) wrench_left_hip_bracket_my_21: f64,
@@ -21107,9 +21426,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_left_hip_bracket_mx_21: f64,
         pub(super) wrench_left_hip_cross_my_16: f64,
         pub(super) wrench_left_hip_cross_mx_18: f64,
-        pub(super) wrench_left_hip_cross_my_20: f64,
-        pub(super) wrench_left_hip_cross_mx_22: f64,
-        pub(super) wrench_left_hip_cross_mx_20: f64,
         pub(super) wrench_left_hip_cross_my_17: f64,
         pub(super) wrench_left_hip_cross_mx_15: f64,
         pub(super) wrench_left_hip_cross_mx_17: f64,
@@ -21119,13 +21435,13 @@ mod forward_dynamics_itself {
         pub(super) wrench_left_thigh_my_16: f64,
         pub(super) wrench_left_thigh_mx_18: f64,
         pub(super) wrench_left_thigh_mx_16: f64,
-        pub(super) wrench_left_thigh_my_20: f64,
-        pub(super) wrench_left_thigh_mx_22: f64,
-        pub(super) wrench_left_thigh_mx_20: f64,
         pub(super) wrench_left_thigh_my_17: f64,
         pub(super) wrench_left_thigh_mx_15: f64,
         pub(super) wrench_left_thigh_mx_17: f64,
         pub(super) wrench_left_thigh_my_21: f64,
+        pub(super) wrench_left_thigh_mx_19: f64,
+        pub(super) wrench_left_thigh_mx_21: f64,
+        pub(super) wrench_left_shank_my_16: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
@@ -21140,157 +21456,145 @@ mod forward_dynamics_itself {
             + inertias.inertia_pelvis_xy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_pelvis_xz * forward_dynamics_itself.wrench_pelvis_mx_14
-            + (inertias.minus_inertia_pelvis_hz
-                * forward_dynamics_itself.wrench_pelvis_mx_20
-                - inertias.minus_inertia_pelvis_hy
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20);
+            + (inertias.minus_inertia_pelvis_hy * velocities.minus_velocity_pelvis_vz
+                + inertias.minus_inertia_pelvis_hz * velocities.velocity_pelvis_vy);
         let wrench_pelvis_mx_13 = inertias.inertia_pelvis_xy
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_pelvis_yy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             - inertias.minus_inertia_pelvis_yz
                 * forward_dynamics_itself.wrench_pelvis_mx_14
-            + (inertias.minus_inertia_pelvis_hx
-                * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                - inertias.minus_inertia_pelvis_hz
-                    * forward_dynamics_itself.wrench_pelvis_my_18);
+            - (inertias.minus_inertia_pelvis_hz * velocities.velocity_pelvis_vx
+                + inertias.minus_inertia_pelvis_hx
+                    * velocities.minus_velocity_pelvis_vz);
         let wrench_pelvis_mx_15 = inertias.inertia_pelvis_xz
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             - inertias.minus_inertia_pelvis_yz
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_pelvis_zz * forward_dynamics_itself.wrench_pelvis_mx_14
-            + (inertias.minus_inertia_pelvis_hy
-                * forward_dynamics_itself.wrench_pelvis_my_18
-                - inertias.minus_inertia_pelvis_hx
-                    * forward_dynamics_itself.wrench_pelvis_mx_20);
-        let wrench_pelvis_my_19 = forward_dynamics_itself.wrench_pelvis_my_18 * 8.05
+            + (inertias.minus_inertia_pelvis_hy * velocities.velocity_pelvis_vx
+                - inertias.minus_inertia_pelvis_hx * velocities.velocity_pelvis_vy);
+        let wrench_pelvis_my_19 = velocities.velocity_pelvis_vx * 8.05
             + (forward_dynamics_itself.wrench_pelvis_mx_14
                 * inertias.minus_inertia_pelvis_hy
                 - forward_dynamics_itself.wrench_waist_bracket_mx_18
                     * inertias.minus_inertia_pelvis_hz);
-        let wrench_pelvis_mx_17 = forward_dynamics_itself.wrench_pelvis_mx_20 * 8.05
+        let wrench_pelvis_mx_17 = velocities.velocity_pelvis_vy * 8.05
             + (forward_dynamics_itself.wrench_waist_bracket_my_16
                 * inertias.minus_inertia_pelvis_hz
                 - forward_dynamics_itself.wrench_pelvis_mx_14
                     * inertias.minus_inertia_pelvis_hx);
-        let wrench_pelvis_mx_19 = forward_dynamics_itself.wrench_waist_bracket_mx_20
-            * 8.05
-            + (forward_dynamics_itself.wrench_waist_bracket_mx_18
-                * inertias.minus_inertia_pelvis_hx
-                - forward_dynamics_itself.wrench_waist_bracket_my_16
-                    * inertias.minus_inertia_pelvis_hy);
+        let wrench_pelvis_mx_19 = forward_dynamics_itself.wrench_waist_bracket_mx_18
+            * inertias.minus_inertia_pelvis_hx
+            - forward_dynamics_itself.wrench_waist_bracket_my_16
+                * inertias.minus_inertia_pelvis_hy
+            - velocities.minus_velocity_pelvis_vz * 8.05;
         let wrench_left_hip_cross_mx_16 = velocities.velocity_left_hip_bracket_wz
             + mu[2];
-        let wrench_left_hip_bracket_my_20 = velocities.velocity_left_hip_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_hip_bracket_mx_22 = velocities.velocity_left_hip_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
         let wrench_left_hip_bracket_my_17 = inertias.inertia_left_hip_bracket_xx
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_left_hip_bracket_xy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_left_hip_bracket_xz * wrench_left_hip_cross_mx_16
-            + (inertias.inertia_left_hip_bracket_hy
-                * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                + inertias.minus_inertia_left_hip_bracket_hz
-                    * wrench_left_hip_bracket_mx_22);
+            + (inertias.minus_inertia_left_hip_bracket_hz
+                * velocities.velocity_left_hip_bracket_vy
+                - inertias.inertia_left_hip_bracket_hy
+                    * velocities.minus_velocity_pelvis_vz);
         let wrench_left_hip_bracket_mx_15 = inertias.inertia_left_hip_bracket_xy
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_left_hip_bracket_yy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_left_hip_bracket_yz * wrench_left_hip_cross_mx_16
-            - (inertias.minus_inertia_left_hip_bracket_hz * wrench_left_hip_bracket_my_20
-                + inertias.inertia_left_hip_bracket_hx
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20);
+            + (inertias.inertia_left_hip_bracket_hx * velocities.minus_velocity_pelvis_vz
+                - inertias.minus_inertia_left_hip_bracket_hz
+                    * velocities.velocity_left_hip_bracket_vx);
         let wrench_left_hip_bracket_mx_17 = inertias.inertia_left_hip_bracket_xz
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_left_hip_bracket_yz
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_left_hip_bracket_zz * wrench_left_hip_cross_mx_16
-            + (inertias.inertia_left_hip_bracket_hx * wrench_left_hip_bracket_mx_22
-                - inertias.inertia_left_hip_bracket_hy * wrench_left_hip_bracket_my_20);
-        let wrench_left_hip_bracket_mx_21_0 = forward_dynamics_itself
-            .wrench_waist_bracket_mx_20 * 1.2;
+            + (inertias.inertia_left_hip_bracket_hx
+                * velocities.velocity_left_hip_bracket_vy
+                - inertias.inertia_left_hip_bracket_hy
+                    * velocities.velocity_left_hip_bracket_vx);
+        let wrench_left_hip_bracket_mx_21_4 = velocities.minus_velocity_pelvis_vz * 1.2;
         let wrench_left_hip_bracket_my_21_2 = forward_dynamics_itself
             .wrench_waist_bracket_mx_18 * inertias.minus_inertia_left_hip_bracket_hz;
         let wrench_left_hip_bracket_mx_19_4 = forward_dynamics_itself
             .wrench_waist_bracket_my_16 * inertias.minus_inertia_left_hip_bracket_hz;
-        let wrench_left_hip_bracket_my_21 = wrench_left_hip_bracket_my_20 * 1.2
+        let wrench_left_hip_bracket_my_21 = velocities.velocity_left_hip_bracket_vx * 1.2
             - (wrench_left_hip_bracket_my_21_2
                 + wrench_left_hip_cross_mx_16 * inertias.inertia_left_hip_bracket_hy);
-        let wrench_left_hip_bracket_mx_19 = wrench_left_hip_bracket_mx_22 * 1.2
+        let wrench_left_hip_bracket_mx_19 = velocities.velocity_left_hip_bracket_vy * 1.2
             + (wrench_left_hip_cross_mx_16 * inertias.inertia_left_hip_bracket_hx
                 + wrench_left_hip_bracket_mx_19_4);
-        let wrench_left_hip_bracket_mx_21 = wrench_left_hip_bracket_mx_21_0
-            + (forward_dynamics_itself.wrench_waist_bracket_my_16
-                * inertias.inertia_left_hip_bracket_hy
-                - forward_dynamics_itself.wrench_waist_bracket_mx_18
-                    * inertias.inertia_left_hip_bracket_hx);
+        let wrench_left_hip_bracket_mx_21 = forward_dynamics_itself
+            .wrench_waist_bracket_my_16 * inertias.inertia_left_hip_bracket_hy
+            - forward_dynamics_itself.wrench_waist_bracket_mx_18
+                * inertias.inertia_left_hip_bracket_hx - wrench_left_hip_bracket_mx_21_4;
         let wrench_left_hip_cross_my_16 = velocities.velocity_left_hip_cross_wx + mu[0];
         let wrench_left_hip_cross_mx_18 = velocities.velocity_left_hip_cross_wy + mu[1];
-        let wrench_left_hip_cross_my_20 = velocities.velocity_left_hip_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_hip_cross_mx_22 = velocities.velocity_left_hip_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_hip_cross_mx_20 = velocities.velocity_left_hip_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_hip_cross_my_17 = inertias.inertia_left_hip_cross_xx
             * wrench_left_hip_cross_my_16
             + inertias.inertia_left_hip_cross_xy * wrench_left_hip_cross_mx_18
             + inertias.inertia_left_hip_cross_xz * wrench_left_hip_cross_mx_16
-            + (inertias.inertia_left_hip_cross_hy * wrench_left_hip_cross_mx_20
-                - inertias.inertia_left_hip_cross_hz * wrench_left_hip_cross_mx_22);
+            + (inertias.inertia_left_hip_cross_hy * velocities.velocity_left_hip_cross_vz
+                - inertias.inertia_left_hip_cross_hz
+                    * velocities.velocity_left_hip_cross_vy);
         let wrench_left_hip_cross_mx_15 = inertias.inertia_left_hip_cross_xy
             * wrench_left_hip_cross_my_16
             + inertias.inertia_left_hip_cross_yy * wrench_left_hip_cross_mx_18
             + inertias.inertia_left_hip_cross_yz * wrench_left_hip_cross_mx_16
-            + (inertias.inertia_left_hip_cross_hz * wrench_left_hip_cross_my_20
-                - inertias.inertia_left_hip_cross_hx * wrench_left_hip_cross_mx_20);
+            + (inertias.inertia_left_hip_cross_hz * velocities.velocity_left_hip_cross_vx
+                - inertias.inertia_left_hip_cross_hx
+                    * velocities.velocity_left_hip_cross_vz);
         let wrench_left_hip_cross_mx_17 = inertias.inertia_left_hip_cross_xz
             * wrench_left_hip_cross_my_16
             + inertias.inertia_left_hip_cross_yz * wrench_left_hip_cross_mx_18
             + inertias.inertia_left_hip_cross_zz * wrench_left_hip_cross_mx_16
-            + (inertias.inertia_left_hip_cross_hx * wrench_left_hip_cross_mx_22
-                - inertias.inertia_left_hip_cross_hy * wrench_left_hip_cross_my_20);
-        let wrench_left_hip_cross_my_21 = wrench_left_hip_cross_my_20 * 1.3
+            + (inertias.inertia_left_hip_cross_hx * velocities.velocity_left_hip_cross_vy
+                - inertias.inertia_left_hip_cross_hy
+                    * velocities.velocity_left_hip_cross_vx);
+        let wrench_left_hip_cross_my_21 = velocities.velocity_left_hip_cross_vx * 1.3
             + (wrench_left_hip_cross_mx_18 * inertias.inertia_left_hip_cross_hz
                 - wrench_left_hip_cross_mx_16 * inertias.inertia_left_hip_cross_hy);
-        let wrench_left_hip_cross_mx_19 = wrench_left_hip_cross_mx_22 * 1.3
+        let wrench_left_hip_cross_mx_19 = velocities.velocity_left_hip_cross_vy * 1.3
             + (wrench_left_hip_cross_mx_16 * inertias.inertia_left_hip_cross_hx
                 - wrench_left_hip_cross_my_16 * inertias.inertia_left_hip_cross_hz);
-        let wrench_left_hip_cross_mx_21 = wrench_left_hip_cross_mx_20 * 1.3
+        let wrench_left_hip_cross_mx_21 = velocities.velocity_left_hip_cross_vz * 1.3
             + (wrench_left_hip_cross_my_16 * inertias.inertia_left_hip_cross_hy
                 - wrench_left_hip_cross_mx_18 * inertias.inertia_left_hip_cross_hx);
         let wrench_left_thigh_my_16 = velocities.velocity_left_thigh_wx + mu[0];
         let wrench_left_thigh_mx_18 = velocities.velocity_left_thigh_wy + mu[1];
         let wrench_left_thigh_mx_16 = velocities.velocity_left_thigh_wz + mu[2];
-        let wrench_left_thigh_my_20 = velocities.velocity_left_thigh_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_thigh_mx_22 = velocities.velocity_left_thigh_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_thigh_mx_20 = velocities.velocity_left_thigh_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_thigh_my_17 = inertias.inertia_left_thigh_xx
             * wrench_left_thigh_my_16
             + inertias.inertia_left_thigh_xy * wrench_left_thigh_mx_18
             + inertias.inertia_left_thigh_xz * wrench_left_thigh_mx_16
-            + (inertias.inertia_left_thigh_hy * wrench_left_thigh_mx_20
-                - inertias.inertia_left_thigh_hz * wrench_left_thigh_mx_22);
+            + (inertias.inertia_left_thigh_hy * velocities.velocity_left_thigh_vz
+                - inertias.inertia_left_thigh_hz * velocities.velocity_left_thigh_vy);
         let wrench_left_thigh_mx_15 = inertias.inertia_left_thigh_xy
             * wrench_left_thigh_my_16
             + inertias.inertia_left_thigh_yy * wrench_left_thigh_mx_18
             + inertias.inertia_left_thigh_yz * wrench_left_thigh_mx_16
-            + (inertias.inertia_left_thigh_hz * wrench_left_thigh_my_20
-                - inertias.inertia_left_thigh_hx * wrench_left_thigh_mx_20);
+            + (inertias.inertia_left_thigh_hz * velocities.velocity_left_thigh_vx
+                - inertias.inertia_left_thigh_hx * velocities.velocity_left_thigh_vz);
         let wrench_left_thigh_mx_17 = inertias.inertia_left_thigh_xz
             * wrench_left_thigh_my_16
             + inertias.inertia_left_thigh_yz * wrench_left_thigh_mx_18
             + inertias.inertia_left_thigh_zz * wrench_left_thigh_mx_16
-            + (inertias.inertia_left_thigh_hx * wrench_left_thigh_mx_22
-                - inertias.inertia_left_thigh_hy * wrench_left_thigh_my_20);
-        let wrench_left_thigh_my_21 = wrench_left_thigh_my_20 * 4.5
+            + (inertias.inertia_left_thigh_hx * velocities.velocity_left_thigh_vy
+                - inertias.inertia_left_thigh_hy * velocities.velocity_left_thigh_vx);
+        let wrench_left_thigh_my_21 = velocities.velocity_left_thigh_vx * 4.5
             + (wrench_left_thigh_mx_18 * inertias.inertia_left_thigh_hz
                 - wrench_left_thigh_mx_16 * inertias.inertia_left_thigh_hy);
+        let wrench_left_thigh_mx_19 = velocities.velocity_left_thigh_vy * 4.5
+            + (wrench_left_thigh_mx_16 * inertias.inertia_left_thigh_hx
+                - wrench_left_thigh_my_16 * inertias.inertia_left_thigh_hz);
+        let wrench_left_thigh_mx_21 = velocities.velocity_left_thigh_vz * 4.5
+            + (wrench_left_thigh_my_16 * inertias.inertia_left_thigh_hy
+                - wrench_left_thigh_mx_18 * inertias.inertia_left_thigh_hx);
+        let wrench_left_shank_my_16 = velocities.velocity_left_shank_wx + mu[0];
         ForwardDynamicsItselfFromWrenchPelvisMy15 {
             wrench_pelvis_my_15,
             wrench_pelvis_mx_13,
@@ -21299,12 +21603,10 @@ mod forward_dynamics_itself {
             wrench_pelvis_mx_17,
             wrench_pelvis_mx_19,
             wrench_left_hip_cross_mx_16,
-            wrench_left_hip_bracket_my_20,
-            wrench_left_hip_bracket_mx_22,
             wrench_left_hip_bracket_my_17,
             wrench_left_hip_bracket_mx_15,
             wrench_left_hip_bracket_mx_17,
-            wrench_left_hip_bracket_mx_21_0,
+            wrench_left_hip_bracket_mx_21_4,
             wrench_left_hip_bracket_my_21_2,
             wrench_left_hip_bracket_mx_19_4,
             wrench_left_hip_bracket_my_21,
@@ -21312,9 +21614,6 @@ mod forward_dynamics_itself {
             wrench_left_hip_bracket_mx_21,
             wrench_left_hip_cross_my_16,
             wrench_left_hip_cross_mx_18,
-            wrench_left_hip_cross_my_20,
-            wrench_left_hip_cross_mx_22,
-            wrench_left_hip_cross_mx_20,
             wrench_left_hip_cross_my_17,
             wrench_left_hip_cross_mx_15,
             wrench_left_hip_cross_mx_17,
@@ -21324,25 +21623,19 @@ mod forward_dynamics_itself {
             wrench_left_thigh_my_16,
             wrench_left_thigh_mx_18,
             wrench_left_thigh_mx_16,
-            wrench_left_thigh_my_20,
-            wrench_left_thigh_mx_22,
-            wrench_left_thigh_mx_20,
             wrench_left_thigh_my_17,
             wrench_left_thigh_mx_15,
             wrench_left_thigh_mx_17,
             wrench_left_thigh_my_21,
+            wrench_left_thigh_mx_19,
+            wrench_left_thigh_mx_21,
+            wrench_left_shank_my_16,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchLeftThighMx19 {
-        pub(super) wrench_left_thigh_mx_19: f64,
-        pub(super) wrench_left_thigh_mx_21: f64,
-        pub(super) wrench_left_shank_my_16: f64,
+    pub(super) struct ForwardDynamicsItselfFromWrenchLeftShankMx18 {
         pub(super) wrench_left_shank_mx_18: f64,
         pub(super) wrench_left_shank_mx_16: f64,
-        pub(super) wrench_left_shank_my_20: f64,
-        pub(super) wrench_left_shank_mx_22: f64,
-        pub(super) wrench_left_shank_mx_20: f64,
         pub(super) wrench_left_shank_my_17: f64,
         pub(super) wrench_left_shank_mx_15: f64,
         pub(super) wrench_left_shank_mx_17: f64,
@@ -21352,9 +21645,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_left_ankle_cross_my_14: f64,
         pub(super) wrench_left_ankle_cross_mx_16: f64,
         pub(super) wrench_left_ankle_cross_mx_14: f64,
-        pub(super) wrench_left_ankle_cross_my_18: f64,
-        pub(super) wrench_left_ankle_cross_mx_20: f64,
-        pub(super) wrench_left_ankle_cross_mx_18: f64,
         pub(super) wrench_left_ankle_cross_my_15: f64,
         pub(super) wrench_left_ankle_cross_mx_13: f64,
         pub(super) wrench_left_ankle_cross_mx_15: f64,
@@ -21364,9 +21654,6 @@ mod forward_dynamics_itself {
         pub(super) minus_wrench_left_ankle_bracket_my_1: f64,
         pub(super) minus_wrench_left_ankle_bracket_mx_3: f64,
         pub(super) minus_wrench_left_ankle_bracket_mx_1: f64,
-        pub(super) minus_wrench_left_ankle_bracket_my_5: f64,
-        pub(super) minus_wrench_left_ankle_bracket_mx_7: f64,
-        pub(super) minus_wrench_left_ankle_bracket_mx_5: f64,
         pub(super) minus_wrench_left_ankle_bracket_mx: f64,
         pub(super) minus_wrench_left_ankle_bracket_my: f64,
         pub(super) minus_wrench_left_ankle_bracket_mz: f64,
@@ -21374,69 +21661,57 @@ mod forward_dynamics_itself {
         pub(super) minus_wrench_left_ankle_bracket_fy: f64,
         pub(super) minus_wrench_left_ankle_bracket_fz: f64,
         pub(super) wrench_right_hip_cross_mx_16: f64,
-        pub(super) wrench_right_hip_bracket_my_20: f64,
-        pub(super) wrench_right_hip_bracket_mx_22: f64,
         pub(super) wrench_right_hip_bracket_my_17: f64,
         pub(super) wrench_right_hip_bracket_mx_15: f64,
         pub(super) wrench_right_hip_bracket_mx_17: f64,
-        pub(super) wrench_right_hip_bracket_my_21: f64,
+        pub(super) wrench_right_hip_bracket_my_19: f64,
+        pub(super) wrench_right_hip_bracket_mx_21: f64,
+        pub(super) wrench_right_hip_bracket_mx_19: f64,
+        pub(super) wrench_right_hip_cross_my_16: f64,
+        pub(super) wrench_right_hip_cross_mx_18: f64,
+        pub(super) wrench_right_hip_cross_my_17: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_left_thigh_mx_19(
+    pub(super) fn forward_dynamics_itself_from_wrench_left_shank_mx_18(
         mu: &[f64; 6],
         inertias: &Inertias,
         velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
         forward_dynamics_itself_from_wrench_pelvis_my_15: &ForwardDynamicsItselfFromWrenchPelvisMy15,
-    ) -> ForwardDynamicsItselfFromWrenchLeftThighMx19 {
-        let wrench_left_thigh_mx_19 = forward_dynamics_itself_from_wrench_pelvis_my_15
-            .wrench_left_thigh_mx_22 * 4.5
-            + (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_mx_16
-                * inertias.inertia_left_thigh_hx
-                - forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_thigh_my_16 * inertias.inertia_left_thigh_hz);
-        let wrench_left_thigh_mx_21 = forward_dynamics_itself_from_wrench_pelvis_my_15
-            .wrench_left_thigh_mx_20 * 4.5
-            + (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_my_16
-                * inertias.inertia_left_thigh_hy
-                - forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_thigh_mx_18 * inertias.inertia_left_thigh_hx);
-        let wrench_left_shank_my_16 = velocities.velocity_left_shank_wx + mu[0];
+    ) -> ForwardDynamicsItselfFromWrenchLeftShankMx18 {
         let wrench_left_shank_mx_18 = velocities.velocity_left_shank_wy + mu[1];
         let wrench_left_shank_mx_16 = velocities.velocity_left_shank_wz + mu[2];
-        let wrench_left_shank_my_20 = velocities.velocity_left_shank_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_shank_mx_22 = velocities.velocity_left_shank_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_shank_mx_20 = velocities.velocity_left_shank_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_shank_my_17 = inertias.inertia_left_shank_xx
-            * wrench_left_shank_my_16
+            * forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_shank_my_16
             + inertias.inertia_left_shank_xy * wrench_left_shank_mx_18
             - inertias.minus_inertia_left_shank_xz * wrench_left_shank_mx_16
-            + (inertias.inertia_left_shank_hy * wrench_left_shank_mx_20
-                - inertias.inertia_left_shank_hz * wrench_left_shank_mx_22);
+            + (inertias.inertia_left_shank_hy * velocities.velocity_left_shank_vz
+                - inertias.inertia_left_shank_hz * velocities.velocity_left_shank_vy);
         let wrench_left_shank_mx_15 = inertias.inertia_left_shank_xy
-            * wrench_left_shank_my_16
+            * forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_shank_my_16
             + inertias.inertia_left_shank_yy * wrench_left_shank_mx_18
             + inertias.inertia_left_shank_yz * wrench_left_shank_mx_16
-            + (inertias.inertia_left_shank_hz * wrench_left_shank_my_20
-                - inertias.inertia_left_shank_hx * wrench_left_shank_mx_20);
+            + (inertias.inertia_left_shank_hz * velocities.velocity_left_shank_vx
+                - inertias.inertia_left_shank_hx * velocities.velocity_left_shank_vz);
         let wrench_left_shank_mx_17 = inertias.inertia_left_shank_yz
             * wrench_left_shank_mx_18
-            - inertias.minus_inertia_left_shank_xz * wrench_left_shank_my_16
+            - inertias.minus_inertia_left_shank_xz
+                * forward_dynamics_itself_from_wrench_pelvis_my_15
+                    .wrench_left_shank_my_16
             + inertias.inertia_left_shank_zz * wrench_left_shank_mx_16
-            + (inertias.inertia_left_shank_hx * wrench_left_shank_mx_22
-                - inertias.inertia_left_shank_hy * wrench_left_shank_my_20);
-        let wrench_left_shank_my_21 = wrench_left_shank_my_20 * 2.8
+            + (inertias.inertia_left_shank_hx * velocities.velocity_left_shank_vy
+                - inertias.inertia_left_shank_hy * velocities.velocity_left_shank_vx);
+        let wrench_left_shank_my_21 = velocities.velocity_left_shank_vx * 2.8
             + (wrench_left_shank_mx_18 * inertias.inertia_left_shank_hz
                 - wrench_left_shank_mx_16 * inertias.inertia_left_shank_hy);
-        let wrench_left_shank_mx_19 = wrench_left_shank_mx_22 * 2.8
+        let wrench_left_shank_mx_19 = velocities.velocity_left_shank_vy * 2.8
             + (wrench_left_shank_mx_16 * inertias.inertia_left_shank_hx
-                - wrench_left_shank_my_16 * inertias.inertia_left_shank_hz);
-        let wrench_left_shank_mx_21 = wrench_left_shank_mx_20 * 2.8
-            + (wrench_left_shank_my_16 * inertias.inertia_left_shank_hy
+                - forward_dynamics_itself_from_wrench_pelvis_my_15
+                    .wrench_left_shank_my_16 * inertias.inertia_left_shank_hz);
+        let wrench_left_shank_mx_21 = velocities.velocity_left_shank_vz * 2.8
+            + (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_shank_my_16
+                * inertias.inertia_left_shank_hy
                 - wrench_left_shank_mx_18 * inertias.inertia_left_shank_hx);
         let wrench_left_ankle_cross_my_14 = velocities.velocity_left_ankle_cross_wx
             + mu[0];
@@ -21444,37 +21719,37 @@ mod forward_dynamics_itself {
             + mu[1];
         let wrench_left_ankle_cross_mx_14 = velocities.velocity_left_ankle_cross_wz
             + mu[2];
-        let wrench_left_ankle_cross_my_18 = velocities.velocity_left_ankle_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_ankle_cross_mx_20 = velocities.velocity_left_ankle_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_ankle_cross_mx_18 = velocities.velocity_left_ankle_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_ankle_cross_my_15 = inertias.inertia_left_ankle_cross_xx
             * wrench_left_ankle_cross_my_14
             + inertias.inertia_left_ankle_cross_xy * wrench_left_ankle_cross_mx_16
             + inertias.inertia_left_ankle_cross_xz * wrench_left_ankle_cross_mx_14
-            + (inertias.inertia_left_ankle_cross_hy * wrench_left_ankle_cross_mx_18
-                - inertias.inertia_left_ankle_cross_hz * wrench_left_ankle_cross_mx_20);
+            + (inertias.inertia_left_ankle_cross_hy
+                * velocities.velocity_left_ankle_cross_vz
+                - inertias.inertia_left_ankle_cross_hz
+                    * velocities.velocity_left_ankle_cross_vy);
         let wrench_left_ankle_cross_mx_13 = inertias.inertia_left_ankle_cross_xy
             * wrench_left_ankle_cross_my_14
             + inertias.inertia_left_ankle_cross_yy * wrench_left_ankle_cross_mx_16
             + inertias.inertia_left_ankle_cross_yz * wrench_left_ankle_cross_mx_14
-            + (inertias.inertia_left_ankle_cross_hz * wrench_left_ankle_cross_my_18
-                - inertias.inertia_left_ankle_cross_hx * wrench_left_ankle_cross_mx_18);
+            + (inertias.inertia_left_ankle_cross_hz
+                * velocities.velocity_left_ankle_cross_vx
+                - inertias.inertia_left_ankle_cross_hx
+                    * velocities.velocity_left_ankle_cross_vz);
         let wrench_left_ankle_cross_mx_15 = inertias.inertia_left_ankle_cross_xz
             * wrench_left_ankle_cross_my_14
             + inertias.inertia_left_ankle_cross_yz * wrench_left_ankle_cross_mx_16
             + inertias.inertia_left_ankle_cross_zz * wrench_left_ankle_cross_mx_14
-            + (inertias.inertia_left_ankle_cross_hx * wrench_left_ankle_cross_mx_20
-                - inertias.inertia_left_ankle_cross_hy * wrench_left_ankle_cross_my_18);
-        let wrench_left_ankle_cross_my_19 = wrench_left_ankle_cross_my_18 * 0.5
+            + (inertias.inertia_left_ankle_cross_hx
+                * velocities.velocity_left_ankle_cross_vy
+                - inertias.inertia_left_ankle_cross_hy
+                    * velocities.velocity_left_ankle_cross_vx);
+        let wrench_left_ankle_cross_my_19 = velocities.velocity_left_ankle_cross_vx * 0.5
             + (wrench_left_ankle_cross_mx_16 * inertias.inertia_left_ankle_cross_hz
                 - wrench_left_ankle_cross_mx_14 * inertias.inertia_left_ankle_cross_hy);
-        let wrench_left_ankle_cross_mx_17 = wrench_left_ankle_cross_mx_20 * 0.5
+        let wrench_left_ankle_cross_mx_17 = velocities.velocity_left_ankle_cross_vy * 0.5
             + (wrench_left_ankle_cross_mx_14 * inertias.inertia_left_ankle_cross_hx
                 - wrench_left_ankle_cross_my_14 * inertias.inertia_left_ankle_cross_hz);
-        let wrench_left_ankle_cross_mx_19 = wrench_left_ankle_cross_mx_18 * 0.5
+        let wrench_left_ankle_cross_mx_19 = velocities.velocity_left_ankle_cross_vz * 0.5
             + (wrench_left_ankle_cross_my_14 * inertias.inertia_left_ankle_cross_hy
                 - wrench_left_ankle_cross_mx_16 * inertias.inertia_left_ankle_cross_hx);
         let minus_wrench_left_ankle_bracket_my_1 = velocities
@@ -21483,15 +21758,6 @@ mod forward_dynamics_itself {
             .velocity_left_ankle_bracket_wy + mu[1];
         let minus_wrench_left_ankle_bracket_mx_1 = velocities
             .velocity_left_ankle_bracket_wz + mu[2];
-        let minus_wrench_left_ankle_bracket_my_5 = velocities
-            .velocity_left_ankle_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let minus_wrench_left_ankle_bracket_mx_7 = velocities
-            .velocity_left_ankle_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let minus_wrench_left_ankle_bracket_mx_5 = velocities
-            .velocity_left_ankle_bracket_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let minus_wrench_left_ankle_bracket_my_2 = inertias.inertia_left_ankle_bracket_xx
             * minus_wrench_left_ankle_bracket_my_1
             + inertias.inertia_left_ankle_bracket_xy
@@ -21499,9 +21765,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_left_ankle_bracket_xz
                 * minus_wrench_left_ankle_bracket_mx_1
             + (inertias.inertia_left_ankle_bracket_hy
-                * minus_wrench_left_ankle_bracket_mx_5
+                * velocities.velocity_left_ankle_bracket_vz
                 - inertias.inertia_left_ankle_bracket_hz
-                    * minus_wrench_left_ankle_bracket_mx_7);
+                    * velocities.velocity_left_ankle_bracket_vy);
         let minus_wrench_left_ankle_bracket_mx_0 = inertias.inertia_left_ankle_bracket_xy
             * minus_wrench_left_ankle_bracket_my_1
             + inertias.inertia_left_ankle_bracket_yy
@@ -21509,9 +21775,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_left_ankle_bracket_yz
                 * minus_wrench_left_ankle_bracket_mx_1
             + (inertias.inertia_left_ankle_bracket_hz
-                * minus_wrench_left_ankle_bracket_my_5
+                * velocities.velocity_left_ankle_bracket_vx
                 - inertias.inertia_left_ankle_bracket_hx
-                    * minus_wrench_left_ankle_bracket_mx_5);
+                    * velocities.velocity_left_ankle_bracket_vz);
         let minus_wrench_left_ankle_bracket_mx_2 = inertias.inertia_left_ankle_bracket_xz
             * minus_wrench_left_ankle_bracket_my_1
             + inertias.inertia_left_ankle_bracket_yz
@@ -21519,23 +21785,23 @@ mod forward_dynamics_itself {
             + inertias.inertia_left_ankle_bracket_zz
                 * minus_wrench_left_ankle_bracket_mx_1
             + (inertias.inertia_left_ankle_bracket_hx
-                * minus_wrench_left_ankle_bracket_mx_7
+                * velocities.velocity_left_ankle_bracket_vy
                 - inertias.inertia_left_ankle_bracket_hy
-                    * minus_wrench_left_ankle_bracket_my_5);
-        let minus_wrench_left_ankle_bracket_my_6 = minus_wrench_left_ankle_bracket_my_5
-            * 1.2999999999999998
+                    * velocities.velocity_left_ankle_bracket_vx);
+        let minus_wrench_left_ankle_bracket_my_6 = velocities
+            .velocity_left_ankle_bracket_vx * 1.2999999999999998
             + (minus_wrench_left_ankle_bracket_mx_3
                 * inertias.inertia_left_ankle_bracket_hz
                 - minus_wrench_left_ankle_bracket_mx_1
                     * inertias.inertia_left_ankle_bracket_hy);
-        let minus_wrench_left_ankle_bracket_mx_4 = minus_wrench_left_ankle_bracket_mx_7
-            * 1.2999999999999998
+        let minus_wrench_left_ankle_bracket_mx_4 = velocities
+            .velocity_left_ankle_bracket_vy * 1.2999999999999998
             + (minus_wrench_left_ankle_bracket_mx_1
                 * inertias.inertia_left_ankle_bracket_hx
                 - minus_wrench_left_ankle_bracket_my_1
                     * inertias.inertia_left_ankle_bracket_hz);
-        let minus_wrench_left_ankle_bracket_mx_6 = minus_wrench_left_ankle_bracket_mx_5
-            * 1.2999999999999998
+        let minus_wrench_left_ankle_bracket_mx_6 = velocities
+            .velocity_left_ankle_bracket_vz * 1.2999999999999998
             + (minus_wrench_left_ankle_bracket_my_1
                 * inertias.inertia_left_ankle_bracket_hy
                 - minus_wrench_left_ankle_bracket_mx_3
@@ -21544,23 +21810,23 @@ mod forward_dynamics_itself {
             * minus_wrench_left_ankle_bracket_mx_1
             - minus_wrench_left_ankle_bracket_mx_2 * minus_wrench_left_ankle_bracket_mx_3
             + (minus_wrench_left_ankle_bracket_mx_4
-                * minus_wrench_left_ankle_bracket_mx_5
+                * velocities.velocity_left_ankle_bracket_vz
                 - minus_wrench_left_ankle_bracket_mx_6
-                    * minus_wrench_left_ankle_bracket_mx_7);
+                    * velocities.velocity_left_ankle_bracket_vy);
         let minus_wrench_left_ankle_bracket_my = minus_wrench_left_ankle_bracket_mx_2
             * minus_wrench_left_ankle_bracket_my_1
             - minus_wrench_left_ankle_bracket_my_2 * minus_wrench_left_ankle_bracket_mx_1
             + (minus_wrench_left_ankle_bracket_mx_6
-                * minus_wrench_left_ankle_bracket_my_5
+                * velocities.velocity_left_ankle_bracket_vx
                 - minus_wrench_left_ankle_bracket_my_6
-                    * minus_wrench_left_ankle_bracket_mx_5);
+                    * velocities.velocity_left_ankle_bracket_vz);
         let minus_wrench_left_ankle_bracket_mz = minus_wrench_left_ankle_bracket_my_2
             * minus_wrench_left_ankle_bracket_mx_3
             - minus_wrench_left_ankle_bracket_mx_0 * minus_wrench_left_ankle_bracket_my_1
             + (minus_wrench_left_ankle_bracket_my_6
-                * minus_wrench_left_ankle_bracket_mx_7
+                * velocities.velocity_left_ankle_bracket_vy
                 - minus_wrench_left_ankle_bracket_mx_4
-                    * minus_wrench_left_ankle_bracket_my_5);
+                    * velocities.velocity_left_ankle_bracket_vx);
         let minus_wrench_left_ankle_bracket_fx = minus_wrench_left_ankle_bracket_mx_4
             * minus_wrench_left_ankle_bracket_mx_1
             - minus_wrench_left_ankle_bracket_mx_6
@@ -21575,49 +21841,64 @@ mod forward_dynamics_itself {
                 * minus_wrench_left_ankle_bracket_my_1;
         let wrench_right_hip_cross_mx_16 = velocities.velocity_right_hip_bracket_wz
             + mu[2];
-        let wrench_right_hip_bracket_my_20 = velocities.velocity_right_hip_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_hip_bracket_mx_22 = velocities.velocity_right_hip_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
         let wrench_right_hip_bracket_my_17 = inertias.inertia_right_hip_bracket_xx
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_right_hip_bracket_xy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_right_hip_bracket_xz * wrench_right_hip_cross_mx_16
-            + (inertias.minus_inertia_left_hip_bracket_hz
-                * wrench_right_hip_bracket_mx_22
-                - inertias.minus_inertia_right_hip_bracket_hy
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20);
+            + (inertias.minus_inertia_right_hip_bracket_hy
+                * velocities.minus_velocity_pelvis_vz
+                + inertias.minus_inertia_left_hip_bracket_hz
+                    * velocities.velocity_right_hip_bracket_vy);
         let wrench_right_hip_bracket_mx_15 = inertias.inertia_right_hip_bracket_xy
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_right_hip_bracket_yy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             - inertias.minus_inertia_right_hip_bracket_yz * wrench_right_hip_cross_mx_16
-            - (inertias.minus_inertia_left_hip_bracket_hz
-                * wrench_right_hip_bracket_my_20
-                + inertias.inertia_right_hip_bracket_hx
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20);
+            + (inertias.inertia_right_hip_bracket_hx
+                * velocities.minus_velocity_pelvis_vz
+                - inertias.minus_inertia_left_hip_bracket_hz
+                    * velocities.velocity_right_hip_bracket_vx);
         let wrench_right_hip_bracket_mx_17 = inertias.inertia_right_hip_bracket_xz
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             - inertias.minus_inertia_right_hip_bracket_yz
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_right_hip_bracket_zz * wrench_right_hip_cross_mx_16
-            + (inertias.inertia_right_hip_bracket_hx * wrench_right_hip_bracket_mx_22
+            + (inertias.inertia_right_hip_bracket_hx
+                * velocities.velocity_right_hip_bracket_vy
                 + inertias.minus_inertia_right_hip_bracket_hy
-                    * wrench_right_hip_bracket_my_20);
-        let wrench_right_hip_bracket_my_21 = wrench_right_hip_bracket_my_20 * 1.2
+                    * velocities.velocity_right_hip_bracket_vx);
+        let wrench_right_hip_bracket_my_19 = velocities.velocity_right_hip_bracket_vx
+            * 1.2
             + (wrench_right_hip_cross_mx_16 * inertias.minus_inertia_right_hip_bracket_hy
                 - forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_hip_bracket_my_21_2);
-        ForwardDynamicsItselfFromWrenchLeftThighMx19 {
-            wrench_left_thigh_mx_19,
-            wrench_left_thigh_mx_21,
-            wrench_left_shank_my_16,
+        let wrench_right_hip_bracket_mx_21 = velocities.velocity_right_hip_bracket_vy
+            * 1.2
+            + (wrench_right_hip_cross_mx_16 * inertias.inertia_right_hip_bracket_hx
+                + forward_dynamics_itself_from_wrench_pelvis_my_15
+                    .wrench_left_hip_bracket_mx_19_4);
+        let wrench_right_hip_bracket_mx_19 = forward_dynamics_itself_from_wrench_pelvis_my_15
+            .wrench_left_hip_bracket_mx_21_4
+            + (forward_dynamics_itself.wrench_waist_bracket_my_16
+                * inertias.minus_inertia_right_hip_bracket_hy
+                + forward_dynamics_itself.wrench_waist_bracket_mx_18
+                    * inertias.inertia_right_hip_bracket_hx);
+        let wrench_right_hip_cross_my_16 = velocities.velocity_right_hip_cross_wx
+            + mu[0];
+        let wrench_right_hip_cross_mx_18 = velocities.velocity_right_hip_cross_wy
+            + mu[1];
+        let wrench_right_hip_cross_my_17 = inertias.inertia_right_hip_cross_xx
+            * wrench_right_hip_cross_my_16
+            + inertias.inertia_right_hip_cross_xy * wrench_right_hip_cross_mx_18
+            + inertias.inertia_right_hip_cross_xz * wrench_right_hip_cross_mx_16
+            + (inertias.inertia_right_hip_cross_hy
+                * velocities.velocity_right_hip_cross_vz
+                + inertias.minus_inertia_right_hip_cross_hz
+                    * velocities.velocity_right_hip_cross_vy);
+        ForwardDynamicsItselfFromWrenchLeftShankMx18 {
             wrench_left_shank_mx_18,
             wrench_left_shank_mx_16,
-            wrench_left_shank_my_20,
-            wrench_left_shank_mx_22,
-            wrench_left_shank_mx_20,
             wrench_left_shank_my_17,
             wrench_left_shank_mx_15,
             wrench_left_shank_mx_17,
@@ -21627,9 +21908,6 @@ mod forward_dynamics_itself {
             wrench_left_ankle_cross_my_14,
             wrench_left_ankle_cross_mx_16,
             wrench_left_ankle_cross_mx_14,
-            wrench_left_ankle_cross_my_18,
-            wrench_left_ankle_cross_mx_20,
-            wrench_left_ankle_cross_mx_18,
             wrench_left_ankle_cross_my_15,
             wrench_left_ankle_cross_mx_13,
             wrench_left_ankle_cross_mx_15,
@@ -21639,9 +21917,6 @@ mod forward_dynamics_itself {
             minus_wrench_left_ankle_bracket_my_1,
             minus_wrench_left_ankle_bracket_mx_3,
             minus_wrench_left_ankle_bracket_mx_1,
-            minus_wrench_left_ankle_bracket_my_5,
-            minus_wrench_left_ankle_bracket_mx_7,
-            minus_wrench_left_ankle_bracket_mx_5,
             minus_wrench_left_ankle_bracket_mx,
             minus_wrench_left_ankle_bracket_my,
             minus_wrench_left_ankle_bracket_mz,
@@ -21649,24 +21924,19 @@ mod forward_dynamics_itself {
             minus_wrench_left_ankle_bracket_fy,
             minus_wrench_left_ankle_bracket_fz,
             wrench_right_hip_cross_mx_16,
-            wrench_right_hip_bracket_my_20,
-            wrench_right_hip_bracket_mx_22,
             wrench_right_hip_bracket_my_17,
             wrench_right_hip_bracket_mx_15,
             wrench_right_hip_bracket_mx_17,
-            wrench_right_hip_bracket_my_21,
+            wrench_right_hip_bracket_my_19,
+            wrench_right_hip_bracket_mx_21,
+            wrench_right_hip_bracket_mx_19,
+            wrench_right_hip_cross_my_16,
+            wrench_right_hip_cross_mx_18,
+            wrench_right_hip_cross_my_17,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchRightHipBracketMx19 {
-        pub(super) wrench_right_hip_bracket_mx_19: f64,
-        pub(super) wrench_right_hip_bracket_mx_21: f64,
-        pub(super) wrench_right_hip_cross_my_16: f64,
-        pub(super) wrench_right_hip_cross_mx_18: f64,
-        pub(super) wrench_right_hip_cross_my_20: f64,
-        pub(super) wrench_right_hip_cross_mx_22: f64,
-        pub(super) wrench_right_hip_cross_mx_20: f64,
-        pub(super) wrench_right_hip_cross_my_17: f64,
+    pub(super) struct ForwardDynamicsItselfFromWrenchRightHipCrossMx15 {
         pub(super) wrench_right_hip_cross_mx_15: f64,
         pub(super) wrench_right_hip_cross_mx_17: f64,
         pub(super) wrench_right_hip_cross_my_21: f64,
@@ -21675,9 +21945,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_right_thigh_my_16: f64,
         pub(super) wrench_right_thigh_mx_18: f64,
         pub(super) wrench_right_thigh_mx_16: f64,
-        pub(super) wrench_right_thigh_my_20: f64,
-        pub(super) wrench_right_thigh_mx_22: f64,
-        pub(super) wrench_right_thigh_mx_20: f64,
         pub(super) wrench_right_thigh_my_17: f64,
         pub(super) wrench_right_thigh_mx_15: f64,
         pub(super) wrench_right_thigh_mx_17: f64,
@@ -21687,9 +21954,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_right_shank_my_16: f64,
         pub(super) wrench_right_shank_mx_18: f64,
         pub(super) wrench_right_shank_mx_16: f64,
-        pub(super) wrench_right_shank_my_20: f64,
-        pub(super) wrench_right_shank_mx_22: f64,
-        pub(super) wrench_right_shank_mx_20: f64,
         pub(super) wrench_right_shank_my_17: f64,
         pub(super) wrench_right_shank_mx_15: f64,
         pub(super) wrench_right_shank_mx_17: f64,
@@ -21699,153 +21963,126 @@ mod forward_dynamics_itself {
         pub(super) wrench_right_ankle_cross_my_14: f64,
         pub(super) wrench_right_ankle_cross_mx_16: f64,
         pub(super) wrench_right_ankle_cross_mx_14: f64,
-        pub(super) wrench_right_ankle_cross_my_18: f64,
-        pub(super) wrench_right_ankle_cross_mx_20: f64,
-        pub(super) wrench_right_ankle_cross_mx_18: f64,
         pub(super) wrench_right_ankle_cross_my_15: f64,
         pub(super) wrench_right_ankle_cross_mx_13: f64,
         pub(super) wrench_right_ankle_cross_mx_15: f64,
         pub(super) wrench_right_ankle_cross_my_19: f64,
+        pub(super) wrench_right_ankle_cross_mx_17: f64,
+        pub(super) wrench_right_ankle_cross_mx_19: f64,
+        pub(super) minus_wrench_right_ankle_bracket_my_1: f64,
+        pub(super) minus_wrench_right_ankle_bracket_mx_3: f64,
+        pub(super) minus_wrench_right_ankle_bracket_mx_1: f64,
+        pub(super) minus_wrench_right_ankle_bracket_my_2: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19(
+    pub(super) fn forward_dynamics_itself_from_wrench_right_hip_cross_mx_15(
         mu: &[f64; 6],
         inertias: &Inertias,
         velocities: &Velocities,
-        forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_pelvis_my_15: &ForwardDynamicsItselfFromWrenchPelvisMy15,
-        forward_dynamics_itself_from_wrench_left_thigh_mx_19: &ForwardDynamicsItselfFromWrenchLeftThighMx19,
-    ) -> ForwardDynamicsItselfFromWrenchRightHipBracketMx19 {
-        let wrench_right_hip_bracket_mx_19 = forward_dynamics_itself_from_wrench_left_thigh_mx_19
-            .wrench_right_hip_bracket_mx_22 * 1.2
-            + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_right_hip_cross_mx_16 * inertias.inertia_right_hip_bracket_hx
-                + forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_hip_bracket_mx_19_4);
-        let wrench_right_hip_bracket_mx_21 = forward_dynamics_itself_from_wrench_pelvis_my_15
-            .wrench_left_hip_bracket_mx_21_0
-            - (forward_dynamics_itself.wrench_waist_bracket_my_16
-                * inertias.minus_inertia_right_hip_bracket_hy
-                + forward_dynamics_itself.wrench_waist_bracket_mx_18
-                    * inertias.inertia_right_hip_bracket_hx);
-        let wrench_right_hip_cross_my_16 = velocities.velocity_right_hip_cross_wx
-            + mu[0];
-        let wrench_right_hip_cross_mx_18 = velocities.velocity_right_hip_cross_wy
-            + mu[1];
-        let wrench_right_hip_cross_my_20 = velocities.velocity_right_hip_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_hip_cross_mx_22 = velocities.velocity_right_hip_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_hip_cross_mx_20 = velocities.velocity_right_hip_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
-        let wrench_right_hip_cross_my_17 = inertias.inertia_right_hip_cross_xx
-            * wrench_right_hip_cross_my_16
-            + inertias.inertia_right_hip_cross_xy * wrench_right_hip_cross_mx_18
-            + inertias.inertia_right_hip_cross_xz
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_right_hip_cross_mx_16
-            + (inertias.inertia_right_hip_cross_hy * wrench_right_hip_cross_mx_20
-                + inertias.minus_inertia_right_hip_cross_hz
-                    * wrench_right_hip_cross_mx_22);
+        forward_dynamics_itself_from_wrench_left_shank_mx_18: &ForwardDynamicsItselfFromWrenchLeftShankMx18,
+    ) -> ForwardDynamicsItselfFromWrenchRightHipCrossMx15 {
         let wrench_right_hip_cross_mx_15 = inertias.inertia_right_hip_cross_xy
-            * wrench_right_hip_cross_my_16
-            + inertias.inertia_right_hip_cross_yy * wrench_right_hip_cross_mx_18
+            * forward_dynamics_itself_from_wrench_left_shank_mx_18
+                .wrench_right_hip_cross_my_16
+            + inertias.inertia_right_hip_cross_yy
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_cross_mx_18
             + inertias.inertia_right_hip_cross_yz
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_16
-            - (inertias.minus_inertia_right_hip_cross_hz * wrench_right_hip_cross_my_20
-                + inertias.inertia_right_hip_cross_hx * wrench_right_hip_cross_mx_20);
+            - (inertias.minus_inertia_right_hip_cross_hz
+                * velocities.velocity_right_hip_cross_vx
+                + inertias.inertia_right_hip_cross_hx
+                    * velocities.velocity_right_hip_cross_vz);
         let wrench_right_hip_cross_mx_17 = inertias.inertia_right_hip_cross_xz
-            * wrench_right_hip_cross_my_16
-            + inertias.inertia_right_hip_cross_yz * wrench_right_hip_cross_mx_18
+            * forward_dynamics_itself_from_wrench_left_shank_mx_18
+                .wrench_right_hip_cross_my_16
+            + inertias.inertia_right_hip_cross_yz
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_cross_mx_18
             + inertias.inertia_right_hip_cross_zz
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_16
-            + (inertias.inertia_right_hip_cross_hx * wrench_right_hip_cross_mx_22
-                - inertias.inertia_right_hip_cross_hy * wrench_right_hip_cross_my_20);
-        let wrench_right_hip_cross_my_21 = wrench_right_hip_cross_my_20 * 1.3
-            - (wrench_right_hip_cross_mx_18 * inertias.minus_inertia_right_hip_cross_hz
-                + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + (inertias.inertia_right_hip_cross_hx
+                * velocities.velocity_right_hip_cross_vy
+                - inertias.inertia_right_hip_cross_hy
+                    * velocities.velocity_right_hip_cross_vx);
+        let wrench_right_hip_cross_my_21 = velocities.velocity_right_hip_cross_vx * 1.3
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                .wrench_right_hip_cross_mx_18 * inertias.minus_inertia_right_hip_cross_hz
+                + forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_16 * inertias.inertia_right_hip_cross_hy);
-        let wrench_right_hip_cross_mx_19 = wrench_right_hip_cross_mx_22 * 1.3
-            + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_right_hip_cross_mx_19 = velocities.velocity_right_hip_cross_vy * 1.3
+            + (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_cross_mx_16 * inertias.inertia_right_hip_cross_hx
-                + wrench_right_hip_cross_my_16
+                + forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_cross_my_16
                     * inertias.minus_inertia_right_hip_cross_hz);
-        let wrench_right_hip_cross_mx_21 = wrench_right_hip_cross_mx_20 * 1.3
-            + (wrench_right_hip_cross_my_16 * inertias.inertia_right_hip_cross_hy
-                - wrench_right_hip_cross_mx_18 * inertias.inertia_right_hip_cross_hx);
+        let wrench_right_hip_cross_mx_21 = velocities.velocity_right_hip_cross_vz * 1.3
+            + (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                .wrench_right_hip_cross_my_16 * inertias.inertia_right_hip_cross_hy
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_cross_mx_18 * inertias.inertia_right_hip_cross_hx);
         let wrench_right_thigh_my_16 = velocities.velocity_right_thigh_wx + mu[0];
         let wrench_right_thigh_mx_18 = velocities.velocity_right_thigh_wy + mu[1];
         let wrench_right_thigh_mx_16 = velocities.velocity_right_thigh_wz + mu[2];
-        let wrench_right_thigh_my_20 = velocities.velocity_right_thigh_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_thigh_mx_22 = velocities.velocity_right_thigh_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_thigh_mx_20 = velocities.velocity_right_thigh_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_right_thigh_my_17 = inertias.inertia_right_thigh_xx
             * wrench_right_thigh_my_16
             + inertias.inertia_right_thigh_xy * wrench_right_thigh_mx_18
             + inertias.inertia_right_thigh_xz * wrench_right_thigh_mx_16
-            + (inertias.inertia_right_thigh_hy * wrench_right_thigh_mx_20
-                + inertias.minus_inertia_right_thigh_hz * wrench_right_thigh_mx_22);
+            + (inertias.inertia_right_thigh_hy * velocities.velocity_right_thigh_vz
+                + inertias.minus_inertia_right_thigh_hz
+                    * velocities.velocity_right_thigh_vy);
         let wrench_right_thigh_mx_15 = inertias.inertia_right_thigh_xy
             * wrench_right_thigh_my_16
             + inertias.inertia_right_thigh_yy * wrench_right_thigh_mx_18
             + inertias.inertia_right_thigh_yz * wrench_right_thigh_mx_16
-            - (inertias.minus_inertia_right_thigh_hz * wrench_right_thigh_my_20
-                + inertias.inertia_right_thigh_hx * wrench_right_thigh_mx_20);
+            - (inertias.minus_inertia_right_thigh_hz * velocities.velocity_right_thigh_vx
+                + inertias.inertia_right_thigh_hx * velocities.velocity_right_thigh_vz);
         let wrench_right_thigh_mx_17 = inertias.inertia_right_thigh_xz
             * wrench_right_thigh_my_16
             + inertias.inertia_right_thigh_yz * wrench_right_thigh_mx_18
             + inertias.inertia_right_thigh_zz * wrench_right_thigh_mx_16
-            + (inertias.inertia_right_thigh_hx * wrench_right_thigh_mx_22
-                - inertias.inertia_right_thigh_hy * wrench_right_thigh_my_20);
-        let wrench_right_thigh_my_21 = wrench_right_thigh_my_20 * 4.5
+            + (inertias.inertia_right_thigh_hx * velocities.velocity_right_thigh_vy
+                - inertias.inertia_right_thigh_hy * velocities.velocity_right_thigh_vx);
+        let wrench_right_thigh_my_21 = velocities.velocity_right_thigh_vx * 4.5
             - (wrench_right_thigh_mx_18 * inertias.minus_inertia_right_thigh_hz
                 + wrench_right_thigh_mx_16 * inertias.inertia_right_thigh_hy);
-        let wrench_right_thigh_mx_19 = wrench_right_thigh_mx_22 * 4.5
+        let wrench_right_thigh_mx_19 = velocities.velocity_right_thigh_vy * 4.5
             + (wrench_right_thigh_mx_16 * inertias.inertia_right_thigh_hx
                 + wrench_right_thigh_my_16 * inertias.minus_inertia_right_thigh_hz);
-        let wrench_right_thigh_mx_21 = wrench_right_thigh_mx_20 * 4.5
+        let wrench_right_thigh_mx_21 = velocities.velocity_right_thigh_vz * 4.5
             + (wrench_right_thigh_my_16 * inertias.inertia_right_thigh_hy
                 - wrench_right_thigh_mx_18 * inertias.inertia_right_thigh_hx);
         let wrench_right_shank_my_16 = velocities.velocity_right_shank_wx + mu[0];
         let wrench_right_shank_mx_18 = velocities.velocity_right_shank_wy + mu[1];
         let wrench_right_shank_mx_16 = velocities.velocity_right_shank_wz + mu[2];
-        let wrench_right_shank_my_20 = velocities.velocity_right_shank_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_shank_mx_22 = velocities.velocity_right_shank_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_shank_mx_20 = velocities.velocity_right_shank_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_right_shank_my_17 = inertias.inertia_right_shank_xx
             * wrench_right_shank_my_16
             + inertias.inertia_right_shank_xy * wrench_right_shank_mx_18
             - inertias.minus_inertia_right_shank_xz * wrench_right_shank_mx_16
-            + (inertias.inertia_right_shank_hy * wrench_right_shank_mx_20
-                - inertias.inertia_right_shank_hz * wrench_right_shank_mx_22);
+            + (inertias.inertia_right_shank_hy * velocities.velocity_right_shank_vz
+                - inertias.inertia_right_shank_hz * velocities.velocity_right_shank_vy);
         let wrench_right_shank_mx_15 = inertias.inertia_right_shank_xy
             * wrench_right_shank_my_16
             + inertias.inertia_right_shank_yy * wrench_right_shank_mx_18
             + inertias.inertia_right_shank_yz * wrench_right_shank_mx_16
-            + (inertias.inertia_right_shank_hz * wrench_right_shank_my_20
-                - inertias.inertia_right_shank_hx * wrench_right_shank_mx_20);
+            + (inertias.inertia_right_shank_hz * velocities.velocity_right_shank_vx
+                - inertias.inertia_right_shank_hx * velocities.velocity_right_shank_vz);
         let wrench_right_shank_mx_17 = inertias.inertia_right_shank_yz
             * wrench_right_shank_mx_18
             - inertias.minus_inertia_right_shank_xz * wrench_right_shank_my_16
             + inertias.inertia_right_shank_zz * wrench_right_shank_mx_16
-            + (inertias.inertia_right_shank_hx * wrench_right_shank_mx_22
-                - inertias.inertia_right_shank_hy * wrench_right_shank_my_20);
-        let wrench_right_shank_my_21 = wrench_right_shank_my_20 * 2.8
+            + (inertias.inertia_right_shank_hx * velocities.velocity_right_shank_vy
+                - inertias.inertia_right_shank_hy * velocities.velocity_right_shank_vx);
+        let wrench_right_shank_my_21 = velocities.velocity_right_shank_vx * 2.8
             + (wrench_right_shank_mx_18 * inertias.inertia_right_shank_hz
                 - wrench_right_shank_mx_16 * inertias.inertia_right_shank_hy);
-        let wrench_right_shank_mx_19 = wrench_right_shank_mx_22 * 2.8
+        let wrench_right_shank_mx_19 = velocities.velocity_right_shank_vy * 2.8
             + (wrench_right_shank_mx_16 * inertias.inertia_right_shank_hx
                 - wrench_right_shank_my_16 * inertias.inertia_right_shank_hz);
-        let wrench_right_shank_mx_21 = wrench_right_shank_mx_20 * 2.8
+        let wrench_right_shank_mx_21 = velocities.velocity_right_shank_vz * 2.8
             + (wrench_right_shank_my_16 * inertias.inertia_right_shank_hy
                 - wrench_right_shank_mx_18 * inertias.inertia_right_shank_hx);
         let wrench_right_ankle_cross_my_14 = velocities.velocity_right_ankle_cross_wx
@@ -21854,46 +22091,62 @@ mod forward_dynamics_itself {
             + mu[1];
         let wrench_right_ankle_cross_mx_14 = velocities.velocity_right_ankle_cross_wz
             + mu[2];
-        let wrench_right_ankle_cross_my_18 = velocities.velocity_right_ankle_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_ankle_cross_mx_20 = velocities.velocity_right_ankle_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_ankle_cross_mx_18 = velocities.velocity_right_ankle_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_right_ankle_cross_my_15 = inertias.inertia_right_ankle_cross_xx
             * wrench_right_ankle_cross_my_14
             + inertias.inertia_right_ankle_cross_xy * wrench_right_ankle_cross_mx_16
             + inertias.inertia_right_ankle_cross_xz * wrench_right_ankle_cross_mx_14
-            + (inertias.inertia_right_ankle_cross_hy * wrench_right_ankle_cross_mx_18
+            + (inertias.inertia_right_ankle_cross_hy
+                * velocities.velocity_right_ankle_cross_vz
                 - inertias.inertia_right_ankle_cross_hz
-                    * wrench_right_ankle_cross_mx_20);
+                    * velocities.velocity_right_ankle_cross_vy);
         let wrench_right_ankle_cross_mx_13 = inertias.inertia_right_ankle_cross_xy
             * wrench_right_ankle_cross_my_14
             + inertias.inertia_right_ankle_cross_yy * wrench_right_ankle_cross_mx_16
             + inertias.inertia_right_ankle_cross_yz * wrench_right_ankle_cross_mx_14
-            + (inertias.inertia_right_ankle_cross_hz * wrench_right_ankle_cross_my_18
+            + (inertias.inertia_right_ankle_cross_hz
+                * velocities.velocity_right_ankle_cross_vx
                 - inertias.inertia_right_ankle_cross_hx
-                    * wrench_right_ankle_cross_mx_18);
+                    * velocities.velocity_right_ankle_cross_vz);
         let wrench_right_ankle_cross_mx_15 = inertias.inertia_right_ankle_cross_xz
             * wrench_right_ankle_cross_my_14
             + inertias.inertia_right_ankle_cross_yz * wrench_right_ankle_cross_mx_16
             + inertias.inertia_right_ankle_cross_zz * wrench_right_ankle_cross_mx_14
-            + (inertias.inertia_right_ankle_cross_hx * wrench_right_ankle_cross_mx_20
+            + (inertias.inertia_right_ankle_cross_hx
+                * velocities.velocity_right_ankle_cross_vy
                 - inertias.inertia_right_ankle_cross_hy
-                    * wrench_right_ankle_cross_my_18);
-        let wrench_right_ankle_cross_my_19 = wrench_right_ankle_cross_my_18 * 0.5
+                    * velocities.velocity_right_ankle_cross_vx);
+        let wrench_right_ankle_cross_my_19 = velocities.velocity_right_ankle_cross_vx
+            * 0.5
             + (wrench_right_ankle_cross_mx_16 * inertias.inertia_right_ankle_cross_hz
                 - wrench_right_ankle_cross_mx_14
                     * inertias.inertia_right_ankle_cross_hy);
-        ForwardDynamicsItselfFromWrenchRightHipBracketMx19 {
-            wrench_right_hip_bracket_mx_19,
-            wrench_right_hip_bracket_mx_21,
-            wrench_right_hip_cross_my_16,
-            wrench_right_hip_cross_mx_18,
-            wrench_right_hip_cross_my_20,
-            wrench_right_hip_cross_mx_22,
-            wrench_right_hip_cross_mx_20,
-            wrench_right_hip_cross_my_17,
+        let wrench_right_ankle_cross_mx_17 = velocities.velocity_right_ankle_cross_vy
+            * 0.5
+            + (wrench_right_ankle_cross_mx_14 * inertias.inertia_right_ankle_cross_hx
+                - wrench_right_ankle_cross_my_14
+                    * inertias.inertia_right_ankle_cross_hz);
+        let wrench_right_ankle_cross_mx_19 = velocities.velocity_right_ankle_cross_vz
+            * 0.5
+            + (wrench_right_ankle_cross_my_14 * inertias.inertia_right_ankle_cross_hy
+                - wrench_right_ankle_cross_mx_16
+                    * inertias.inertia_right_ankle_cross_hx);
+        let minus_wrench_right_ankle_bracket_my_1 = velocities
+            .velocity_right_ankle_bracket_wx + mu[0];
+        let minus_wrench_right_ankle_bracket_mx_3 = velocities
+            .velocity_right_ankle_bracket_wy + mu[1];
+        let minus_wrench_right_ankle_bracket_mx_1 = velocities
+            .velocity_right_ankle_bracket_wz + mu[2];
+        let minus_wrench_right_ankle_bracket_my_2 = inertias
+            .inertia_right_ankle_bracket_xx * minus_wrench_right_ankle_bracket_my_1
+            + inertias.inertia_right_ankle_bracket_xy
+                * minus_wrench_right_ankle_bracket_mx_3
+            + inertias.inertia_right_ankle_bracket_xz
+                * minus_wrench_right_ankle_bracket_mx_1
+            + (inertias.inertia_right_ankle_bracket_hy
+                * velocities.velocity_right_ankle_bracket_vz
+                - inertias.inertia_right_ankle_bracket_hz
+                    * velocities.velocity_right_ankle_bracket_vy);
+        ForwardDynamicsItselfFromWrenchRightHipCrossMx15 {
             wrench_right_hip_cross_mx_15,
             wrench_right_hip_cross_mx_17,
             wrench_right_hip_cross_my_21,
@@ -21902,9 +22155,6 @@ mod forward_dynamics_itself {
             wrench_right_thigh_my_16,
             wrench_right_thigh_mx_18,
             wrench_right_thigh_mx_16,
-            wrench_right_thigh_my_20,
-            wrench_right_thigh_mx_22,
-            wrench_right_thigh_mx_20,
             wrench_right_thigh_my_17,
             wrench_right_thigh_mx_15,
             wrench_right_thigh_mx_17,
@@ -21914,9 +22164,6 @@ mod forward_dynamics_itself {
             wrench_right_shank_my_16,
             wrench_right_shank_mx_18,
             wrench_right_shank_mx_16,
-            wrench_right_shank_my_20,
-            wrench_right_shank_mx_22,
-            wrench_right_shank_mx_20,
             wrench_right_shank_my_17,
             wrench_right_shank_mx_15,
             wrench_right_shank_mx_17,
@@ -21926,25 +22173,20 @@ mod forward_dynamics_itself {
             wrench_right_ankle_cross_my_14,
             wrench_right_ankle_cross_mx_16,
             wrench_right_ankle_cross_mx_14,
-            wrench_right_ankle_cross_my_18,
-            wrench_right_ankle_cross_mx_20,
-            wrench_right_ankle_cross_mx_18,
             wrench_right_ankle_cross_my_15,
             wrench_right_ankle_cross_mx_13,
             wrench_right_ankle_cross_mx_15,
             wrench_right_ankle_cross_my_19,
+            wrench_right_ankle_cross_mx_17,
+            wrench_right_ankle_cross_mx_19,
+            minus_wrench_right_ankle_bracket_my_1,
+            minus_wrench_right_ankle_bracket_mx_3,
+            minus_wrench_right_ankle_bracket_mx_1,
+            minus_wrench_right_ankle_bracket_my_2,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17 {
-        pub(super) wrench_right_ankle_cross_mx_17: f64,
-        pub(super) wrench_right_ankle_cross_mx_19: f64,
-        pub(super) minus_wrench_right_ankle_bracket_my_1: f64,
-        pub(super) minus_wrench_right_ankle_bracket_mx_3: f64,
-        pub(super) minus_wrench_right_ankle_bracket_mx_1: f64,
-        pub(super) minus_wrench_right_ankle_bracket_my_5: f64,
-        pub(super) minus_wrench_right_ankle_bracket_mx_7: f64,
-        pub(super) minus_wrench_right_ankle_bracket_mx_5: f64,
+    pub(super) struct ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0 {
         pub(super) minus_wrench_right_ankle_bracket_mx: f64,
         pub(super) minus_wrench_right_ankle_bracket_my: f64,
         pub(super) minus_wrench_right_ankle_bracket_mz: f64,
@@ -21952,8 +22194,6 @@ mod forward_dynamics_itself {
         pub(super) minus_wrench_right_ankle_bracket_fy: f64,
         pub(super) minus_wrench_right_ankle_bracket_fz: f64,
         pub(super) wrench_waist_cross_mx_16: f64,
-        pub(super) wrench_waist_bracket_my_20: f64,
-        pub(super) wrench_waist_bracket_mx_22: f64,
         pub(super) wrench_waist_bracket_my_17: f64,
         pub(super) wrench_waist_bracket_mx_15: f64,
         pub(super) wrench_waist_bracket_mx_17: f64,
@@ -21962,9 +22202,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_waist_bracket_mx_21: f64,
         pub(super) wrench_waist_cross_my_16: f64,
         pub(super) wrench_waist_cross_mx_18: f64,
-        pub(super) wrench_waist_cross_my_20: f64,
-        pub(super) wrench_waist_cross_mx_22: f64,
-        pub(super) wrench_waist_cross_mx_20: f64,
         pub(super) wrench_waist_cross_my_17: f64,
         pub(super) wrench_waist_cross_mx_15: f64,
         pub(super) wrench_waist_cross_mx_17: f64,
@@ -21974,250 +22211,254 @@ mod forward_dynamics_itself {
         pub(super) wrench_torso_my_16: f64,
         pub(super) wrench_torso_mx_18: f64,
         pub(super) wrench_torso_mx_16: f64,
-        pub(super) wrench_torso_my_20: f64,
-        pub(super) wrench_torso_mx_22: f64,
-        pub(super) wrench_torso_mx_20: f64,
         pub(super) wrench_torso_my_17: f64,
         pub(super) wrench_torso_mx_15: f64,
         pub(super) wrench_torso_mx_17: f64,
         pub(super) wrench_torso_my_21: f64,
+        pub(super) wrench_torso_mx_19: f64,
+        pub(super) wrench_torso_mx_21: f64,
+        pub(super) wrench_neck_bracket_my_16: f64,
+        pub(super) wrench_neck_bracket_mx_18: f64,
+        pub(super) wrench_neck_bracket_mx_16: f64,
+        pub(super) wrench_neck_bracket_my_17: f64,
+        pub(super) wrench_neck_bracket_mx_15: f64,
+        pub(super) wrench_neck_bracket_mx_17: f64,
+        pub(super) wrench_neck_bracket_my_21: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17(
+    pub(super) fn forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0(
         mu: &[f64; 6],
         inertias: &Inertias,
         velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19: &ForwardDynamicsItselfFromWrenchRightHipBracketMx19,
-    ) -> ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17 {
-        let wrench_right_ankle_cross_mx_17 = forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-            .wrench_right_ankle_cross_mx_20 * 0.5
-            + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_ankle_cross_mx_14 * inertias.inertia_right_ankle_cross_hx
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_ankle_cross_my_14
-                    * inertias.inertia_right_ankle_cross_hz);
-        let wrench_right_ankle_cross_mx_19 = forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-            .wrench_right_ankle_cross_mx_18 * 0.5
-            + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_ankle_cross_my_14 * inertias.inertia_right_ankle_cross_hy
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_ankle_cross_mx_16
-                    * inertias.inertia_right_ankle_cross_hx);
-        let minus_wrench_right_ankle_bracket_my_1 = velocities
-            .velocity_right_ankle_bracket_wx + mu[0];
-        let minus_wrench_right_ankle_bracket_mx_3 = velocities
-            .velocity_right_ankle_bracket_wy + mu[1];
-        let minus_wrench_right_ankle_bracket_mx_1 = velocities
-            .velocity_right_ankle_bracket_wz + mu[2];
-        let minus_wrench_right_ankle_bracket_my_5 = velocities
-            .velocity_right_ankle_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let minus_wrench_right_ankle_bracket_mx_7 = velocities
-            .velocity_right_ankle_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let minus_wrench_right_ankle_bracket_mx_5 = velocities
-            .velocity_right_ankle_bracket_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
-        let minus_wrench_right_ankle_bracket_my_2 = inertias
-            .inertia_right_ankle_bracket_xx * minus_wrench_right_ankle_bracket_my_1
-            + inertias.inertia_right_ankle_bracket_xy
-                * minus_wrench_right_ankle_bracket_mx_3
-            + inertias.inertia_right_ankle_bracket_xz
-                * minus_wrench_right_ankle_bracket_mx_1
-            + (inertias.inertia_right_ankle_bracket_hy
-                * minus_wrench_right_ankle_bracket_mx_5
-                - inertias.inertia_right_ankle_bracket_hz
-                    * minus_wrench_right_ankle_bracket_mx_7);
+        forward_dynamics_itself_from_wrench_right_hip_cross_mx_15: &ForwardDynamicsItselfFromWrenchRightHipCrossMx15,
+    ) -> ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0 {
         let minus_wrench_right_ankle_bracket_mx_0 = inertias
-            .inertia_right_ankle_bracket_xy * minus_wrench_right_ankle_bracket_my_1
+            .inertia_right_ankle_bracket_xy
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_my_1
             + inertias.inertia_right_ankle_bracket_yy
-                * minus_wrench_right_ankle_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_3
             + inertias.inertia_right_ankle_bracket_yz
-                * minus_wrench_right_ankle_bracket_mx_1
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_1
             + (inertias.inertia_right_ankle_bracket_hz
-                * minus_wrench_right_ankle_bracket_my_5
+                * velocities.velocity_right_ankle_bracket_vx
                 - inertias.inertia_right_ankle_bracket_hx
-                    * minus_wrench_right_ankle_bracket_mx_5);
+                    * velocities.velocity_right_ankle_bracket_vz);
         let minus_wrench_right_ankle_bracket_mx_2 = inertias
-            .inertia_right_ankle_bracket_xz * minus_wrench_right_ankle_bracket_my_1
+            .inertia_right_ankle_bracket_xz
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_my_1
             + inertias.inertia_right_ankle_bracket_yz
-                * minus_wrench_right_ankle_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_3
             + inertias.inertia_right_ankle_bracket_zz
-                * minus_wrench_right_ankle_bracket_mx_1
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_1
             + (inertias.inertia_right_ankle_bracket_hx
-                * minus_wrench_right_ankle_bracket_mx_7
+                * velocities.velocity_right_ankle_bracket_vy
                 - inertias.inertia_right_ankle_bracket_hy
-                    * minus_wrench_right_ankle_bracket_my_5);
-        let minus_wrench_right_ankle_bracket_my_6 = minus_wrench_right_ankle_bracket_my_5
-            * 1.2999999999999998
-            + (minus_wrench_right_ankle_bracket_mx_3
+                    * velocities.velocity_right_ankle_bracket_vx);
+        let minus_wrench_right_ankle_bracket_my_6 = velocities
+            .velocity_right_ankle_bracket_vx * 1.2999999999999998
+            + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_mx_3
                 * inertias.inertia_right_ankle_bracket_hz
-                - minus_wrench_right_ankle_bracket_mx_1
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_1
                     * inertias.inertia_right_ankle_bracket_hy);
-        let minus_wrench_right_ankle_bracket_mx_4 = minus_wrench_right_ankle_bracket_mx_7
-            * 1.2999999999999998
-            + (minus_wrench_right_ankle_bracket_mx_1
+        let minus_wrench_right_ankle_bracket_mx_4 = velocities
+            .velocity_right_ankle_bracket_vy * 1.2999999999999998
+            + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_mx_1
                 * inertias.inertia_right_ankle_bracket_hx
-                - minus_wrench_right_ankle_bracket_my_1
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_my_1
                     * inertias.inertia_right_ankle_bracket_hz);
-        let minus_wrench_right_ankle_bracket_mx_6 = minus_wrench_right_ankle_bracket_mx_5
-            * 1.2999999999999998
-            + (minus_wrench_right_ankle_bracket_my_1
+        let minus_wrench_right_ankle_bracket_mx_6 = velocities
+            .velocity_right_ankle_bracket_vz * 1.2999999999999998
+            + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_my_1
                 * inertias.inertia_right_ankle_bracket_hy
-                - minus_wrench_right_ankle_bracket_mx_3
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_3
                     * inertias.inertia_right_ankle_bracket_hx);
         let minus_wrench_right_ankle_bracket_mx = minus_wrench_right_ankle_bracket_mx_0
-            * minus_wrench_right_ankle_bracket_mx_1
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_mx_1
             - minus_wrench_right_ankle_bracket_mx_2
-                * minus_wrench_right_ankle_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_3
             + (minus_wrench_right_ankle_bracket_mx_4
-                * minus_wrench_right_ankle_bracket_mx_5
+                * velocities.velocity_right_ankle_bracket_vz
                 - minus_wrench_right_ankle_bracket_mx_6
-                    * minus_wrench_right_ankle_bracket_mx_7);
+                    * velocities.velocity_right_ankle_bracket_vy);
         let minus_wrench_right_ankle_bracket_my = minus_wrench_right_ankle_bracket_mx_2
-            * minus_wrench_right_ankle_bracket_my_1
-            - minus_wrench_right_ankle_bracket_my_2
-                * minus_wrench_right_ankle_bracket_mx_1
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_my_1
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_my_2
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_1
             + (minus_wrench_right_ankle_bracket_mx_6
-                * minus_wrench_right_ankle_bracket_my_5
+                * velocities.velocity_right_ankle_bracket_vx
                 - minus_wrench_right_ankle_bracket_my_6
-                    * minus_wrench_right_ankle_bracket_mx_5);
-        let minus_wrench_right_ankle_bracket_mz = minus_wrench_right_ankle_bracket_my_2
-            * minus_wrench_right_ankle_bracket_mx_3
+                    * velocities.velocity_right_ankle_bracket_vz);
+        let minus_wrench_right_ankle_bracket_mz = forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+            .minus_wrench_right_ankle_bracket_my_2
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_mx_3
             - minus_wrench_right_ankle_bracket_mx_0
-                * minus_wrench_right_ankle_bracket_my_1
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_my_1
             + (minus_wrench_right_ankle_bracket_my_6
-                * minus_wrench_right_ankle_bracket_mx_7
+                * velocities.velocity_right_ankle_bracket_vy
                 - minus_wrench_right_ankle_bracket_mx_4
-                    * minus_wrench_right_ankle_bracket_my_5);
+                    * velocities.velocity_right_ankle_bracket_vx);
         let minus_wrench_right_ankle_bracket_fx = minus_wrench_right_ankle_bracket_mx_4
-            * minus_wrench_right_ankle_bracket_mx_1
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_mx_1
             - minus_wrench_right_ankle_bracket_mx_6
-                * minus_wrench_right_ankle_bracket_mx_3;
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_3;
         let minus_wrench_right_ankle_bracket_fy = minus_wrench_right_ankle_bracket_mx_6
-            * minus_wrench_right_ankle_bracket_my_1
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_my_1
             - minus_wrench_right_ankle_bracket_my_6
-                * minus_wrench_right_ankle_bracket_mx_1;
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_mx_1;
         let minus_wrench_right_ankle_bracket_fz = minus_wrench_right_ankle_bracket_my_6
-            * minus_wrench_right_ankle_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .minus_wrench_right_ankle_bracket_mx_3
             - minus_wrench_right_ankle_bracket_mx_4
-                * minus_wrench_right_ankle_bracket_my_1;
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .minus_wrench_right_ankle_bracket_my_1;
         let wrench_waist_cross_mx_16 = velocities.velocity_waist_bracket_wz + mu[2];
-        let wrench_waist_bracket_my_20 = velocities.velocity_waist_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_waist_bracket_mx_22 = velocities.velocity_waist_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
         let wrench_waist_bracket_my_17 = inertias.inertia_waist_bracket_xx
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_waist_bracket_xy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             - inertias.minus_inertia_waist_bracket_xz * wrench_waist_cross_mx_16
-            + (inertias.inertia_waist_bracket_hy
-                * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                - inertias.inertia_waist_bracket_hz * wrench_waist_bracket_mx_22);
+            - (inertias.inertia_waist_bracket_hy * velocities.minus_velocity_pelvis_vz
+                + inertias.inertia_waist_bracket_hz
+                    * velocities.velocity_waist_bracket_vy);
         let wrench_waist_bracket_mx_15 = inertias.inertia_waist_bracket_xy
             * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_waist_bracket_yy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             - inertias.minus_inertia_waist_bracket_yz * wrench_waist_cross_mx_16
-            + (inertias.inertia_waist_bracket_hz * wrench_waist_bracket_my_20
-                - inertias.inertia_waist_bracket_hx
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20);
+            + (inertias.inertia_waist_bracket_hz * velocities.velocity_waist_bracket_vx
+                + inertias.inertia_waist_bracket_hx
+                    * velocities.minus_velocity_pelvis_vz);
         let wrench_waist_bracket_mx_17 = inertias.inertia_waist_bracket_zz
             * wrench_waist_cross_mx_16
             - (inertias.minus_inertia_waist_bracket_xz
                 * forward_dynamics_itself.wrench_waist_bracket_my_16
                 + inertias.minus_inertia_waist_bracket_yz
                     * forward_dynamics_itself.wrench_waist_bracket_mx_18)
-            + (inertias.inertia_waist_bracket_hx * wrench_waist_bracket_mx_22
-                - inertias.inertia_waist_bracket_hy * wrench_waist_bracket_my_20);
-        let wrench_waist_bracket_my_21 = wrench_waist_bracket_my_20 * 1.5
+            + (inertias.inertia_waist_bracket_hx * velocities.velocity_waist_bracket_vy
+                - inertias.inertia_waist_bracket_hy
+                    * velocities.velocity_waist_bracket_vx);
+        let wrench_waist_bracket_my_21 = velocities.velocity_waist_bracket_vx * 1.5
             + (forward_dynamics_itself.wrench_waist_bracket_mx_18
                 * inertias.inertia_waist_bracket_hz
                 - wrench_waist_cross_mx_16 * inertias.inertia_waist_bracket_hy);
-        let wrench_waist_bracket_mx_19 = wrench_waist_bracket_mx_22 * 1.5
+        let wrench_waist_bracket_mx_19 = velocities.velocity_waist_bracket_vy * 1.5
             + (wrench_waist_cross_mx_16 * inertias.inertia_waist_bracket_hx
                 - forward_dynamics_itself.wrench_waist_bracket_my_16
                     * inertias.inertia_waist_bracket_hz);
         let wrench_waist_bracket_mx_21 = forward_dynamics_itself
-            .wrench_waist_bracket_mx_20 * 1.5
-            + (forward_dynamics_itself.wrench_waist_bracket_my_16
-                * inertias.inertia_waist_bracket_hy
-                - forward_dynamics_itself.wrench_waist_bracket_mx_18
-                    * inertias.inertia_waist_bracket_hx);
+            .wrench_waist_bracket_my_16 * inertias.inertia_waist_bracket_hy
+            - forward_dynamics_itself.wrench_waist_bracket_mx_18
+                * inertias.inertia_waist_bracket_hx
+            - velocities.minus_velocity_pelvis_vz * 1.5;
         let wrench_waist_cross_my_16 = velocities.velocity_waist_cross_wx + mu[0];
         let wrench_waist_cross_mx_18 = velocities.velocity_waist_cross_wy + mu[1];
-        let wrench_waist_cross_my_20 = velocities.velocity_waist_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_waist_cross_mx_22 = velocities.velocity_waist_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_waist_cross_mx_20 = velocities.velocity_waist_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_waist_cross_my_17 = inertias.inertia_waist_cross_xx
             * wrench_waist_cross_my_16
             + inertias.inertia_waist_cross_xy * wrench_waist_cross_mx_18
             + inertias.inertia_waist_cross_xz * wrench_waist_cross_mx_16
-            + (inertias.inertia_waist_cross_hy * wrench_waist_cross_mx_20
-                - inertias.inertia_waist_cross_hz * wrench_waist_cross_mx_22);
+            + (inertias.inertia_waist_cross_hy * velocities.velocity_waist_cross_vz
+                - inertias.inertia_waist_cross_hz * velocities.velocity_waist_cross_vy);
         let wrench_waist_cross_mx_15 = inertias.inertia_waist_cross_xy
             * wrench_waist_cross_my_16
             + inertias.inertia_waist_cross_yy * wrench_waist_cross_mx_18
             + inertias.inertia_waist_cross_yz * wrench_waist_cross_mx_16
-            + (inertias.inertia_waist_cross_hz * wrench_waist_cross_my_20
-                - inertias.inertia_waist_cross_hx * wrench_waist_cross_mx_20);
+            + (inertias.inertia_waist_cross_hz * velocities.velocity_waist_cross_vx
+                - inertias.inertia_waist_cross_hx * velocities.velocity_waist_cross_vz);
         let wrench_waist_cross_mx_17 = inertias.inertia_waist_cross_xz
             * wrench_waist_cross_my_16
             + inertias.inertia_waist_cross_yz * wrench_waist_cross_mx_18
             + inertias.inertia_waist_cross_zz * wrench_waist_cross_mx_16
-            + (inertias.inertia_waist_cross_hx * wrench_waist_cross_mx_22
-                - inertias.inertia_waist_cross_hy * wrench_waist_cross_my_20);
-        let wrench_waist_cross_my_21 = wrench_waist_cross_my_20 * 1.5
+            + (inertias.inertia_waist_cross_hx * velocities.velocity_waist_cross_vy
+                - inertias.inertia_waist_cross_hy * velocities.velocity_waist_cross_vx);
+        let wrench_waist_cross_my_21 = velocities.velocity_waist_cross_vx * 1.5
             + (wrench_waist_cross_mx_18 * inertias.inertia_waist_cross_hz
                 - wrench_waist_cross_mx_16 * inertias.inertia_waist_cross_hy);
-        let wrench_waist_cross_mx_19 = wrench_waist_cross_mx_22 * 1.5
+        let wrench_waist_cross_mx_19 = velocities.velocity_waist_cross_vy * 1.5
             + (wrench_waist_cross_mx_16 * inertias.inertia_waist_cross_hx
                 - wrench_waist_cross_my_16 * inertias.inertia_waist_cross_hz);
-        let wrench_waist_cross_mx_21 = wrench_waist_cross_mx_20 * 1.5
+        let wrench_waist_cross_mx_21 = velocities.velocity_waist_cross_vz * 1.5
             + (wrench_waist_cross_my_16 * inertias.inertia_waist_cross_hy
                 - wrench_waist_cross_mx_18 * inertias.inertia_waist_cross_hx);
         let wrench_torso_my_16 = velocities.velocity_torso_wx + mu[0];
         let wrench_torso_mx_18 = velocities.velocity_torso_wy + mu[1];
         let wrench_torso_mx_16 = velocities.velocity_torso_wz + mu[2];
-        let wrench_torso_my_20 = velocities.velocity_torso_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_torso_mx_22 = velocities.velocity_torso_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_torso_mx_20 = velocities.velocity_torso_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_torso_my_17 = inertias.inertia_torso_xx * wrench_torso_my_16
             + inertias.inertia_torso_xy * wrench_torso_mx_18
             + inertias.inertia_torso_xz * wrench_torso_mx_16
-            + (inertias.inertia_torso_hy * wrench_torso_mx_20
-                - inertias.inertia_torso_hz * wrench_torso_mx_22);
+            + (inertias.inertia_torso_hy * velocities.velocity_torso_vz
+                - inertias.inertia_torso_hz * velocities.velocity_torso_vy);
         let wrench_torso_mx_15 = inertias.inertia_torso_xy * wrench_torso_my_16
             + inertias.inertia_torso_yy * wrench_torso_mx_18
             + inertias.inertia_torso_yz * wrench_torso_mx_16
-            + (inertias.inertia_torso_hz * wrench_torso_my_20
-                - inertias.inertia_torso_hx * wrench_torso_mx_20);
+            + (inertias.inertia_torso_hz * velocities.velocity_torso_vx
+                - inertias.inertia_torso_hx * velocities.velocity_torso_vz);
         let wrench_torso_mx_17 = inertias.inertia_torso_xz * wrench_torso_my_16
             + inertias.inertia_torso_yz * wrench_torso_mx_18
             + inertias.inertia_torso_zz * wrench_torso_mx_16
-            + (inertias.inertia_torso_hx * wrench_torso_mx_22
-                - inertias.inertia_torso_hy * wrench_torso_my_20);
-        let wrench_torso_my_21 = wrench_torso_my_20 * 16.0
+            + (inertias.inertia_torso_hx * velocities.velocity_torso_vy
+                - inertias.inertia_torso_hy * velocities.velocity_torso_vx);
+        let wrench_torso_my_21 = velocities.velocity_torso_vx * 16.0
             + (wrench_torso_mx_18 * inertias.inertia_torso_hz
                 - wrench_torso_mx_16 * inertias.inertia_torso_hy);
-        ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17 {
-            wrench_right_ankle_cross_mx_17,
-            wrench_right_ankle_cross_mx_19,
-            minus_wrench_right_ankle_bracket_my_1,
-            minus_wrench_right_ankle_bracket_mx_3,
-            minus_wrench_right_ankle_bracket_mx_1,
-            minus_wrench_right_ankle_bracket_my_5,
-            minus_wrench_right_ankle_bracket_mx_7,
-            minus_wrench_right_ankle_bracket_mx_5,
+        let wrench_torso_mx_19 = velocities.velocity_torso_vy * 16.0
+            + (wrench_torso_mx_16 * inertias.inertia_torso_hx
+                - wrench_torso_my_16 * inertias.inertia_torso_hz);
+        let wrench_torso_mx_21 = velocities.velocity_torso_vz * 16.0
+            + (wrench_torso_my_16 * inertias.inertia_torso_hy
+                - wrench_torso_mx_18 * inertias.inertia_torso_hx);
+        let wrench_neck_bracket_my_16 = velocities.velocity_neck_bracket_wx + mu[0];
+        let wrench_neck_bracket_mx_18 = velocities.velocity_neck_bracket_wy + mu[1];
+        let wrench_neck_bracket_mx_16 = velocities.velocity_neck_bracket_wz + mu[2];
+        let wrench_neck_bracket_my_17 = inertias.inertia_neck_bracket_xx
+            * wrench_neck_bracket_my_16
+            + inertias.inertia_neck_bracket_xy * wrench_neck_bracket_mx_18
+            + inertias.inertia_neck_bracket_xz * wrench_neck_bracket_mx_16
+            + (inertias.inertia_neck_bracket_hy * velocities.velocity_neck_bracket_vz
+                - inertias.inertia_neck_bracket_hz
+                    * velocities.velocity_neck_bracket_vy);
+        let wrench_neck_bracket_mx_15 = inertias.inertia_neck_bracket_xy
+            * wrench_neck_bracket_my_16
+            + inertias.inertia_neck_bracket_yy * wrench_neck_bracket_mx_18
+            + inertias.inertia_neck_bracket_yz * wrench_neck_bracket_mx_16
+            + (inertias.inertia_neck_bracket_hz * velocities.velocity_neck_bracket_vx
+                - inertias.inertia_neck_bracket_hx
+                    * velocities.velocity_neck_bracket_vz);
+        let wrench_neck_bracket_mx_17 = inertias.inertia_neck_bracket_xz
+            * wrench_neck_bracket_my_16
+            + inertias.inertia_neck_bracket_yz * wrench_neck_bracket_mx_18
+            + inertias.inertia_neck_bracket_zz * wrench_neck_bracket_mx_16
+            + (inertias.inertia_neck_bracket_hx * velocities.velocity_neck_bracket_vy
+                - inertias.inertia_neck_bracket_hy
+                    * velocities.velocity_neck_bracket_vx);
+        let wrench_neck_bracket_my_21 = velocities.velocity_neck_bracket_vx * 0.5
+            + (wrench_neck_bracket_mx_18 * inertias.inertia_neck_bracket_hz
+                - wrench_neck_bracket_mx_16 * inertias.inertia_neck_bracket_hy);
+        ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0 {
             minus_wrench_right_ankle_bracket_mx,
             minus_wrench_right_ankle_bracket_my,
             minus_wrench_right_ankle_bracket_mz,
@@ -22225,8 +22466,6 @@ mod forward_dynamics_itself {
             minus_wrench_right_ankle_bracket_fy,
             minus_wrench_right_ankle_bracket_fz,
             wrench_waist_cross_mx_16,
-            wrench_waist_bracket_my_20,
-            wrench_waist_bracket_mx_22,
             wrench_waist_bracket_my_17,
             wrench_waist_bracket_mx_15,
             wrench_waist_bracket_mx_17,
@@ -22235,9 +22474,6 @@ mod forward_dynamics_itself {
             wrench_waist_bracket_mx_21,
             wrench_waist_cross_my_16,
             wrench_waist_cross_mx_18,
-            wrench_waist_cross_my_20,
-            wrench_waist_cross_mx_22,
-            wrench_waist_cross_mx_20,
             wrench_waist_cross_my_17,
             wrench_waist_cross_mx_15,
             wrench_waist_cross_mx_17,
@@ -22247,37 +22483,28 @@ mod forward_dynamics_itself {
             wrench_torso_my_16,
             wrench_torso_mx_18,
             wrench_torso_mx_16,
-            wrench_torso_my_20,
-            wrench_torso_mx_22,
-            wrench_torso_mx_20,
             wrench_torso_my_17,
             wrench_torso_mx_15,
             wrench_torso_mx_17,
             wrench_torso_my_21,
+            wrench_torso_mx_19,
+            wrench_torso_mx_21,
+            wrench_neck_bracket_my_16,
+            wrench_neck_bracket_mx_18,
+            wrench_neck_bracket_mx_16,
+            wrench_neck_bracket_my_17,
+            wrench_neck_bracket_mx_15,
+            wrench_neck_bracket_mx_17,
+            wrench_neck_bracket_my_21,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchTorsoMx19 {
-        pub(super) wrench_torso_mx_19: f64,
-        pub(super) wrench_torso_mx_21: f64,
-        pub(super) wrench_neck_bracket_my_16: f64,
-        pub(super) wrench_neck_bracket_mx_18: f64,
-        pub(super) wrench_neck_bracket_mx_16: f64,
-        pub(super) wrench_neck_bracket_my_20: f64,
-        pub(super) wrench_neck_bracket_mx_22: f64,
-        pub(super) wrench_neck_bracket_mx_20: f64,
-        pub(super) wrench_neck_bracket_my_17: f64,
-        pub(super) wrench_neck_bracket_mx_15: f64,
-        pub(super) wrench_neck_bracket_mx_17: f64,
-        pub(super) wrench_neck_bracket_my_21: f64,
+    pub(super) struct ForwardDynamicsItselfFromWrenchNeckBracketMx19 {
         pub(super) wrench_neck_bracket_mx_19: f64,
         pub(super) wrench_neck_bracket_mx_21: f64,
         pub(super) wrench_neck_cross_my_14: f64,
         pub(super) wrench_neck_cross_mx_16: f64,
         pub(super) wrench_neck_cross_mx_14: f64,
-        pub(super) wrench_neck_cross_my_18: f64,
-        pub(super) wrench_neck_cross_mx_20: f64,
-        pub(super) wrench_neck_cross_mx_18: f64,
         pub(super) wrench_neck_cross_my_15: f64,
         pub(super) wrench_neck_cross_mx_13: f64,
         pub(super) wrench_neck_cross_mx_15: f64,
@@ -22287,9 +22514,6 @@ mod forward_dynamics_itself {
         pub(super) minus_wrench_head_my_1: f64,
         pub(super) minus_wrench_head_mx_3: f64,
         pub(super) minus_wrench_head_mx_1: f64,
-        pub(super) minus_wrench_head_my_5: f64,
-        pub(super) minus_wrench_head_mx_7: f64,
-        pub(super) minus_wrench_head_mx_5: f64,
         pub(super) minus_wrench_head_mx: f64,
         pub(super) minus_wrench_head_my: f64,
         pub(super) minus_wrench_head_mz: f64,
@@ -22299,152 +22523,107 @@ mod forward_dynamics_itself {
         pub(super) wrench_left_shoulder_bracket_my_16: f64,
         pub(super) wrench_left_shoulder_bracket_mx_18: f64,
         pub(super) wrench_left_shoulder_bracket_mx_16: f64,
-        pub(super) wrench_left_shoulder_bracket_my_20: f64,
-        pub(super) wrench_left_shoulder_bracket_mx_22: f64,
-        pub(super) wrench_left_shoulder_bracket_mx_20: f64,
         pub(super) wrench_left_shoulder_bracket_my_17: f64,
         pub(super) wrench_left_shoulder_bracket_mx_15: f64,
         pub(super) wrench_left_shoulder_bracket_mx_17: f64,
         pub(super) wrench_left_shoulder_bracket_my_21: f64,
+        pub(super) wrench_left_shoulder_bracket_mx_19: f64,
+        pub(super) wrench_left_shoulder_bracket_mx_21: f64,
+        pub(super) wrench_left_shoulder_cross_my_16: f64,
+        pub(super) wrench_left_shoulder_cross_mx_18: f64,
+        pub(super) wrench_left_shoulder_cross_mx_16: f64,
+        pub(super) wrench_left_shoulder_cross_my_17: f64,
+        pub(super) wrench_left_shoulder_cross_mx_15: f64,
+        pub(super) wrench_left_shoulder_cross_mx_17: f64,
+        pub(super) wrench_left_shoulder_cross_my_21: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_torso_mx_19(
+    pub(super) fn forward_dynamics_itself_from_wrench_neck_bracket_mx_19(
         mu: &[f64; 6],
         inertias: &Inertias,
         velocities: &Velocities,
-        forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17: &ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17,
-    ) -> ForwardDynamicsItselfFromWrenchTorsoMx19 {
-        let wrench_torso_mx_19 = forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-            .wrench_torso_mx_22 * 16.0
-            + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_torso_mx_16 * inertias.inertia_torso_hx
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_torso_my_16 * inertias.inertia_torso_hz);
-        let wrench_torso_mx_21 = forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-            .wrench_torso_mx_20 * 16.0
-            + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_torso_my_16 * inertias.inertia_torso_hy
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_torso_mx_18 * inertias.inertia_torso_hx);
-        let wrench_neck_bracket_my_16 = velocities.velocity_neck_bracket_wx + mu[0];
-        let wrench_neck_bracket_mx_18 = velocities.velocity_neck_bracket_wy + mu[1];
-        let wrench_neck_bracket_mx_16 = velocities.velocity_neck_bracket_wz + mu[2];
-        let wrench_neck_bracket_my_20 = velocities.velocity_neck_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_neck_bracket_mx_22 = velocities.velocity_neck_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_neck_bracket_mx_20 = velocities.velocity_neck_bracket_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
-        let wrench_neck_bracket_my_17 = inertias.inertia_neck_bracket_xx
-            * wrench_neck_bracket_my_16
-            + inertias.inertia_neck_bracket_xy * wrench_neck_bracket_mx_18
-            + inertias.inertia_neck_bracket_xz * wrench_neck_bracket_mx_16
-            + (inertias.inertia_neck_bracket_hy * wrench_neck_bracket_mx_20
-                - inertias.inertia_neck_bracket_hz * wrench_neck_bracket_mx_22);
-        let wrench_neck_bracket_mx_15 = inertias.inertia_neck_bracket_xy
-            * wrench_neck_bracket_my_16
-            + inertias.inertia_neck_bracket_yy * wrench_neck_bracket_mx_18
-            + inertias.inertia_neck_bracket_yz * wrench_neck_bracket_mx_16
-            + (inertias.inertia_neck_bracket_hz * wrench_neck_bracket_my_20
-                - inertias.inertia_neck_bracket_hx * wrench_neck_bracket_mx_20);
-        let wrench_neck_bracket_mx_17 = inertias.inertia_neck_bracket_xz
-            * wrench_neck_bracket_my_16
-            + inertias.inertia_neck_bracket_yz * wrench_neck_bracket_mx_18
-            + inertias.inertia_neck_bracket_zz * wrench_neck_bracket_mx_16
-            + (inertias.inertia_neck_bracket_hx * wrench_neck_bracket_mx_22
-                - inertias.inertia_neck_bracket_hy * wrench_neck_bracket_my_20);
-        let wrench_neck_bracket_my_21 = wrench_neck_bracket_my_20 * 0.5
-            + (wrench_neck_bracket_mx_18 * inertias.inertia_neck_bracket_hz
-                - wrench_neck_bracket_mx_16 * inertias.inertia_neck_bracket_hy);
-        let wrench_neck_bracket_mx_19 = wrench_neck_bracket_mx_22 * 0.5
-            + (wrench_neck_bracket_mx_16 * inertias.inertia_neck_bracket_hx
-                - wrench_neck_bracket_my_16 * inertias.inertia_neck_bracket_hz);
-        let wrench_neck_bracket_mx_21 = wrench_neck_bracket_mx_20 * 0.5
-            + (wrench_neck_bracket_my_16 * inertias.inertia_neck_bracket_hy
-                - wrench_neck_bracket_mx_18 * inertias.inertia_neck_bracket_hx);
+        forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0: &ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0,
+    ) -> ForwardDynamicsItselfFromWrenchNeckBracketMx19 {
+        let wrench_neck_bracket_mx_19 = velocities.velocity_neck_bracket_vy * 0.5
+            + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_mx_16 * inertias.inertia_neck_bracket_hx
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_neck_bracket_my_16 * inertias.inertia_neck_bracket_hz);
+        let wrench_neck_bracket_mx_21 = velocities.velocity_neck_bracket_vz * 0.5
+            + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_my_16 * inertias.inertia_neck_bracket_hy
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_neck_bracket_mx_18 * inertias.inertia_neck_bracket_hx);
         let wrench_neck_cross_my_14 = velocities.velocity_neck_cross_wx + mu[0];
         let wrench_neck_cross_mx_16 = velocities.velocity_neck_cross_wy + mu[1];
         let wrench_neck_cross_mx_14 = velocities.velocity_neck_cross_wz + mu[2];
-        let wrench_neck_cross_my_18 = velocities.velocity_neck_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_neck_cross_mx_20 = velocities.velocity_neck_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_neck_cross_mx_18 = velocities.velocity_neck_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_neck_cross_my_15 = inertias.inertia_neck_cross_xx
             * wrench_neck_cross_my_14
             + inertias.inertia_neck_cross_xy * wrench_neck_cross_mx_16
             + inertias.inertia_neck_cross_xz * wrench_neck_cross_mx_14
-            + (inertias.inertia_neck_cross_hy * wrench_neck_cross_mx_18
-                - inertias.inertia_neck_cross_hz * wrench_neck_cross_mx_20);
+            + (inertias.inertia_neck_cross_hy * velocities.velocity_neck_cross_vz
+                - inertias.inertia_neck_cross_hz * velocities.velocity_neck_cross_vy);
         let wrench_neck_cross_mx_13 = inertias.inertia_neck_cross_xy
             * wrench_neck_cross_my_14
             + inertias.inertia_neck_cross_yy * wrench_neck_cross_mx_16
             + inertias.inertia_neck_cross_yz * wrench_neck_cross_mx_14
-            + (inertias.inertia_neck_cross_hz * wrench_neck_cross_my_18
-                - inertias.inertia_neck_cross_hx * wrench_neck_cross_mx_18);
+            + (inertias.inertia_neck_cross_hz * velocities.velocity_neck_cross_vx
+                - inertias.inertia_neck_cross_hx * velocities.velocity_neck_cross_vz);
         let wrench_neck_cross_mx_15 = inertias.inertia_neck_cross_xz
             * wrench_neck_cross_my_14
             + inertias.inertia_neck_cross_yz * wrench_neck_cross_mx_16
             + inertias.inertia_neck_cross_zz * wrench_neck_cross_mx_14
-            + (inertias.inertia_neck_cross_hx * wrench_neck_cross_mx_20
-                - inertias.inertia_neck_cross_hy * wrench_neck_cross_my_18);
-        let wrench_neck_cross_my_19 = wrench_neck_cross_my_18 * 0.5
+            + (inertias.inertia_neck_cross_hx * velocities.velocity_neck_cross_vy
+                - inertias.inertia_neck_cross_hy * velocities.velocity_neck_cross_vx);
+        let wrench_neck_cross_my_19 = velocities.velocity_neck_cross_vx * 0.5
             + (wrench_neck_cross_mx_16 * inertias.inertia_neck_cross_hz
                 - wrench_neck_cross_mx_14 * inertias.inertia_neck_cross_hy);
-        let wrench_neck_cross_mx_17 = wrench_neck_cross_mx_20 * 0.5
+        let wrench_neck_cross_mx_17 = velocities.velocity_neck_cross_vy * 0.5
             + (wrench_neck_cross_mx_14 * inertias.inertia_neck_cross_hx
                 - wrench_neck_cross_my_14 * inertias.inertia_neck_cross_hz);
-        let wrench_neck_cross_mx_19 = wrench_neck_cross_mx_18 * 0.5
+        let wrench_neck_cross_mx_19 = velocities.velocity_neck_cross_vz * 0.5
             + (wrench_neck_cross_my_14 * inertias.inertia_neck_cross_hy
                 - wrench_neck_cross_mx_16 * inertias.inertia_neck_cross_hx);
         let minus_wrench_head_my_1 = velocities.velocity_head_wx + mu[0];
         let minus_wrench_head_mx_3 = velocities.velocity_head_wy + mu[1];
         let minus_wrench_head_mx_1 = velocities.velocity_head_wz + mu[2];
-        let minus_wrench_head_my_5 = velocities.velocity_head_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let minus_wrench_head_mx_7 = velocities.velocity_head_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let minus_wrench_head_mx_5 = velocities.velocity_head_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let minus_wrench_head_my_2 = inertias.inertia_head_xx * minus_wrench_head_my_1
             + inertias.inertia_head_xy * minus_wrench_head_mx_3
             + inertias.inertia_head_xz * minus_wrench_head_mx_1
-            + (inertias.inertia_head_hy * minus_wrench_head_mx_5
-                - inertias.inertia_head_hz * minus_wrench_head_mx_7);
+            + (inertias.inertia_head_hy * velocities.velocity_head_vz
+                - inertias.inertia_head_hz * velocities.velocity_head_vy);
         let minus_wrench_head_mx_0 = inertias.inertia_head_xy * minus_wrench_head_my_1
             + inertias.inertia_head_yy * minus_wrench_head_mx_3
             + inertias.inertia_head_yz * minus_wrench_head_mx_1
-            + (inertias.inertia_head_hz * minus_wrench_head_my_5
-                - inertias.inertia_head_hx * minus_wrench_head_mx_5);
+            + (inertias.inertia_head_hz * velocities.velocity_head_vx
+                - inertias.inertia_head_hx * velocities.velocity_head_vz);
         let minus_wrench_head_mx_2 = inertias.inertia_head_xz * minus_wrench_head_my_1
             + inertias.inertia_head_yz * minus_wrench_head_mx_3
             + inertias.inertia_head_zz * minus_wrench_head_mx_1
-            + (inertias.inertia_head_hx * minus_wrench_head_mx_7
-                - inertias.inertia_head_hy * minus_wrench_head_my_5);
-        let minus_wrench_head_my_6 = minus_wrench_head_my_5 * 3.0
+            + (inertias.inertia_head_hx * velocities.velocity_head_vy
+                - inertias.inertia_head_hy * velocities.velocity_head_vx);
+        let minus_wrench_head_my_6 = velocities.velocity_head_vx * 3.0
             + (minus_wrench_head_mx_3 * inertias.inertia_head_hz
                 - minus_wrench_head_mx_1 * inertias.inertia_head_hy);
-        let minus_wrench_head_mx_4 = minus_wrench_head_mx_7 * 3.0
+        let minus_wrench_head_mx_4 = velocities.velocity_head_vy * 3.0
             + (minus_wrench_head_mx_1 * inertias.inertia_head_hx
                 - minus_wrench_head_my_1 * inertias.inertia_head_hz);
-        let minus_wrench_head_mx_6 = minus_wrench_head_mx_5 * 3.0
+        let minus_wrench_head_mx_6 = velocities.velocity_head_vz * 3.0
             + (minus_wrench_head_my_1 * inertias.inertia_head_hy
                 - minus_wrench_head_mx_3 * inertias.inertia_head_hx);
         let minus_wrench_head_mx = minus_wrench_head_mx_0 * minus_wrench_head_mx_1
             - minus_wrench_head_mx_2 * minus_wrench_head_mx_3
-            + (minus_wrench_head_mx_4 * minus_wrench_head_mx_5
-                - minus_wrench_head_mx_6 * minus_wrench_head_mx_7);
+            + (minus_wrench_head_mx_4 * velocities.velocity_head_vz
+                - minus_wrench_head_mx_6 * velocities.velocity_head_vy);
         let minus_wrench_head_my = minus_wrench_head_mx_2 * minus_wrench_head_my_1
             - minus_wrench_head_my_2 * minus_wrench_head_mx_1
-            + (minus_wrench_head_mx_6 * minus_wrench_head_my_5
-                - minus_wrench_head_my_6 * minus_wrench_head_mx_5);
+            + (minus_wrench_head_mx_6 * velocities.velocity_head_vx
+                - minus_wrench_head_my_6 * velocities.velocity_head_vz);
         let minus_wrench_head_mz = minus_wrench_head_my_2 * minus_wrench_head_mx_3
             - minus_wrench_head_mx_0 * minus_wrench_head_my_1
-            + (minus_wrench_head_my_6 * minus_wrench_head_mx_7
-                - minus_wrench_head_mx_4 * minus_wrench_head_my_5);
+            + (minus_wrench_head_my_6 * velocities.velocity_head_vy
+                - minus_wrench_head_mx_4 * velocities.velocity_head_vx);
         let minus_wrench_head_fx = minus_wrench_head_mx_4 * minus_wrench_head_mx_1
             - minus_wrench_head_mx_6 * minus_wrench_head_mx_3;
         let minus_wrench_head_fy = minus_wrench_head_mx_6 * minus_wrench_head_my_1
@@ -22457,15 +22636,6 @@ mod forward_dynamics_itself {
             .velocity_left_shoulder_bracket_wy + mu[1];
         let wrench_left_shoulder_bracket_mx_16 = velocities
             .velocity_left_shoulder_bracket_wz + mu[2];
-        let wrench_left_shoulder_bracket_my_20 = velocities
-            .velocity_left_shoulder_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_shoulder_bracket_mx_22 = velocities
-            .velocity_left_shoulder_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_shoulder_bracket_mx_20 = velocities
-            .velocity_left_shoulder_bracket_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_shoulder_bracket_my_17 = inertias
             .inertia_left_shoulder_bracket_xx * wrench_left_shoulder_bracket_my_16
             + inertias.inertia_left_shoulder_bracket_xy
@@ -22473,9 +22643,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_left_shoulder_bracket_xz
                 * wrench_left_shoulder_bracket_mx_16
             + (inertias.inertia_left_shoulder_bracket_hy
-                * wrench_left_shoulder_bracket_mx_20
+                * velocities.velocity_left_shoulder_bracket_vz
                 - inertias.inertia_left_shoulder_bracket_hz
-                    * wrench_left_shoulder_bracket_mx_22);
+                    * velocities.velocity_left_shoulder_bracket_vy);
         let wrench_left_shoulder_bracket_mx_15 = inertias
             .inertia_left_shoulder_bracket_xy * wrench_left_shoulder_bracket_my_16
             + inertias.inertia_left_shoulder_bracket_yy
@@ -22483,9 +22653,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_left_shoulder_bracket_yz
                 * wrench_left_shoulder_bracket_mx_16
             + (inertias.inertia_left_shoulder_bracket_hz
-                * wrench_left_shoulder_bracket_my_20
+                * velocities.velocity_left_shoulder_bracket_vx
                 - inertias.inertia_left_shoulder_bracket_hx
-                    * wrench_left_shoulder_bracket_mx_20);
+                    * velocities.velocity_left_shoulder_bracket_vz);
         let wrench_left_shoulder_bracket_mx_17 = inertias
             .inertia_left_shoulder_bracket_xz * wrench_left_shoulder_bracket_my_16
             + inertias.inertia_left_shoulder_bracket_yz
@@ -22493,35 +22663,68 @@ mod forward_dynamics_itself {
             + inertias.inertia_left_shoulder_bracket_zz
                 * wrench_left_shoulder_bracket_mx_16
             + (inertias.inertia_left_shoulder_bracket_hx
-                * wrench_left_shoulder_bracket_mx_22
+                * velocities.velocity_left_shoulder_bracket_vy
                 - inertias.inertia_left_shoulder_bracket_hy
-                    * wrench_left_shoulder_bracket_my_20);
-        let wrench_left_shoulder_bracket_my_21 = wrench_left_shoulder_bracket_my_20 * 0.7
+                    * velocities.velocity_left_shoulder_bracket_vx);
+        let wrench_left_shoulder_bracket_my_21 = velocities
+            .velocity_left_shoulder_bracket_vx * 0.7
             + (wrench_left_shoulder_bracket_mx_18
                 * inertias.inertia_left_shoulder_bracket_hz
                 - wrench_left_shoulder_bracket_mx_16
                     * inertias.inertia_left_shoulder_bracket_hy);
-        ForwardDynamicsItselfFromWrenchTorsoMx19 {
-            wrench_torso_mx_19,
-            wrench_torso_mx_21,
-            wrench_neck_bracket_my_16,
-            wrench_neck_bracket_mx_18,
-            wrench_neck_bracket_mx_16,
-            wrench_neck_bracket_my_20,
-            wrench_neck_bracket_mx_22,
-            wrench_neck_bracket_mx_20,
-            wrench_neck_bracket_my_17,
-            wrench_neck_bracket_mx_15,
-            wrench_neck_bracket_mx_17,
-            wrench_neck_bracket_my_21,
+        let wrench_left_shoulder_bracket_mx_19 = velocities
+            .velocity_left_shoulder_bracket_vy * 0.7
+            + (wrench_left_shoulder_bracket_mx_16
+                * inertias.inertia_left_shoulder_bracket_hx
+                - wrench_left_shoulder_bracket_my_16
+                    * inertias.inertia_left_shoulder_bracket_hz);
+        let wrench_left_shoulder_bracket_mx_21 = velocities
+            .velocity_left_shoulder_bracket_vz * 0.7
+            + (wrench_left_shoulder_bracket_my_16
+                * inertias.inertia_left_shoulder_bracket_hy
+                - wrench_left_shoulder_bracket_mx_18
+                    * inertias.inertia_left_shoulder_bracket_hx);
+        let wrench_left_shoulder_cross_my_16 = velocities.velocity_left_shoulder_cross_wx
+            + mu[0];
+        let wrench_left_shoulder_cross_mx_18 = velocities.velocity_left_shoulder_cross_wy
+            + mu[1];
+        let wrench_left_shoulder_cross_mx_16 = velocities.velocity_left_shoulder_cross_wz
+            + mu[2];
+        let wrench_left_shoulder_cross_my_17 = inertias.inertia_left_shoulder_cross_xx
+            * wrench_left_shoulder_cross_my_16
+            + inertias.inertia_left_shoulder_cross_xy * wrench_left_shoulder_cross_mx_18
+            + inertias.inertia_left_shoulder_cross_xz * wrench_left_shoulder_cross_mx_16
+            + (inertias.inertia_left_shoulder_cross_hy
+                * velocities.velocity_left_shoulder_cross_vz
+                - inertias.inertia_left_shoulder_cross_hz
+                    * velocities.velocity_left_shoulder_cross_vy);
+        let wrench_left_shoulder_cross_mx_15 = inertias.inertia_left_shoulder_cross_xy
+            * wrench_left_shoulder_cross_my_16
+            + inertias.inertia_left_shoulder_cross_yy * wrench_left_shoulder_cross_mx_18
+            + inertias.inertia_left_shoulder_cross_yz * wrench_left_shoulder_cross_mx_16
+            + (inertias.inertia_left_shoulder_cross_hz
+                * velocities.velocity_left_shoulder_cross_vx
+                - inertias.inertia_left_shoulder_cross_hx
+                    * velocities.velocity_left_shoulder_cross_vz);
+        let wrench_left_shoulder_cross_mx_17 = inertias.inertia_left_shoulder_cross_xz
+            * wrench_left_shoulder_cross_my_16
+            + inertias.inertia_left_shoulder_cross_yz * wrench_left_shoulder_cross_mx_18
+            + inertias.inertia_left_shoulder_cross_zz * wrench_left_shoulder_cross_mx_16
+            + (inertias.inertia_left_shoulder_cross_hx
+                * velocities.velocity_left_shoulder_cross_vy
+                - inertias.inertia_left_shoulder_cross_hy
+                    * velocities.velocity_left_shoulder_cross_vx);
+        let wrench_left_shoulder_cross_my_21 = velocities.velocity_left_shoulder_cross_vx
+            * 0.6
+            + (wrench_left_shoulder_cross_mx_18 * inertias.inertia_left_shoulder_cross_hz
+                - wrench_left_shoulder_cross_mx_16
+                    * inertias.inertia_left_shoulder_cross_hy);
+        ForwardDynamicsItselfFromWrenchNeckBracketMx19 {
             wrench_neck_bracket_mx_19,
             wrench_neck_bracket_mx_21,
             wrench_neck_cross_my_14,
             wrench_neck_cross_mx_16,
             wrench_neck_cross_mx_14,
-            wrench_neck_cross_my_18,
-            wrench_neck_cross_mx_20,
-            wrench_neck_cross_mx_18,
             wrench_neck_cross_my_15,
             wrench_neck_cross_mx_13,
             wrench_neck_cross_mx_15,
@@ -22531,9 +22734,6 @@ mod forward_dynamics_itself {
             minus_wrench_head_my_1,
             minus_wrench_head_mx_3,
             minus_wrench_head_mx_1,
-            minus_wrench_head_my_5,
-            minus_wrench_head_mx_7,
-            minus_wrench_head_mx_5,
             minus_wrench_head_mx,
             minus_wrench_head_my,
             minus_wrench_head_mz,
@@ -22543,37 +22743,28 @@ mod forward_dynamics_itself {
             wrench_left_shoulder_bracket_my_16,
             wrench_left_shoulder_bracket_mx_18,
             wrench_left_shoulder_bracket_mx_16,
-            wrench_left_shoulder_bracket_my_20,
-            wrench_left_shoulder_bracket_mx_22,
-            wrench_left_shoulder_bracket_mx_20,
             wrench_left_shoulder_bracket_my_17,
             wrench_left_shoulder_bracket_mx_15,
             wrench_left_shoulder_bracket_mx_17,
             wrench_left_shoulder_bracket_my_21,
+            wrench_left_shoulder_bracket_mx_19,
+            wrench_left_shoulder_bracket_mx_21,
+            wrench_left_shoulder_cross_my_16,
+            wrench_left_shoulder_cross_mx_18,
+            wrench_left_shoulder_cross_mx_16,
+            wrench_left_shoulder_cross_my_17,
+            wrench_left_shoulder_cross_mx_15,
+            wrench_left_shoulder_cross_mx_17,
+            wrench_left_shoulder_cross_my_21,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19 {
-        pub(super) wrench_left_shoulder_bracket_mx_19: f64,
-        pub(super) wrench_left_shoulder_bracket_mx_21: f64,
-        pub(super) wrench_left_shoulder_cross_my_16: f64,
-        pub(super) wrench_left_shoulder_cross_mx_18: f64,
-        pub(super) wrench_left_shoulder_cross_mx_16: f64,
-        pub(super) wrench_left_shoulder_cross_my_20: f64,
-        pub(super) wrench_left_shoulder_cross_mx_22: f64,
-        pub(super) wrench_left_shoulder_cross_mx_20: f64,
-        pub(super) wrench_left_shoulder_cross_my_17: f64,
-        pub(super) wrench_left_shoulder_cross_mx_15: f64,
-        pub(super) wrench_left_shoulder_cross_mx_17: f64,
-        pub(super) wrench_left_shoulder_cross_my_21: f64,
+    pub(super) struct ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19 {
         pub(super) wrench_left_shoulder_cross_mx_19: f64,
         pub(super) wrench_left_shoulder_cross_mx_21: f64,
         pub(super) wrench_left_upper_arm_my_16: f64,
         pub(super) wrench_left_upper_arm_mx_18: f64,
         pub(super) wrench_left_upper_arm_mx_16: f64,
-        pub(super) wrench_left_upper_arm_my_20: f64,
-        pub(super) wrench_left_upper_arm_mx_22: f64,
-        pub(super) wrench_left_upper_arm_mx_20: f64,
         pub(super) wrench_left_upper_arm_my_17: f64,
         pub(super) wrench_left_upper_arm_mx_15: f64,
         pub(super) wrench_left_upper_arm_mx_17: f64,
@@ -22583,9 +22774,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_left_forearm_my_16: f64,
         pub(super) wrench_left_forearm_mx_18: f64,
         pub(super) wrench_left_forearm_mx_16: f64,
-        pub(super) wrench_left_forearm_my_20: f64,
-        pub(super) wrench_left_forearm_mx_22: f64,
-        pub(super) wrench_left_forearm_mx_20: f64,
         pub(super) wrench_left_forearm_my_17: f64,
         pub(super) wrench_left_forearm_mx_15: f64,
         pub(super) wrench_left_forearm_mx_17: f64,
@@ -22595,154 +22783,108 @@ mod forward_dynamics_itself {
         pub(super) wrench_left_wrist_bracket_my_14: f64,
         pub(super) wrench_left_wrist_bracket_mx_16: f64,
         pub(super) wrench_left_wrist_bracket_mx_14: f64,
-        pub(super) wrench_left_wrist_bracket_my_18: f64,
-        pub(super) wrench_left_wrist_bracket_mx_20: f64,
-        pub(super) wrench_left_wrist_bracket_mx_18: f64,
         pub(super) wrench_left_wrist_bracket_my_15: f64,
         pub(super) wrench_left_wrist_bracket_mx_13: f64,
         pub(super) wrench_left_wrist_bracket_mx_15: f64,
         pub(super) wrench_left_wrist_bracket_my_19: f64,
+        pub(super) wrench_left_wrist_bracket_mx_17: f64,
+        pub(super) wrench_left_wrist_bracket_mx_19: f64,
+        pub(super) minus_wrench_left_wrist_cross_my_1: f64,
+        pub(super) minus_wrench_left_wrist_cross_mx_3: f64,
+        pub(super) minus_wrench_left_wrist_cross_mx_1: f64,
+        pub(super) minus_wrench_left_wrist_cross_my_2: f64,
+        pub(super) minus_wrench_left_wrist_cross_mx_0: f64,
+        pub(super) minus_wrench_left_wrist_cross_mx_2: f64,
+        pub(super) minus_wrench_left_wrist_cross_my_6: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19(
+    pub(super) fn forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19(
         mu: &[f64; 6],
         inertias: &Inertias,
         velocities: &Velocities,
-        forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_torso_mx_19: &ForwardDynamicsItselfFromWrenchTorsoMx19,
-    ) -> ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19 {
-        let wrench_left_shoulder_bracket_mx_19 = forward_dynamics_itself_from_wrench_torso_mx_19
-            .wrench_left_shoulder_bracket_mx_22 * 0.7
-            + (forward_dynamics_itself_from_wrench_torso_mx_19
-                .wrench_left_shoulder_bracket_mx_16
-                * inertias.inertia_left_shoulder_bracket_hx
-                - forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_left_shoulder_bracket_my_16
-                    * inertias.inertia_left_shoulder_bracket_hz);
-        let wrench_left_shoulder_bracket_mx_21 = forward_dynamics_itself_from_wrench_torso_mx_19
-            .wrench_left_shoulder_bracket_mx_20 * 0.7
-            + (forward_dynamics_itself_from_wrench_torso_mx_19
-                .wrench_left_shoulder_bracket_my_16
-                * inertias.inertia_left_shoulder_bracket_hy
-                - forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_left_shoulder_bracket_mx_18
-                    * inertias.inertia_left_shoulder_bracket_hx);
-        let wrench_left_shoulder_cross_my_16 = velocities.velocity_left_shoulder_cross_wx
-            + mu[0];
-        let wrench_left_shoulder_cross_mx_18 = velocities.velocity_left_shoulder_cross_wy
-            + mu[1];
-        let wrench_left_shoulder_cross_mx_16 = velocities.velocity_left_shoulder_cross_wz
-            + mu[2];
-        let wrench_left_shoulder_cross_my_20 = velocities.velocity_left_shoulder_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_shoulder_cross_mx_22 = velocities.velocity_left_shoulder_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_shoulder_cross_mx_20 = velocities.velocity_left_shoulder_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
-        let wrench_left_shoulder_cross_my_17 = inertias.inertia_left_shoulder_cross_xx
-            * wrench_left_shoulder_cross_my_16
-            + inertias.inertia_left_shoulder_cross_xy * wrench_left_shoulder_cross_mx_18
-            + inertias.inertia_left_shoulder_cross_xz * wrench_left_shoulder_cross_mx_16
-            + (inertias.inertia_left_shoulder_cross_hy * wrench_left_shoulder_cross_mx_20
-                - inertias.inertia_left_shoulder_cross_hz
-                    * wrench_left_shoulder_cross_mx_22);
-        let wrench_left_shoulder_cross_mx_15 = inertias.inertia_left_shoulder_cross_xy
-            * wrench_left_shoulder_cross_my_16
-            + inertias.inertia_left_shoulder_cross_yy * wrench_left_shoulder_cross_mx_18
-            + inertias.inertia_left_shoulder_cross_yz * wrench_left_shoulder_cross_mx_16
-            + (inertias.inertia_left_shoulder_cross_hz * wrench_left_shoulder_cross_my_20
-                - inertias.inertia_left_shoulder_cross_hx
-                    * wrench_left_shoulder_cross_mx_20);
-        let wrench_left_shoulder_cross_mx_17 = inertias.inertia_left_shoulder_cross_xz
-            * wrench_left_shoulder_cross_my_16
-            + inertias.inertia_left_shoulder_cross_yz * wrench_left_shoulder_cross_mx_18
-            + inertias.inertia_left_shoulder_cross_zz * wrench_left_shoulder_cross_mx_16
-            + (inertias.inertia_left_shoulder_cross_hx * wrench_left_shoulder_cross_mx_22
-                - inertias.inertia_left_shoulder_cross_hy
-                    * wrench_left_shoulder_cross_my_20);
-        let wrench_left_shoulder_cross_my_21 = wrench_left_shoulder_cross_my_20 * 0.6
-            + (wrench_left_shoulder_cross_mx_18 * inertias.inertia_left_shoulder_cross_hz
-                - wrench_left_shoulder_cross_mx_16
-                    * inertias.inertia_left_shoulder_cross_hy);
-        let wrench_left_shoulder_cross_mx_19 = wrench_left_shoulder_cross_mx_22 * 0.6
-            + (wrench_left_shoulder_cross_mx_16 * inertias.inertia_left_shoulder_cross_hx
-                - wrench_left_shoulder_cross_my_16
+        forward_dynamics_itself_from_wrench_neck_bracket_mx_19: &ForwardDynamicsItselfFromWrenchNeckBracketMx19,
+    ) -> ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19 {
+        let wrench_left_shoulder_cross_mx_19 = velocities.velocity_left_shoulder_cross_vy
+            * 0.6
+            + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_left_shoulder_cross_mx_16
+                * inertias.inertia_left_shoulder_cross_hx
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_left_shoulder_cross_my_16
                     * inertias.inertia_left_shoulder_cross_hz);
-        let wrench_left_shoulder_cross_mx_21 = wrench_left_shoulder_cross_mx_20 * 0.6
-            + (wrench_left_shoulder_cross_my_16 * inertias.inertia_left_shoulder_cross_hy
-                - wrench_left_shoulder_cross_mx_18
+        let wrench_left_shoulder_cross_mx_21 = velocities.velocity_left_shoulder_cross_vz
+            * 0.6
+            + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_left_shoulder_cross_my_16
+                * inertias.inertia_left_shoulder_cross_hy
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_left_shoulder_cross_mx_18
                     * inertias.inertia_left_shoulder_cross_hx);
         let wrench_left_upper_arm_my_16 = velocities.velocity_left_upper_arm_wx + mu[0];
         let wrench_left_upper_arm_mx_18 = velocities.velocity_left_upper_arm_wy + mu[1];
         let wrench_left_upper_arm_mx_16 = velocities.velocity_left_upper_arm_wz + mu[2];
-        let wrench_left_upper_arm_my_20 = velocities.velocity_left_upper_arm_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_upper_arm_mx_22 = velocities.velocity_left_upper_arm_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_upper_arm_mx_20 = velocities.velocity_left_upper_arm_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_upper_arm_my_17 = inertias.inertia_left_upper_arm_xx
             * wrench_left_upper_arm_my_16
             + inertias.inertia_left_upper_arm_xy * wrench_left_upper_arm_mx_18
             + inertias.inertia_left_upper_arm_xz * wrench_left_upper_arm_mx_16
-            + (inertias.inertia_left_upper_arm_hy * wrench_left_upper_arm_mx_20
-                - inertias.inertia_left_upper_arm_hz * wrench_left_upper_arm_mx_22);
+            + (inertias.inertia_left_upper_arm_hy * velocities.velocity_left_upper_arm_vz
+                - inertias.inertia_left_upper_arm_hz
+                    * velocities.velocity_left_upper_arm_vy);
         let wrench_left_upper_arm_mx_15 = inertias.inertia_left_upper_arm_xy
             * wrench_left_upper_arm_my_16
             + inertias.inertia_left_upper_arm_yy * wrench_left_upper_arm_mx_18
             + inertias.inertia_left_upper_arm_yz * wrench_left_upper_arm_mx_16
-            + (inertias.inertia_left_upper_arm_hz * wrench_left_upper_arm_my_20
-                - inertias.inertia_left_upper_arm_hx * wrench_left_upper_arm_mx_20);
+            + (inertias.inertia_left_upper_arm_hz * velocities.velocity_left_upper_arm_vx
+                - inertias.inertia_left_upper_arm_hx
+                    * velocities.velocity_left_upper_arm_vz);
         let wrench_left_upper_arm_mx_17 = inertias.inertia_left_upper_arm_xz
             * wrench_left_upper_arm_my_16
             + inertias.inertia_left_upper_arm_yz * wrench_left_upper_arm_mx_18
             + inertias.inertia_left_upper_arm_zz * wrench_left_upper_arm_mx_16
-            + (inertias.inertia_left_upper_arm_hx * wrench_left_upper_arm_mx_22
-                - inertias.inertia_left_upper_arm_hy * wrench_left_upper_arm_my_20);
-        let wrench_left_upper_arm_my_21 = wrench_left_upper_arm_my_20 * 0.7
+            + (inertias.inertia_left_upper_arm_hx * velocities.velocity_left_upper_arm_vy
+                - inertias.inertia_left_upper_arm_hy
+                    * velocities.velocity_left_upper_arm_vx);
+        let wrench_left_upper_arm_my_21 = velocities.velocity_left_upper_arm_vx * 0.7
             + (wrench_left_upper_arm_mx_18 * inertias.inertia_left_upper_arm_hz
                 - wrench_left_upper_arm_mx_16 * inertias.inertia_left_upper_arm_hy);
-        let wrench_left_upper_arm_mx_19 = wrench_left_upper_arm_mx_22 * 0.7
+        let wrench_left_upper_arm_mx_19 = velocities.velocity_left_upper_arm_vy * 0.7
             + (wrench_left_upper_arm_mx_16 * inertias.inertia_left_upper_arm_hx
                 - wrench_left_upper_arm_my_16 * inertias.inertia_left_upper_arm_hz);
-        let wrench_left_upper_arm_mx_21 = wrench_left_upper_arm_mx_20 * 0.7
+        let wrench_left_upper_arm_mx_21 = velocities.velocity_left_upper_arm_vz * 0.7
             + (wrench_left_upper_arm_my_16 * inertias.inertia_left_upper_arm_hy
                 - wrench_left_upper_arm_mx_18 * inertias.inertia_left_upper_arm_hx);
         let wrench_left_forearm_my_16 = velocities.velocity_left_forearm_wx + mu[0];
         let wrench_left_forearm_mx_18 = velocities.velocity_left_forearm_wy + mu[1];
         let wrench_left_forearm_mx_16 = velocities.velocity_left_forearm_wz + mu[2];
-        let wrench_left_forearm_my_20 = velocities.velocity_left_forearm_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_forearm_mx_22 = velocities.velocity_left_forearm_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_forearm_mx_20 = velocities.velocity_left_forearm_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_forearm_my_17 = inertias.inertia_left_forearm_xx
             * wrench_left_forearm_my_16
             + inertias.inertia_left_forearm_xy * wrench_left_forearm_mx_18
             + inertias.inertia_left_forearm_xz * wrench_left_forearm_mx_16
-            + (inertias.inertia_left_forearm_hy * wrench_left_forearm_mx_20
-                - inertias.inertia_left_forearm_hz * wrench_left_forearm_mx_22);
+            + (inertias.inertia_left_forearm_hy * velocities.velocity_left_forearm_vz
+                - inertias.inertia_left_forearm_hz
+                    * velocities.velocity_left_forearm_vy);
         let wrench_left_forearm_mx_15 = inertias.inertia_left_forearm_xy
             * wrench_left_forearm_my_16
             + inertias.inertia_left_forearm_yy * wrench_left_forearm_mx_18
             + inertias.inertia_left_forearm_yz * wrench_left_forearm_mx_16
-            + (inertias.inertia_left_forearm_hz * wrench_left_forearm_my_20
-                - inertias.inertia_left_forearm_hx * wrench_left_forearm_mx_20);
+            + (inertias.inertia_left_forearm_hz * velocities.velocity_left_forearm_vx
+                - inertias.inertia_left_forearm_hx
+                    * velocities.velocity_left_forearm_vz);
         let wrench_left_forearm_mx_17 = inertias.inertia_left_forearm_xz
             * wrench_left_forearm_my_16
             + inertias.inertia_left_forearm_yz * wrench_left_forearm_mx_18
             + inertias.inertia_left_forearm_zz * wrench_left_forearm_mx_16
-            + (inertias.inertia_left_forearm_hx * wrench_left_forearm_mx_22
-                - inertias.inertia_left_forearm_hy * wrench_left_forearm_my_20);
-        let wrench_left_forearm_my_21 = wrench_left_forearm_my_20 * 0.45
+            + (inertias.inertia_left_forearm_hx * velocities.velocity_left_forearm_vy
+                - inertias.inertia_left_forearm_hy
+                    * velocities.velocity_left_forearm_vx);
+        let wrench_left_forearm_my_21 = velocities.velocity_left_forearm_vx * 0.45
             + (wrench_left_forearm_mx_18 * inertias.inertia_left_forearm_hz
                 - wrench_left_forearm_mx_16 * inertias.inertia_left_forearm_hy);
-        let wrench_left_forearm_mx_19 = wrench_left_forearm_mx_22 * 0.45
+        let wrench_left_forearm_mx_19 = velocities.velocity_left_forearm_vy * 0.45
             + (wrench_left_forearm_mx_16 * inertias.inertia_left_forearm_hx
                 - wrench_left_forearm_my_16 * inertias.inertia_left_forearm_hz);
-        let wrench_left_forearm_mx_21 = wrench_left_forearm_mx_20 * 0.45
+        let wrench_left_forearm_mx_21 = velocities.velocity_left_forearm_vz * 0.45
             + (wrench_left_forearm_my_16 * inertias.inertia_left_forearm_hy
                 - wrench_left_forearm_mx_18 * inertias.inertia_left_forearm_hx);
         let wrench_left_wrist_bracket_my_14 = velocities.velocity_left_wrist_bracket_wx
@@ -22751,58 +22893,86 @@ mod forward_dynamics_itself {
             + mu[1];
         let wrench_left_wrist_bracket_mx_14 = velocities.velocity_left_wrist_bracket_wz
             + mu[2];
-        let wrench_left_wrist_bracket_my_18 = velocities.velocity_left_wrist_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_left_wrist_bracket_mx_20 = velocities.velocity_left_wrist_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_left_wrist_bracket_mx_18 = velocities.velocity_left_wrist_bracket_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_left_wrist_bracket_my_15 = inertias.inertia_left_wrist_bracket_xx
             * wrench_left_wrist_bracket_my_14
             + inertias.inertia_left_wrist_bracket_xy * wrench_left_wrist_bracket_mx_16
             + inertias.inertia_left_wrist_bracket_xz * wrench_left_wrist_bracket_mx_14
-            + (inertias.inertia_left_wrist_bracket_hy * wrench_left_wrist_bracket_mx_18
+            + (inertias.inertia_left_wrist_bracket_hy
+                * velocities.velocity_left_wrist_bracket_vz
                 - inertias.inertia_left_wrist_bracket_hz
-                    * wrench_left_wrist_bracket_mx_20);
+                    * velocities.velocity_left_wrist_bracket_vy);
         let wrench_left_wrist_bracket_mx_13 = inertias.inertia_left_wrist_bracket_xy
             * wrench_left_wrist_bracket_my_14
             + inertias.inertia_left_wrist_bracket_yy * wrench_left_wrist_bracket_mx_16
             + inertias.inertia_left_wrist_bracket_yz * wrench_left_wrist_bracket_mx_14
-            + (inertias.inertia_left_wrist_bracket_hz * wrench_left_wrist_bracket_my_18
+            + (inertias.inertia_left_wrist_bracket_hz
+                * velocities.velocity_left_wrist_bracket_vx
                 - inertias.inertia_left_wrist_bracket_hx
-                    * wrench_left_wrist_bracket_mx_18);
+                    * velocities.velocity_left_wrist_bracket_vz);
         let wrench_left_wrist_bracket_mx_15 = inertias.inertia_left_wrist_bracket_xz
             * wrench_left_wrist_bracket_my_14
             + inertias.inertia_left_wrist_bracket_yz * wrench_left_wrist_bracket_mx_16
             + inertias.inertia_left_wrist_bracket_zz * wrench_left_wrist_bracket_mx_14
-            + (inertias.inertia_left_wrist_bracket_hx * wrench_left_wrist_bracket_mx_20
+            + (inertias.inertia_left_wrist_bracket_hx
+                * velocities.velocity_left_wrist_bracket_vy
                 - inertias.inertia_left_wrist_bracket_hy
-                    * wrench_left_wrist_bracket_my_18);
-        let wrench_left_wrist_bracket_my_19 = wrench_left_wrist_bracket_my_18 * 0.2
+                    * velocities.velocity_left_wrist_bracket_vx);
+        let wrench_left_wrist_bracket_my_19 = velocities.velocity_left_wrist_bracket_vx
+            * 0.2
             + (wrench_left_wrist_bracket_mx_16 * inertias.inertia_left_wrist_bracket_hz
                 - wrench_left_wrist_bracket_mx_14
                     * inertias.inertia_left_wrist_bracket_hy);
-        ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19 {
-            wrench_left_shoulder_bracket_mx_19,
-            wrench_left_shoulder_bracket_mx_21,
-            wrench_left_shoulder_cross_my_16,
-            wrench_left_shoulder_cross_mx_18,
-            wrench_left_shoulder_cross_mx_16,
-            wrench_left_shoulder_cross_my_20,
-            wrench_left_shoulder_cross_mx_22,
-            wrench_left_shoulder_cross_mx_20,
-            wrench_left_shoulder_cross_my_17,
-            wrench_left_shoulder_cross_mx_15,
-            wrench_left_shoulder_cross_mx_17,
-            wrench_left_shoulder_cross_my_21,
+        let wrench_left_wrist_bracket_mx_17 = velocities.velocity_left_wrist_bracket_vy
+            * 0.2
+            + (wrench_left_wrist_bracket_mx_14 * inertias.inertia_left_wrist_bracket_hx
+                - wrench_left_wrist_bracket_my_14
+                    * inertias.inertia_left_wrist_bracket_hz);
+        let wrench_left_wrist_bracket_mx_19 = velocities.velocity_left_wrist_bracket_vz
+            * 0.2
+            + (wrench_left_wrist_bracket_my_14 * inertias.inertia_left_wrist_bracket_hy
+                - wrench_left_wrist_bracket_mx_16
+                    * inertias.inertia_left_wrist_bracket_hx);
+        let minus_wrench_left_wrist_cross_my_1 = velocities.velocity_left_wrist_cross_wx
+            + mu[0];
+        let minus_wrench_left_wrist_cross_mx_3 = velocities.velocity_left_wrist_cross_wy
+            + mu[1];
+        let minus_wrench_left_wrist_cross_mx_1 = velocities.velocity_left_wrist_cross_wz
+            + mu[2];
+        let minus_wrench_left_wrist_cross_my_2 = inertias.inertia_left_wrist_cross_xx
+            * minus_wrench_left_wrist_cross_my_1
+            + inertias.inertia_left_wrist_cross_xy * minus_wrench_left_wrist_cross_mx_3
+            + inertias.inertia_left_wrist_cross_xz * minus_wrench_left_wrist_cross_mx_1
+            + (inertias.inertia_left_wrist_cross_hy
+                * velocities.velocity_left_wrist_cross_vz
+                - inertias.inertia_left_wrist_cross_hz
+                    * velocities.velocity_left_wrist_cross_vy);
+        let minus_wrench_left_wrist_cross_mx_0 = inertias.inertia_left_wrist_cross_xy
+            * minus_wrench_left_wrist_cross_my_1
+            + inertias.inertia_left_wrist_cross_yy * minus_wrench_left_wrist_cross_mx_3
+            + inertias.inertia_left_wrist_cross_yz * minus_wrench_left_wrist_cross_mx_1
+            + (inertias.inertia_left_wrist_cross_hz
+                * velocities.velocity_left_wrist_cross_vx
+                - inertias.inertia_left_wrist_cross_hx
+                    * velocities.velocity_left_wrist_cross_vz);
+        let minus_wrench_left_wrist_cross_mx_2 = inertias.inertia_left_wrist_cross_xz
+            * minus_wrench_left_wrist_cross_my_1
+            + inertias.inertia_left_wrist_cross_yz * minus_wrench_left_wrist_cross_mx_3
+            + inertias.inertia_left_wrist_cross_zz * minus_wrench_left_wrist_cross_mx_1
+            + (inertias.inertia_left_wrist_cross_hx
+                * velocities.velocity_left_wrist_cross_vy
+                - inertias.inertia_left_wrist_cross_hy
+                    * velocities.velocity_left_wrist_cross_vx);
+        let minus_wrench_left_wrist_cross_my_6 = velocities.velocity_left_wrist_cross_vx
+            * 0.4
+            + (minus_wrench_left_wrist_cross_mx_3 * inertias.inertia_left_wrist_cross_hz
+                - minus_wrench_left_wrist_cross_mx_1
+                    * inertias.inertia_left_wrist_cross_hy);
+        ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19 {
             wrench_left_shoulder_cross_mx_19,
             wrench_left_shoulder_cross_mx_21,
             wrench_left_upper_arm_my_16,
             wrench_left_upper_arm_mx_18,
             wrench_left_upper_arm_mx_16,
-            wrench_left_upper_arm_my_20,
-            wrench_left_upper_arm_mx_22,
-            wrench_left_upper_arm_mx_20,
             wrench_left_upper_arm_my_17,
             wrench_left_upper_arm_mx_15,
             wrench_left_upper_arm_mx_17,
@@ -22812,9 +22982,6 @@ mod forward_dynamics_itself {
             wrench_left_forearm_my_16,
             wrench_left_forearm_mx_18,
             wrench_left_forearm_mx_16,
-            wrench_left_forearm_my_20,
-            wrench_left_forearm_mx_22,
-            wrench_left_forearm_mx_20,
             wrench_left_forearm_my_17,
             wrench_left_forearm_mx_15,
             wrench_left_forearm_mx_17,
@@ -22824,25 +22991,23 @@ mod forward_dynamics_itself {
             wrench_left_wrist_bracket_my_14,
             wrench_left_wrist_bracket_mx_16,
             wrench_left_wrist_bracket_mx_14,
-            wrench_left_wrist_bracket_my_18,
-            wrench_left_wrist_bracket_mx_20,
-            wrench_left_wrist_bracket_mx_18,
             wrench_left_wrist_bracket_my_15,
             wrench_left_wrist_bracket_mx_13,
             wrench_left_wrist_bracket_mx_15,
             wrench_left_wrist_bracket_my_19,
+            wrench_left_wrist_bracket_mx_17,
+            wrench_left_wrist_bracket_mx_19,
+            minus_wrench_left_wrist_cross_my_1,
+            minus_wrench_left_wrist_cross_mx_3,
+            minus_wrench_left_wrist_cross_mx_1,
+            minus_wrench_left_wrist_cross_my_2,
+            minus_wrench_left_wrist_cross_mx_0,
+            minus_wrench_left_wrist_cross_mx_2,
+            minus_wrench_left_wrist_cross_my_6,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchLeftWristBracketMx17 {
-        pub(super) wrench_left_wrist_bracket_mx_17: f64,
-        pub(super) wrench_left_wrist_bracket_mx_19: f64,
-        pub(super) minus_wrench_left_wrist_cross_my_1: f64,
-        pub(super) minus_wrench_left_wrist_cross_mx_3: f64,
-        pub(super) minus_wrench_left_wrist_cross_mx_1: f64,
-        pub(super) minus_wrench_left_wrist_cross_my_5: f64,
-        pub(super) minus_wrench_left_wrist_cross_mx_7: f64,
-        pub(super) minus_wrench_left_wrist_cross_mx_5: f64,
+    pub(super) struct ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4 {
         pub(super) minus_wrench_left_wrist_cross_mx: f64,
         pub(super) minus_wrench_left_wrist_cross_my: f64,
         pub(super) minus_wrench_left_wrist_cross_mz: f64,
@@ -22852,9 +23017,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_right_shoulder_bracket_my_16: f64,
         pub(super) wrench_right_shoulder_bracket_mx_18: f64,
         pub(super) wrench_right_shoulder_bracket_mx_16: f64,
-        pub(super) wrench_right_shoulder_bracket_my_20: f64,
-        pub(super) wrench_right_shoulder_bracket_mx_22: f64,
-        pub(super) wrench_right_shoulder_bracket_mx_20: f64,
         pub(super) wrench_right_shoulder_bracket_my_17: f64,
         pub(super) wrench_right_shoulder_bracket_mx_15: f64,
         pub(super) wrench_right_shoulder_bracket_mx_17: f64,
@@ -22864,9 +23026,6 @@ mod forward_dynamics_itself {
         pub(super) wrench_right_shoulder_cross_my_16: f64,
         pub(super) wrench_right_shoulder_cross_mx_18: f64,
         pub(super) wrench_right_shoulder_cross_mx_16: f64,
-        pub(super) wrench_right_shoulder_cross_my_20: f64,
-        pub(super) wrench_right_shoulder_cross_mx_22: f64,
-        pub(super) wrench_right_shoulder_cross_mx_20: f64,
         pub(super) wrench_right_shoulder_cross_my_17: f64,
         pub(super) wrench_right_shoulder_cross_mx_15: f64,
         pub(super) wrench_right_shoulder_cross_mx_17: f64,
@@ -22876,124 +23035,108 @@ mod forward_dynamics_itself {
         pub(super) wrench_right_upper_arm_my_16: f64,
         pub(super) wrench_right_upper_arm_mx_18: f64,
         pub(super) wrench_right_upper_arm_mx_16: f64,
-        pub(super) wrench_right_upper_arm_my_20: f64,
-        pub(super) wrench_right_upper_arm_mx_22: f64,
-        pub(super) wrench_right_upper_arm_mx_20: f64,
         pub(super) wrench_right_upper_arm_my_17: f64,
         pub(super) wrench_right_upper_arm_mx_15: f64,
         pub(super) wrench_right_upper_arm_mx_17: f64,
         pub(super) wrench_right_upper_arm_my_21: f64,
+        pub(super) wrench_right_upper_arm_mx_19: f64,
+        pub(super) wrench_right_upper_arm_mx_21: f64,
+        pub(super) wrench_right_forearm_my_16: f64,
+        pub(super) wrench_right_forearm_mx_18: f64,
+        pub(super) wrench_right_forearm_mx_16: f64,
+        pub(super) wrench_right_forearm_my_17: f64,
+        pub(super) wrench_right_forearm_mx_15: f64,
+        pub(super) wrench_right_forearm_mx_17: f64,
+        pub(super) wrench_right_forearm_my_21: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17(
+    pub(super) fn forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4(
         mu: &[f64; 6],
         inertias: &Inertias,
         velocities: &Velocities,
-        forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19,
-    ) -> ForwardDynamicsItselfFromWrenchLeftWristBracketMx17 {
-        let wrench_left_wrist_bracket_mx_17 = forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-            .wrench_left_wrist_bracket_mx_20 * 0.2
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_wrist_bracket_mx_14 * inertias.inertia_left_wrist_bracket_hx
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_wrist_bracket_my_14
-                    * inertias.inertia_left_wrist_bracket_hz);
-        let wrench_left_wrist_bracket_mx_19 = forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-            .wrench_left_wrist_bracket_mx_18 * 0.2
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_wrist_bracket_my_14 * inertias.inertia_left_wrist_bracket_hy
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_wrist_bracket_mx_16
-                    * inertias.inertia_left_wrist_bracket_hx);
-        let minus_wrench_left_wrist_cross_my_1 = velocities.velocity_left_wrist_cross_wx
-            + mu[0];
-        let minus_wrench_left_wrist_cross_mx_3 = velocities.velocity_left_wrist_cross_wy
-            + mu[1];
-        let minus_wrench_left_wrist_cross_mx_1 = velocities.velocity_left_wrist_cross_wz
-            + mu[2];
-        let minus_wrench_left_wrist_cross_my_5 = velocities.velocity_left_wrist_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let minus_wrench_left_wrist_cross_mx_7 = velocities.velocity_left_wrist_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let minus_wrench_left_wrist_cross_mx_5 = velocities.velocity_left_wrist_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
-        let minus_wrench_left_wrist_cross_my_2 = inertias.inertia_left_wrist_cross_xx
-            * minus_wrench_left_wrist_cross_my_1
-            + inertias.inertia_left_wrist_cross_xy * minus_wrench_left_wrist_cross_mx_3
-            + inertias.inertia_left_wrist_cross_xz * minus_wrench_left_wrist_cross_mx_1
-            + (inertias.inertia_left_wrist_cross_hy * minus_wrench_left_wrist_cross_mx_5
-                - inertias.inertia_left_wrist_cross_hz
-                    * minus_wrench_left_wrist_cross_mx_7);
-        let minus_wrench_left_wrist_cross_mx_0 = inertias.inertia_left_wrist_cross_xy
-            * minus_wrench_left_wrist_cross_my_1
-            + inertias.inertia_left_wrist_cross_yy * minus_wrench_left_wrist_cross_mx_3
-            + inertias.inertia_left_wrist_cross_yz * minus_wrench_left_wrist_cross_mx_1
-            + (inertias.inertia_left_wrist_cross_hz * minus_wrench_left_wrist_cross_my_5
-                - inertias.inertia_left_wrist_cross_hx
-                    * minus_wrench_left_wrist_cross_mx_5);
-        let minus_wrench_left_wrist_cross_mx_2 = inertias.inertia_left_wrist_cross_xz
-            * minus_wrench_left_wrist_cross_my_1
-            + inertias.inertia_left_wrist_cross_yz * minus_wrench_left_wrist_cross_mx_3
-            + inertias.inertia_left_wrist_cross_zz * minus_wrench_left_wrist_cross_mx_1
-            + (inertias.inertia_left_wrist_cross_hx * minus_wrench_left_wrist_cross_mx_7
-                - inertias.inertia_left_wrist_cross_hy
-                    * minus_wrench_left_wrist_cross_my_5);
-        let minus_wrench_left_wrist_cross_my_6 = minus_wrench_left_wrist_cross_my_5 * 0.4
-            + (minus_wrench_left_wrist_cross_mx_3 * inertias.inertia_left_wrist_cross_hz
-                - minus_wrench_left_wrist_cross_mx_1
-                    * inertias.inertia_left_wrist_cross_hy);
-        let minus_wrench_left_wrist_cross_mx_4 = minus_wrench_left_wrist_cross_mx_7 * 0.4
-            + (minus_wrench_left_wrist_cross_mx_1 * inertias.inertia_left_wrist_cross_hx
-                - minus_wrench_left_wrist_cross_my_1
+        forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19,
+    ) -> ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4 {
+        let minus_wrench_left_wrist_cross_mx_4 = velocities.velocity_left_wrist_cross_vy
+            * 0.4
+            + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_mx_1
+                * inertias.inertia_left_wrist_cross_hx
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_my_1
                     * inertias.inertia_left_wrist_cross_hz);
-        let minus_wrench_left_wrist_cross_mx_6 = minus_wrench_left_wrist_cross_mx_5 * 0.4
-            + (minus_wrench_left_wrist_cross_my_1 * inertias.inertia_left_wrist_cross_hy
-                - minus_wrench_left_wrist_cross_mx_3
+        let minus_wrench_left_wrist_cross_mx_6 = velocities.velocity_left_wrist_cross_vz
+            * 0.4
+            + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_my_1
+                * inertias.inertia_left_wrist_cross_hy
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_mx_3
                     * inertias.inertia_left_wrist_cross_hx);
-        let minus_wrench_left_wrist_cross_mx = minus_wrench_left_wrist_cross_mx_0
-            * minus_wrench_left_wrist_cross_mx_1
-            - minus_wrench_left_wrist_cross_mx_2 * minus_wrench_left_wrist_cross_mx_3
-            + (minus_wrench_left_wrist_cross_mx_4 * minus_wrench_left_wrist_cross_mx_5
+        let minus_wrench_left_wrist_cross_mx = forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+            .minus_wrench_left_wrist_cross_mx_0
+            * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_mx_1
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_mx_2
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_mx_3
+            + (minus_wrench_left_wrist_cross_mx_4
+                * velocities.velocity_left_wrist_cross_vz
                 - minus_wrench_left_wrist_cross_mx_6
-                    * minus_wrench_left_wrist_cross_mx_7);
-        let minus_wrench_left_wrist_cross_my = minus_wrench_left_wrist_cross_mx_2
-            * minus_wrench_left_wrist_cross_my_1
-            - minus_wrench_left_wrist_cross_my_2 * minus_wrench_left_wrist_cross_mx_1
-            + (minus_wrench_left_wrist_cross_mx_6 * minus_wrench_left_wrist_cross_my_5
-                - minus_wrench_left_wrist_cross_my_6
-                    * minus_wrench_left_wrist_cross_mx_5);
-        let minus_wrench_left_wrist_cross_mz = minus_wrench_left_wrist_cross_my_2
-            * minus_wrench_left_wrist_cross_mx_3
-            - minus_wrench_left_wrist_cross_mx_0 * minus_wrench_left_wrist_cross_my_1
-            + (minus_wrench_left_wrist_cross_my_6 * minus_wrench_left_wrist_cross_mx_7
+                    * velocities.velocity_left_wrist_cross_vy);
+        let minus_wrench_left_wrist_cross_my = forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+            .minus_wrench_left_wrist_cross_mx_2
+            * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_my_1
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_my_2
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_mx_1
+            + (minus_wrench_left_wrist_cross_mx_6
+                * velocities.velocity_left_wrist_cross_vx
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_my_6
+                    * velocities.velocity_left_wrist_cross_vz);
+        let minus_wrench_left_wrist_cross_mz = forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+            .minus_wrench_left_wrist_cross_my_2
+            * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_mx_3
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_mx_0
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_my_1
+            + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_my_6
+                * velocities.velocity_left_wrist_cross_vy
                 - minus_wrench_left_wrist_cross_mx_4
-                    * minus_wrench_left_wrist_cross_my_5);
+                    * velocities.velocity_left_wrist_cross_vx);
         let minus_wrench_left_wrist_cross_fx = minus_wrench_left_wrist_cross_mx_4
-            * minus_wrench_left_wrist_cross_mx_1
-            - minus_wrench_left_wrist_cross_mx_6 * minus_wrench_left_wrist_cross_mx_3;
+            * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_mx_1
+            - minus_wrench_left_wrist_cross_mx_6
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_mx_3;
         let minus_wrench_left_wrist_cross_fy = minus_wrench_left_wrist_cross_mx_6
-            * minus_wrench_left_wrist_cross_my_1
-            - minus_wrench_left_wrist_cross_my_6 * minus_wrench_left_wrist_cross_mx_1;
-        let minus_wrench_left_wrist_cross_fz = minus_wrench_left_wrist_cross_my_6
-            * minus_wrench_left_wrist_cross_mx_3
-            - minus_wrench_left_wrist_cross_mx_4 * minus_wrench_left_wrist_cross_my_1;
+            * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_my_1
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_my_6
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_mx_1;
+        let minus_wrench_left_wrist_cross_fz = forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+            .minus_wrench_left_wrist_cross_my_6
+            * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                .minus_wrench_left_wrist_cross_mx_3
+            - minus_wrench_left_wrist_cross_mx_4
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .minus_wrench_left_wrist_cross_my_1;
         let wrench_right_shoulder_bracket_my_16 = velocities
             .velocity_right_shoulder_bracket_wx + mu[0];
         let wrench_right_shoulder_bracket_mx_18 = velocities
             .velocity_right_shoulder_bracket_wy + mu[1];
         let wrench_right_shoulder_bracket_mx_16 = velocities
             .velocity_right_shoulder_bracket_wz + mu[2];
-        let wrench_right_shoulder_bracket_my_20 = velocities
-            .velocity_right_shoulder_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_shoulder_bracket_mx_22 = velocities
-            .velocity_right_shoulder_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_shoulder_bracket_mx_20 = velocities
-            .velocity_right_shoulder_bracket_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_right_shoulder_bracket_my_17 = inertias
             .inertia_right_shoulder_bracket_xx * wrench_right_shoulder_bracket_my_16
             + inertias.inertia_right_shoulder_bracket_xy
@@ -23001,9 +23144,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_right_shoulder_bracket_xz
                 * wrench_right_shoulder_bracket_mx_16
             + (inertias.inertia_right_shoulder_bracket_hy
-                * wrench_right_shoulder_bracket_mx_20
+                * velocities.velocity_right_shoulder_bracket_vz
                 - inertias.inertia_right_shoulder_bracket_hz
-                    * wrench_right_shoulder_bracket_mx_22);
+                    * velocities.velocity_right_shoulder_bracket_vy);
         let wrench_right_shoulder_bracket_mx_15 = inertias
             .inertia_right_shoulder_bracket_xy * wrench_right_shoulder_bracket_my_16
             + inertias.inertia_right_shoulder_bracket_yy
@@ -23011,9 +23154,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_right_shoulder_bracket_yz
                 * wrench_right_shoulder_bracket_mx_16
             + (inertias.inertia_right_shoulder_bracket_hz
-                * wrench_right_shoulder_bracket_my_20
+                * velocities.velocity_right_shoulder_bracket_vx
                 - inertias.inertia_right_shoulder_bracket_hx
-                    * wrench_right_shoulder_bracket_mx_20);
+                    * velocities.velocity_right_shoulder_bracket_vz);
         let wrench_right_shoulder_bracket_mx_17 = inertias
             .inertia_right_shoulder_bracket_xz * wrench_right_shoulder_bracket_my_16
             + inertias.inertia_right_shoulder_bracket_yz
@@ -23021,23 +23164,23 @@ mod forward_dynamics_itself {
             + inertias.inertia_right_shoulder_bracket_zz
                 * wrench_right_shoulder_bracket_mx_16
             + (inertias.inertia_right_shoulder_bracket_hx
-                * wrench_right_shoulder_bracket_mx_22
+                * velocities.velocity_right_shoulder_bracket_vy
                 - inertias.inertia_right_shoulder_bracket_hy
-                    * wrench_right_shoulder_bracket_my_20);
-        let wrench_right_shoulder_bracket_my_21 = wrench_right_shoulder_bracket_my_20
-            * 0.7
+                    * velocities.velocity_right_shoulder_bracket_vx);
+        let wrench_right_shoulder_bracket_my_21 = velocities
+            .velocity_right_shoulder_bracket_vx * 0.7
             + (wrench_right_shoulder_bracket_mx_18
                 * inertias.inertia_right_shoulder_bracket_hz
                 - wrench_right_shoulder_bracket_mx_16
                     * inertias.inertia_right_shoulder_bracket_hy);
-        let wrench_right_shoulder_bracket_mx_19 = wrench_right_shoulder_bracket_mx_22
-            * 0.7
+        let wrench_right_shoulder_bracket_mx_19 = velocities
+            .velocity_right_shoulder_bracket_vy * 0.7
             + (wrench_right_shoulder_bracket_mx_16
                 * inertias.inertia_right_shoulder_bracket_hx
                 - wrench_right_shoulder_bracket_my_16
                     * inertias.inertia_right_shoulder_bracket_hz);
-        let wrench_right_shoulder_bracket_mx_21 = wrench_right_shoulder_bracket_mx_20
-            * 0.7
+        let wrench_right_shoulder_bracket_mx_21 = velocities
+            .velocity_right_shoulder_bracket_vz * 0.7
             + (wrench_right_shoulder_bracket_my_16
                 * inertias.inertia_right_shoulder_bracket_hy
                 - wrench_right_shoulder_bracket_mx_18
@@ -23048,15 +23191,6 @@ mod forward_dynamics_itself {
             .velocity_right_shoulder_cross_wy + mu[1];
         let wrench_right_shoulder_cross_mx_16 = velocities
             .velocity_right_shoulder_cross_wz + mu[2];
-        let wrench_right_shoulder_cross_my_20 = velocities
-            .velocity_right_shoulder_cross_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_shoulder_cross_mx_22 = velocities
-            .velocity_right_shoulder_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_shoulder_cross_mx_20 = velocities
-            .velocity_right_shoulder_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_right_shoulder_cross_my_17 = inertias.inertia_right_shoulder_cross_xx
             * wrench_right_shoulder_cross_my_16
             + inertias.inertia_right_shoulder_cross_xy
@@ -23064,9 +23198,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_right_shoulder_cross_xz
                 * wrench_right_shoulder_cross_mx_16
             + (inertias.inertia_right_shoulder_cross_hy
-                * wrench_right_shoulder_cross_mx_20
+                * velocities.velocity_right_shoulder_cross_vz
                 - inertias.inertia_right_shoulder_cross_hz
-                    * wrench_right_shoulder_cross_mx_22);
+                    * velocities.velocity_right_shoulder_cross_vy);
         let wrench_right_shoulder_cross_mx_15 = inertias.inertia_right_shoulder_cross_xy
             * wrench_right_shoulder_cross_my_16
             + inertias.inertia_right_shoulder_cross_yy
@@ -23074,9 +23208,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_right_shoulder_cross_yz
                 * wrench_right_shoulder_cross_mx_16
             + (inertias.inertia_right_shoulder_cross_hz
-                * wrench_right_shoulder_cross_my_20
+                * velocities.velocity_right_shoulder_cross_vx
                 - inertias.inertia_right_shoulder_cross_hx
-                    * wrench_right_shoulder_cross_mx_20);
+                    * velocities.velocity_right_shoulder_cross_vz);
         let wrench_right_shoulder_cross_mx_17 = inertias.inertia_right_shoulder_cross_xz
             * wrench_right_shoulder_cross_my_16
             + inertias.inertia_right_shoulder_cross_yz
@@ -23084,20 +23218,23 @@ mod forward_dynamics_itself {
             + inertias.inertia_right_shoulder_cross_zz
                 * wrench_right_shoulder_cross_mx_16
             + (inertias.inertia_right_shoulder_cross_hx
-                * wrench_right_shoulder_cross_mx_22
+                * velocities.velocity_right_shoulder_cross_vy
                 - inertias.inertia_right_shoulder_cross_hy
-                    * wrench_right_shoulder_cross_my_20);
-        let wrench_right_shoulder_cross_my_21 = wrench_right_shoulder_cross_my_20 * 0.6
+                    * velocities.velocity_right_shoulder_cross_vx);
+        let wrench_right_shoulder_cross_my_21 = velocities
+            .velocity_right_shoulder_cross_vx * 0.6
             + (wrench_right_shoulder_cross_mx_18
                 * inertias.inertia_right_shoulder_cross_hz
                 - wrench_right_shoulder_cross_mx_16
                     * inertias.inertia_right_shoulder_cross_hy);
-        let wrench_right_shoulder_cross_mx_19 = wrench_right_shoulder_cross_mx_22 * 0.6
+        let wrench_right_shoulder_cross_mx_19 = velocities
+            .velocity_right_shoulder_cross_vy * 0.6
             + (wrench_right_shoulder_cross_mx_16
                 * inertias.inertia_right_shoulder_cross_hx
                 - wrench_right_shoulder_cross_my_16
                     * inertias.inertia_right_shoulder_cross_hz);
-        let wrench_right_shoulder_cross_mx_21 = wrench_right_shoulder_cross_mx_20 * 0.6
+        let wrench_right_shoulder_cross_mx_21 = velocities
+            .velocity_right_shoulder_cross_vz * 0.6
             + (wrench_right_shoulder_cross_my_16
                 * inertias.inertia_right_shoulder_cross_hy
                 - wrench_right_shoulder_cross_mx_18
@@ -23108,42 +23245,67 @@ mod forward_dynamics_itself {
             + mu[1];
         let wrench_right_upper_arm_mx_16 = velocities.velocity_right_upper_arm_wz
             + mu[2];
-        let wrench_right_upper_arm_my_20 = velocities.velocity_right_upper_arm_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_upper_arm_mx_22 = velocities.velocity_right_upper_arm_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_upper_arm_mx_20 = velocities.velocity_right_upper_arm_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_right_upper_arm_my_17 = inertias.inertia_right_upper_arm_xx
             * wrench_right_upper_arm_my_16
             + inertias.inertia_right_upper_arm_xy * wrench_right_upper_arm_mx_18
             + inertias.inertia_right_upper_arm_xz * wrench_right_upper_arm_mx_16
-            + (inertias.inertia_right_upper_arm_hy * wrench_right_upper_arm_mx_20
-                - inertias.inertia_right_upper_arm_hz * wrench_right_upper_arm_mx_22);
+            + (inertias.inertia_right_upper_arm_hy
+                * velocities.velocity_right_upper_arm_vz
+                - inertias.inertia_right_upper_arm_hz
+                    * velocities.velocity_right_upper_arm_vy);
         let wrench_right_upper_arm_mx_15 = inertias.inertia_right_upper_arm_xy
             * wrench_right_upper_arm_my_16
             + inertias.inertia_right_upper_arm_yy * wrench_right_upper_arm_mx_18
             + inertias.inertia_right_upper_arm_yz * wrench_right_upper_arm_mx_16
-            + (inertias.inertia_right_upper_arm_hz * wrench_right_upper_arm_my_20
-                - inertias.inertia_right_upper_arm_hx * wrench_right_upper_arm_mx_20);
+            + (inertias.inertia_right_upper_arm_hz
+                * velocities.velocity_right_upper_arm_vx
+                - inertias.inertia_right_upper_arm_hx
+                    * velocities.velocity_right_upper_arm_vz);
         let wrench_right_upper_arm_mx_17 = inertias.inertia_right_upper_arm_xz
             * wrench_right_upper_arm_my_16
             + inertias.inertia_right_upper_arm_yz * wrench_right_upper_arm_mx_18
             + inertias.inertia_right_upper_arm_zz * wrench_right_upper_arm_mx_16
-            + (inertias.inertia_right_upper_arm_hx * wrench_right_upper_arm_mx_22
-                - inertias.inertia_right_upper_arm_hy * wrench_right_upper_arm_my_20);
-        let wrench_right_upper_arm_my_21 = wrench_right_upper_arm_my_20 * 0.7
+            + (inertias.inertia_right_upper_arm_hx
+                * velocities.velocity_right_upper_arm_vy
+                - inertias.inertia_right_upper_arm_hy
+                    * velocities.velocity_right_upper_arm_vx);
+        let wrench_right_upper_arm_my_21 = velocities.velocity_right_upper_arm_vx * 0.7
             + (wrench_right_upper_arm_mx_18 * inertias.inertia_right_upper_arm_hz
                 - wrench_right_upper_arm_mx_16 * inertias.inertia_right_upper_arm_hy);
-        ForwardDynamicsItselfFromWrenchLeftWristBracketMx17 {
-            wrench_left_wrist_bracket_mx_17,
-            wrench_left_wrist_bracket_mx_19,
-            minus_wrench_left_wrist_cross_my_1,
-            minus_wrench_left_wrist_cross_mx_3,
-            minus_wrench_left_wrist_cross_mx_1,
-            minus_wrench_left_wrist_cross_my_5,
-            minus_wrench_left_wrist_cross_mx_7,
-            minus_wrench_left_wrist_cross_mx_5,
+        let wrench_right_upper_arm_mx_19 = velocities.velocity_right_upper_arm_vy * 0.7
+            + (wrench_right_upper_arm_mx_16 * inertias.inertia_right_upper_arm_hx
+                - wrench_right_upper_arm_my_16 * inertias.inertia_right_upper_arm_hz);
+        let wrench_right_upper_arm_mx_21 = velocities.velocity_right_upper_arm_vz * 0.7
+            + (wrench_right_upper_arm_my_16 * inertias.inertia_right_upper_arm_hy
+                - wrench_right_upper_arm_mx_18 * inertias.inertia_right_upper_arm_hx);
+        let wrench_right_forearm_my_16 = velocities.velocity_right_forearm_wx + mu[0];
+        let wrench_right_forearm_mx_18 = velocities.velocity_right_forearm_wy + mu[1];
+        let wrench_right_forearm_mx_16 = velocities.velocity_right_forearm_wz + mu[2];
+        let wrench_right_forearm_my_17 = inertias.inertia_right_forearm_xx
+            * wrench_right_forearm_my_16
+            + inertias.inertia_right_forearm_xy * wrench_right_forearm_mx_18
+            + inertias.inertia_right_forearm_xz * wrench_right_forearm_mx_16
+            + (inertias.inertia_right_forearm_hy * velocities.velocity_right_forearm_vz
+                - inertias.inertia_right_forearm_hz
+                    * velocities.velocity_right_forearm_vy);
+        let wrench_right_forearm_mx_15 = inertias.inertia_right_forearm_xy
+            * wrench_right_forearm_my_16
+            + inertias.inertia_right_forearm_yy * wrench_right_forearm_mx_18
+            + inertias.inertia_right_forearm_yz * wrench_right_forearm_mx_16
+            + (inertias.inertia_right_forearm_hz * velocities.velocity_right_forearm_vx
+                - inertias.inertia_right_forearm_hx
+                    * velocities.velocity_right_forearm_vz);
+        let wrench_right_forearm_mx_17 = inertias.inertia_right_forearm_xz
+            * wrench_right_forearm_my_16
+            + inertias.inertia_right_forearm_yz * wrench_right_forearm_mx_18
+            + inertias.inertia_right_forearm_zz * wrench_right_forearm_mx_16
+            + (inertias.inertia_right_forearm_hx * velocities.velocity_right_forearm_vy
+                - inertias.inertia_right_forearm_hy
+                    * velocities.velocity_right_forearm_vx);
+        let wrench_right_forearm_my_21 = velocities.velocity_right_forearm_vx * 0.45
+            + (wrench_right_forearm_mx_18 * inertias.inertia_right_forearm_hz
+                - wrench_right_forearm_mx_16 * inertias.inertia_right_forearm_hy);
+        ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4 {
             minus_wrench_left_wrist_cross_mx,
             minus_wrench_left_wrist_cross_my,
             minus_wrench_left_wrist_cross_mz,
@@ -23153,9 +23315,6 @@ mod forward_dynamics_itself {
             wrench_right_shoulder_bracket_my_16,
             wrench_right_shoulder_bracket_mx_18,
             wrench_right_shoulder_bracket_mx_16,
-            wrench_right_shoulder_bracket_my_20,
-            wrench_right_shoulder_bracket_mx_22,
-            wrench_right_shoulder_bracket_mx_20,
             wrench_right_shoulder_bracket_my_17,
             wrench_right_shoulder_bracket_mx_15,
             wrench_right_shoulder_bracket_mx_17,
@@ -23165,9 +23324,6 @@ mod forward_dynamics_itself {
             wrench_right_shoulder_cross_my_16,
             wrench_right_shoulder_cross_mx_18,
             wrench_right_shoulder_cross_mx_16,
-            wrench_right_shoulder_cross_my_20,
-            wrench_right_shoulder_cross_mx_22,
-            wrench_right_shoulder_cross_mx_20,
             wrench_right_shoulder_cross_my_17,
             wrench_right_shoulder_cross_mx_15,
             wrench_right_shoulder_cross_mx_17,
@@ -23177,49 +23333,34 @@ mod forward_dynamics_itself {
             wrench_right_upper_arm_my_16,
             wrench_right_upper_arm_mx_18,
             wrench_right_upper_arm_mx_16,
-            wrench_right_upper_arm_my_20,
-            wrench_right_upper_arm_mx_22,
-            wrench_right_upper_arm_mx_20,
             wrench_right_upper_arm_my_17,
             wrench_right_upper_arm_mx_15,
             wrench_right_upper_arm_mx_17,
             wrench_right_upper_arm_my_21,
+            wrench_right_upper_arm_mx_19,
+            wrench_right_upper_arm_mx_21,
+            wrench_right_forearm_my_16,
+            wrench_right_forearm_mx_18,
+            wrench_right_forearm_mx_16,
+            wrench_right_forearm_my_17,
+            wrench_right_forearm_mx_15,
+            wrench_right_forearm_mx_17,
+            wrench_right_forearm_my_21,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchRightUpperArmMx19 {
-        pub(super) wrench_right_upper_arm_mx_19: f64,
-        pub(super) wrench_right_upper_arm_mx_21: f64,
-        pub(super) wrench_right_forearm_my_16: f64,
-        pub(super) wrench_right_forearm_mx_18: f64,
-        pub(super) wrench_right_forearm_mx_16: f64,
-        pub(super) wrench_right_forearm_my_20: f64,
-        pub(super) wrench_right_forearm_mx_22: f64,
-        pub(super) wrench_right_forearm_mx_20: f64,
-        pub(super) wrench_right_forearm_my_17: f64,
-        pub(super) wrench_right_forearm_mx_15: f64,
-        pub(super) wrench_right_forearm_mx_17: f64,
-        pub(super) wrench_right_forearm_my_21: f64,
+    pub(super) struct ForwardDynamicsItselfFromWrenchRightForearmMx19 {
         pub(super) wrench_right_forearm_mx_19: f64,
         pub(super) wrench_right_forearm_mx_21: f64,
         pub(super) wrench_right_wrist_bracket_my_14: f64,
         pub(super) wrench_right_wrist_bracket_mx_16: f64,
         pub(super) wrench_right_wrist_bracket_mx_14: f64,
-        pub(super) wrench_right_wrist_bracket_my_18: f64,
-        pub(super) wrench_right_wrist_bracket_mx_20: f64,
-        pub(super) wrench_right_wrist_bracket_mx_18: f64,
         pub(super) wrench_right_wrist_bracket_my_15: f64,
         pub(super) wrench_right_wrist_bracket_mx_13: f64,
         pub(super) wrench_right_wrist_bracket_mx_15: f64,
         pub(super) wrench_right_wrist_bracket_my_19: f64,
         pub(super) wrench_right_wrist_bracket_mx_17: f64,
         pub(super) wrench_right_wrist_bracket_mx_19: f64,
-        pub(super) minus_wrench_right_wrist_cross_my_1: f64,
-        pub(super) minus_wrench_right_wrist_cross_mx_3: f64,
-        pub(super) minus_wrench_right_wrist_cross_mx_1: f64,
-        pub(super) minus_wrench_right_wrist_cross_my_5: f64,
-        pub(super) minus_wrench_right_wrist_cross_mx_7: f64,
-        pub(super) minus_wrench_right_wrist_cross_mx_5: f64,
         pub(super) minus_wrench_right_wrist_cross_mx: f64,
         pub(super) minus_wrench_right_wrist_cross_my: f64,
         pub(super) minus_wrench_right_wrist_cross_mz: f64,
@@ -23227,108 +23368,79 @@ mod forward_dynamics_itself {
         pub(super) minus_wrench_right_wrist_cross_fy: f64,
         pub(super) minus_wrench_right_wrist_cross_fz: f64,
         pub(super) wrench_right_wrist_bracket_mx_1: f64,
+        pub(super) wrench_right_wrist_bracket_mx_3: f64,
+        pub(super) wrench_right_wrist_bracket_mx_5: f64,
+        pub(super) wrench_right_wrist_bracket_my_7: f64,
+        pub(super) wrench_right_wrist_bracket_mx_9: f64,
+        pub(super) wrench_right_wrist_bracket_mx_7: f64,
+        pub(super) inverse_pivot_right_wrist_pitch_d: f64,
+        pub(super) wrench_right_wrist_bracket_mx_12_0: f64,
+        pub(super) wrench_right_wrist_bracket_mx_12: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_right_upper_arm_mx_19(
+    pub(super) fn forward_dynamics_itself_from_wrench_right_forearm_mx_19(
         mu: &[f64; 6],
         qd: &[f64; 30],
+        tau: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
+        screws: &Screws,
         velocities: &Velocities,
-        forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx17,
-    ) -> ForwardDynamicsItselfFromWrenchRightUpperArmMx19 {
-        let wrench_right_upper_arm_mx_19 = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-            .wrench_right_upper_arm_mx_22 * 0.7
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_mx_16 * inertias.inertia_right_upper_arm_hx
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_my_16 * inertias.inertia_right_upper_arm_hz);
-        let wrench_right_upper_arm_mx_21 = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-            .wrench_right_upper_arm_mx_20 * 0.7
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_my_16 * inertias.inertia_right_upper_arm_hy
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_mx_18 * inertias.inertia_right_upper_arm_hx);
-        let wrench_right_forearm_my_16 = velocities.velocity_right_forearm_wx + mu[0];
-        let wrench_right_forearm_mx_18 = velocities.velocity_right_forearm_wy + mu[1];
-        let wrench_right_forearm_mx_16 = velocities.velocity_right_forearm_wz + mu[2];
-        let wrench_right_forearm_my_20 = velocities.velocity_right_forearm_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_forearm_mx_22 = velocities.velocity_right_forearm_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_forearm_mx_20 = velocities.velocity_right_forearm_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
-        let wrench_right_forearm_my_17 = inertias.inertia_right_forearm_xx
-            * wrench_right_forearm_my_16
-            + inertias.inertia_right_forearm_xy * wrench_right_forearm_mx_18
-            + inertias.inertia_right_forearm_xz * wrench_right_forearm_mx_16
-            + (inertias.inertia_right_forearm_hy * wrench_right_forearm_mx_20
-                - inertias.inertia_right_forearm_hz * wrench_right_forearm_mx_22);
-        let wrench_right_forearm_mx_15 = inertias.inertia_right_forearm_xy
-            * wrench_right_forearm_my_16
-            + inertias.inertia_right_forearm_yy * wrench_right_forearm_mx_18
-            + inertias.inertia_right_forearm_yz * wrench_right_forearm_mx_16
-            + (inertias.inertia_right_forearm_hz * wrench_right_forearm_my_20
-                - inertias.inertia_right_forearm_hx * wrench_right_forearm_mx_20);
-        let wrench_right_forearm_mx_17 = inertias.inertia_right_forearm_xz
-            * wrench_right_forearm_my_16
-            + inertias.inertia_right_forearm_yz * wrench_right_forearm_mx_18
-            + inertias.inertia_right_forearm_zz * wrench_right_forearm_mx_16
-            + (inertias.inertia_right_forearm_hx * wrench_right_forearm_mx_22
-                - inertias.inertia_right_forearm_hy * wrench_right_forearm_my_20);
-        let wrench_right_forearm_my_21 = wrench_right_forearm_my_20 * 0.45
-            + (wrench_right_forearm_mx_18 * inertias.inertia_right_forearm_hz
-                - wrench_right_forearm_mx_16 * inertias.inertia_right_forearm_hy);
-        let wrench_right_forearm_mx_19 = wrench_right_forearm_mx_22 * 0.45
-            + (wrench_right_forearm_mx_16 * inertias.inertia_right_forearm_hx
-                - wrench_right_forearm_my_16 * inertias.inertia_right_forearm_hz);
-        let wrench_right_forearm_mx_21 = wrench_right_forearm_mx_20 * 0.45
-            + (wrench_right_forearm_my_16 * inertias.inertia_right_forearm_hy
-                - wrench_right_forearm_mx_18 * inertias.inertia_right_forearm_hx);
+        forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4: &ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4,
+    ) -> ForwardDynamicsItselfFromWrenchRightForearmMx19 {
+        let wrench_right_forearm_mx_19 = velocities.velocity_right_forearm_vy * 0.45
+            + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_forearm_mx_16 * inertias.inertia_right_forearm_hx
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_forearm_my_16 * inertias.inertia_right_forearm_hz);
+        let wrench_right_forearm_mx_21 = velocities.velocity_right_forearm_vz * 0.45
+            + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_forearm_my_16 * inertias.inertia_right_forearm_hy
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_forearm_mx_18 * inertias.inertia_right_forearm_hx);
         let wrench_right_wrist_bracket_my_14 = velocities.velocity_right_wrist_bracket_wx
             + mu[0];
         let wrench_right_wrist_bracket_mx_16 = velocities.velocity_right_wrist_bracket_wy
             + mu[1];
         let wrench_right_wrist_bracket_mx_14 = velocities.velocity_right_wrist_bracket_wz
             + mu[2];
-        let wrench_right_wrist_bracket_my_18 = velocities.velocity_right_wrist_bracket_vx
-            + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let wrench_right_wrist_bracket_mx_20 = velocities.velocity_right_wrist_bracket_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let wrench_right_wrist_bracket_mx_18 = velocities.velocity_right_wrist_bracket_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let wrench_right_wrist_bracket_my_15 = inertias.inertia_right_wrist_bracket_xx
             * wrench_right_wrist_bracket_my_14
             + inertias.inertia_right_wrist_bracket_xy * wrench_right_wrist_bracket_mx_16
             + inertias.inertia_right_wrist_bracket_xz * wrench_right_wrist_bracket_mx_14
-            + (inertias.inertia_right_wrist_bracket_hy * wrench_right_wrist_bracket_mx_18
+            + (inertias.inertia_right_wrist_bracket_hy
+                * velocities.velocity_right_wrist_bracket_vz
                 - inertias.inertia_right_wrist_bracket_hz
-                    * wrench_right_wrist_bracket_mx_20);
+                    * velocities.velocity_right_wrist_bracket_vy);
         let wrench_right_wrist_bracket_mx_13 = inertias.inertia_right_wrist_bracket_xy
             * wrench_right_wrist_bracket_my_14
             + inertias.inertia_right_wrist_bracket_yy * wrench_right_wrist_bracket_mx_16
             + inertias.inertia_right_wrist_bracket_yz * wrench_right_wrist_bracket_mx_14
-            + (inertias.inertia_right_wrist_bracket_hz * wrench_right_wrist_bracket_my_18
+            + (inertias.inertia_right_wrist_bracket_hz
+                * velocities.velocity_right_wrist_bracket_vx
                 - inertias.inertia_right_wrist_bracket_hx
-                    * wrench_right_wrist_bracket_mx_18);
+                    * velocities.velocity_right_wrist_bracket_vz);
         let wrench_right_wrist_bracket_mx_15 = inertias.inertia_right_wrist_bracket_xz
             * wrench_right_wrist_bracket_my_14
             + inertias.inertia_right_wrist_bracket_yz * wrench_right_wrist_bracket_mx_16
             + inertias.inertia_right_wrist_bracket_zz * wrench_right_wrist_bracket_mx_14
-            + (inertias.inertia_right_wrist_bracket_hx * wrench_right_wrist_bracket_mx_20
+            + (inertias.inertia_right_wrist_bracket_hx
+                * velocities.velocity_right_wrist_bracket_vy
                 - inertias.inertia_right_wrist_bracket_hy
-                    * wrench_right_wrist_bracket_my_18);
-        let wrench_right_wrist_bracket_my_19 = wrench_right_wrist_bracket_my_18 * 0.2
+                    * velocities.velocity_right_wrist_bracket_vx);
+        let wrench_right_wrist_bracket_my_19 = velocities.velocity_right_wrist_bracket_vx
+            * 0.2
             + (wrench_right_wrist_bracket_mx_16 * inertias.inertia_right_wrist_bracket_hz
                 - wrench_right_wrist_bracket_mx_14
                     * inertias.inertia_right_wrist_bracket_hy);
-        let wrench_right_wrist_bracket_mx_17 = wrench_right_wrist_bracket_mx_20 * 0.2
+        let wrench_right_wrist_bracket_mx_17 = velocities.velocity_right_wrist_bracket_vy
+            * 0.2
             + (wrench_right_wrist_bracket_mx_14 * inertias.inertia_right_wrist_bracket_hx
                 - wrench_right_wrist_bracket_my_14
                     * inertias.inertia_right_wrist_bracket_hz);
-        let wrench_right_wrist_bracket_mx_19 = wrench_right_wrist_bracket_mx_18 * 0.2
+        let wrench_right_wrist_bracket_mx_19 = velocities.velocity_right_wrist_bracket_vz
+            * 0.2
             + (wrench_right_wrist_bracket_my_14 * inertias.inertia_right_wrist_bracket_hy
                 - wrench_right_wrist_bracket_mx_16
                     * inertias.inertia_right_wrist_bracket_hx);
@@ -23338,52 +23450,44 @@ mod forward_dynamics_itself {
             .velocity_right_wrist_cross_wy + mu[1];
         let minus_wrench_right_wrist_cross_mx_1 = velocities
             .velocity_right_wrist_cross_wz + mu[2];
-        let minus_wrench_right_wrist_cross_my_5 = velocities
-            .velocity_right_wrist_cross_vx + forward_dynamics_itself.xi_dot_0_3_3_21_6_0;
-        let minus_wrench_right_wrist_cross_mx_7 = velocities
-            .velocity_right_wrist_cross_vy
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_4_0;
-        let minus_wrench_right_wrist_cross_mx_5 = velocities
-            .velocity_right_wrist_cross_vz
-            + forward_dynamics_itself.xi_dot_0_3_3_21_19_6_0;
         let minus_wrench_right_wrist_cross_my_2 = inertias.inertia_right_wrist_cross_xx
             * minus_wrench_right_wrist_cross_my_1
             + inertias.inertia_right_wrist_cross_xy * minus_wrench_right_wrist_cross_mx_3
             + inertias.inertia_right_wrist_cross_xz * minus_wrench_right_wrist_cross_mx_1
             + (inertias.inertia_right_wrist_cross_hy
-                * minus_wrench_right_wrist_cross_mx_5
+                * velocities.velocity_right_wrist_cross_vz
                 - inertias.inertia_right_wrist_cross_hz
-                    * minus_wrench_right_wrist_cross_mx_7);
+                    * velocities.velocity_right_wrist_cross_vy);
         let minus_wrench_right_wrist_cross_mx_0 = inertias.inertia_right_wrist_cross_xy
             * minus_wrench_right_wrist_cross_my_1
             + inertias.inertia_right_wrist_cross_yy * minus_wrench_right_wrist_cross_mx_3
             + inertias.inertia_right_wrist_cross_yz * minus_wrench_right_wrist_cross_mx_1
             + (inertias.inertia_right_wrist_cross_hz
-                * minus_wrench_right_wrist_cross_my_5
+                * velocities.velocity_right_wrist_cross_vx
                 - inertias.inertia_right_wrist_cross_hx
-                    * minus_wrench_right_wrist_cross_mx_5);
+                    * velocities.velocity_right_wrist_cross_vz);
         let minus_wrench_right_wrist_cross_mx_2 = inertias.inertia_right_wrist_cross_xz
             * minus_wrench_right_wrist_cross_my_1
             + inertias.inertia_right_wrist_cross_yz * minus_wrench_right_wrist_cross_mx_3
             + inertias.inertia_right_wrist_cross_zz * minus_wrench_right_wrist_cross_mx_1
             + (inertias.inertia_right_wrist_cross_hx
-                * minus_wrench_right_wrist_cross_mx_7
+                * velocities.velocity_right_wrist_cross_vy
                 - inertias.inertia_right_wrist_cross_hy
-                    * minus_wrench_right_wrist_cross_my_5);
-        let minus_wrench_right_wrist_cross_my_6 = minus_wrench_right_wrist_cross_my_5
-            * 0.4
+                    * velocities.velocity_right_wrist_cross_vx);
+        let minus_wrench_right_wrist_cross_my_6 = velocities
+            .velocity_right_wrist_cross_vx * 0.4
             + (minus_wrench_right_wrist_cross_mx_3
                 * inertias.inertia_right_wrist_cross_hz
                 - minus_wrench_right_wrist_cross_mx_1
                     * inertias.inertia_right_wrist_cross_hy);
-        let minus_wrench_right_wrist_cross_mx_4 = minus_wrench_right_wrist_cross_mx_7
-            * 0.4
+        let minus_wrench_right_wrist_cross_mx_4 = velocities
+            .velocity_right_wrist_cross_vy * 0.4
             + (minus_wrench_right_wrist_cross_mx_1
                 * inertias.inertia_right_wrist_cross_hx
                 - minus_wrench_right_wrist_cross_my_1
                     * inertias.inertia_right_wrist_cross_hz);
-        let minus_wrench_right_wrist_cross_mx_6 = minus_wrench_right_wrist_cross_mx_5
-            * 0.4
+        let minus_wrench_right_wrist_cross_mx_6 = velocities
+            .velocity_right_wrist_cross_vz * 0.4
             + (minus_wrench_right_wrist_cross_my_1
                 * inertias.inertia_right_wrist_cross_hy
                 - minus_wrench_right_wrist_cross_mx_3
@@ -23391,21 +23495,24 @@ mod forward_dynamics_itself {
         let minus_wrench_right_wrist_cross_mx = minus_wrench_right_wrist_cross_mx_0
             * minus_wrench_right_wrist_cross_mx_1
             - minus_wrench_right_wrist_cross_mx_2 * minus_wrench_right_wrist_cross_mx_3
-            + (minus_wrench_right_wrist_cross_mx_4 * minus_wrench_right_wrist_cross_mx_5
+            + (minus_wrench_right_wrist_cross_mx_4
+                * velocities.velocity_right_wrist_cross_vz
                 - minus_wrench_right_wrist_cross_mx_6
-                    * minus_wrench_right_wrist_cross_mx_7);
+                    * velocities.velocity_right_wrist_cross_vy);
         let minus_wrench_right_wrist_cross_my = minus_wrench_right_wrist_cross_mx_2
             * minus_wrench_right_wrist_cross_my_1
             - minus_wrench_right_wrist_cross_my_2 * minus_wrench_right_wrist_cross_mx_1
-            + (minus_wrench_right_wrist_cross_mx_6 * minus_wrench_right_wrist_cross_my_5
+            + (minus_wrench_right_wrist_cross_mx_6
+                * velocities.velocity_right_wrist_cross_vx
                 - minus_wrench_right_wrist_cross_my_6
-                    * minus_wrench_right_wrist_cross_mx_5);
+                    * velocities.velocity_right_wrist_cross_vz);
         let minus_wrench_right_wrist_cross_mz = minus_wrench_right_wrist_cross_my_2
             * minus_wrench_right_wrist_cross_mx_3
             - minus_wrench_right_wrist_cross_mx_0 * minus_wrench_right_wrist_cross_my_1
-            + (minus_wrench_right_wrist_cross_my_6 * minus_wrench_right_wrist_cross_mx_7
+            + (minus_wrench_right_wrist_cross_my_6
+                * velocities.velocity_right_wrist_cross_vy
                 - minus_wrench_right_wrist_cross_mx_4
-                    * minus_wrench_right_wrist_cross_my_5);
+                    * velocities.velocity_right_wrist_cross_vx);
         let minus_wrench_right_wrist_cross_fx = minus_wrench_right_wrist_cross_mx_4
             * minus_wrench_right_wrist_cross_mx_1
             - minus_wrench_right_wrist_cross_mx_6 * minus_wrench_right_wrist_cross_mx_3;
@@ -23419,39 +23526,79 @@ mod forward_dynamics_itself {
             * poses.rotation_right_wrist_bracket_zy
             - minus_wrench_right_wrist_cross_mx_1
                 * poses.rotation_right_wrist_bracket_yy) * qd[29];
-        ForwardDynamicsItselfFromWrenchRightUpperArmMx19 {
-            wrench_right_upper_arm_mx_19,
-            wrench_right_upper_arm_mx_21,
-            wrench_right_forearm_my_16,
-            wrench_right_forearm_mx_18,
-            wrench_right_forearm_mx_16,
-            wrench_right_forearm_my_20,
-            wrench_right_forearm_mx_22,
-            wrench_right_forearm_mx_20,
-            wrench_right_forearm_my_17,
-            wrench_right_forearm_mx_15,
-            wrench_right_forearm_mx_17,
-            wrench_right_forearm_my_21,
+        let wrench_right_wrist_bracket_mx_3 = (minus_wrench_right_wrist_cross_mx_1
+            * poses.minus_rotation_right_wrist_bracket_xy
+            + minus_wrench_right_wrist_cross_my_1
+                * poses.rotation_right_wrist_bracket_zy) * qd[29];
+        let wrench_right_wrist_bracket_mx_5 = (minus_wrench_right_wrist_cross_my_1
+            * poses.rotation_right_wrist_bracket_yy
+            + minus_wrench_right_wrist_cross_mx_3
+                * poses.minus_rotation_right_wrist_bracket_xy) * qd[29];
+        let wrench_right_wrist_bracket_my_7 = (minus_wrench_right_wrist_cross_mx_3
+            * screws.screw_right_wrist_pitch_vz
+            + minus_wrench_right_wrist_cross_mx_1
+                * screws.minus_screw_right_wrist_pitch_vy
+            + (velocities.velocity_right_wrist_cross_vy
+                * poses.rotation_right_wrist_bracket_zy
+                - velocities.velocity_right_wrist_cross_vz
+                    * poses.rotation_right_wrist_bracket_yy)) * qd[29];
+        let wrench_right_wrist_bracket_mx_9 = (minus_wrench_right_wrist_cross_mx_1
+            * screws.screw_right_wrist_pitch_vx
+            - minus_wrench_right_wrist_cross_my_1 * screws.screw_right_wrist_pitch_vz
+            - (velocities.velocity_right_wrist_cross_vz
+                * poses.minus_rotation_right_wrist_bracket_xy
+                + velocities.velocity_right_wrist_cross_vx
+                    * poses.rotation_right_wrist_bracket_zy)) * qd[29];
+        let wrench_right_wrist_bracket_mx_7 = (velocities.velocity_right_wrist_cross_vx
+            * poses.rotation_right_wrist_bracket_yy
+            + velocities.velocity_right_wrist_cross_vy
+                * poses.minus_rotation_right_wrist_bracket_xy
+            - (minus_wrench_right_wrist_cross_my_1
+                * screws.minus_screw_right_wrist_pitch_vy
+                + minus_wrench_right_wrist_cross_mx_3
+                    * screws.screw_right_wrist_pitch_vx)) * qd[29];
+        let inverse_pivot_right_wrist_pitch_d = 1.0
+            / (poses.rotation_right_wrist_bracket_yy * screws.inside_right_wrist_pitch_my
+                - poses.minus_rotation_right_wrist_bracket_xy
+                    * screws.inside_right_wrist_pitch_mx
+                + poses.rotation_right_wrist_bracket_zy
+                    * screws.inside_right_wrist_pitch_mz
+                + screws.screw_right_wrist_pitch_vx * screws.inside_right_wrist_pitch_fx
+                - screws.minus_screw_right_wrist_pitch_vy
+                    * screws.inside_right_wrist_pitch_fy
+                + screws.screw_right_wrist_pitch_vz
+                    * screws.inside_right_wrist_pitch_fz);
+        let wrench_right_wrist_bracket_mx_12_0 = tau[29]
+            - (poses.minus_rotation_right_wrist_bracket_xy
+                * minus_wrench_right_wrist_cross_mx
+                - poses.rotation_right_wrist_bracket_yy
+                    * minus_wrench_right_wrist_cross_my
+                - poses.rotation_right_wrist_bracket_zy
+                    * minus_wrench_right_wrist_cross_mz
+                - screws.screw_right_wrist_pitch_vx * minus_wrench_right_wrist_cross_fx
+                + screws.minus_screw_right_wrist_pitch_vy
+                    * minus_wrench_right_wrist_cross_fy
+                - screws.screw_right_wrist_pitch_vz * minus_wrench_right_wrist_cross_fz);
+        let wrench_right_wrist_bracket_mx_12 = (wrench_right_wrist_bracket_mx_12_0
+            - (wrench_right_wrist_bracket_mx_1 * screws.inside_right_wrist_pitch_mx
+                - wrench_right_wrist_bracket_mx_3 * screws.inside_right_wrist_pitch_my
+                + wrench_right_wrist_bracket_mx_5 * screws.inside_right_wrist_pitch_mz
+                + wrench_right_wrist_bracket_my_7 * screws.inside_right_wrist_pitch_fx
+                + wrench_right_wrist_bracket_mx_9 * screws.inside_right_wrist_pitch_fy
+                + wrench_right_wrist_bracket_mx_7 * screws.inside_right_wrist_pitch_fz))
+            * inverse_pivot_right_wrist_pitch_d;
+        ForwardDynamicsItselfFromWrenchRightForearmMx19 {
             wrench_right_forearm_mx_19,
             wrench_right_forearm_mx_21,
             wrench_right_wrist_bracket_my_14,
             wrench_right_wrist_bracket_mx_16,
             wrench_right_wrist_bracket_mx_14,
-            wrench_right_wrist_bracket_my_18,
-            wrench_right_wrist_bracket_mx_20,
-            wrench_right_wrist_bracket_mx_18,
             wrench_right_wrist_bracket_my_15,
             wrench_right_wrist_bracket_mx_13,
             wrench_right_wrist_bracket_mx_15,
             wrench_right_wrist_bracket_my_19,
             wrench_right_wrist_bracket_mx_17,
             wrench_right_wrist_bracket_mx_19,
-            minus_wrench_right_wrist_cross_my_1,
-            minus_wrench_right_wrist_cross_mx_3,
-            minus_wrench_right_wrist_cross_mx_1,
-            minus_wrench_right_wrist_cross_my_5,
-            minus_wrench_right_wrist_cross_mx_7,
-            minus_wrench_right_wrist_cross_mx_5,
             minus_wrench_right_wrist_cross_mx,
             minus_wrench_right_wrist_cross_my,
             minus_wrench_right_wrist_cross_mz,
@@ -23459,19 +23606,18 @@ mod forward_dynamics_itself {
             minus_wrench_right_wrist_cross_fy,
             minus_wrench_right_wrist_cross_fz,
             wrench_right_wrist_bracket_mx_1,
+            wrench_right_wrist_bracket_mx_3,
+            wrench_right_wrist_bracket_mx_5,
+            wrench_right_wrist_bracket_my_7,
+            wrench_right_wrist_bracket_mx_9,
+            wrench_right_wrist_bracket_mx_7,
+            inverse_pivot_right_wrist_pitch_d,
+            wrench_right_wrist_bracket_mx_12_0,
+            wrench_right_wrist_bracket_mx_12,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchRightWristBracketMx3 {
-        pub(super) wrench_right_wrist_bracket_mx_3: f64,
-        pub(super) wrench_right_wrist_bracket_mx_5: f64,
-        pub(super) wrench_right_wrist_bracket_my_7: f64,
-        pub(super) wrench_right_wrist_bracket_mx_9: f64,
-        pub(super) wrench_right_wrist_bracket_mx_7: f64,
-        pub(super) inverse_pivot_right_wrist_pitch_d: f64,
-        pub(super) wrench_right_wrist_bracket_mx_12_0: f64,
-        pub(super) wrench_right_wrist_bracket_mx: f64,
-        pub(super) wrench_right_wrist_bracket_my: f64,
+    pub(super) struct ForwardDynamicsItselfFromWrenchRightWristBracketMx {
         pub(super) wrench_right_wrist_bracket_mz: f64,
         pub(super) wrench_right_wrist_bracket_fx: f64,
         pub(super) wrench_right_wrist_bracket_fy: f64,
@@ -23512,238 +23658,209 @@ mod forward_dynamics_itself {
         pub(super) inverse_pivot_right_wrist_yaw_d: f64,
         pub(super) wrench_right_forearm_mx_14_0: f64,
         pub(super) wrench_right_forearm_mx_14: f64,
+        pub(super) wrench_right_forearm_mx: f64,
+        pub(super) wrench_right_forearm_my: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3(
+    pub(super) fn forward_dynamics_itself_from_wrench_right_wrist_bracket_mx(
         qd: &[f64; 30],
         tau: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_right_upper_arm_mx_19: &ForwardDynamicsItselfFromWrenchRightUpperArmMx19,
-    ) -> ForwardDynamicsItselfFromWrenchRightWristBracketMx3 {
-        let wrench_right_wrist_bracket_mx_3 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-            .minus_wrench_right_wrist_cross_mx_1
-            * poses.minus_rotation_right_wrist_bracket_xy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_my_1
-                * poses.rotation_right_wrist_bracket_zy) * qd[29];
-        let wrench_right_wrist_bracket_mx_5 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-            .minus_wrench_right_wrist_cross_my_1 * poses.rotation_right_wrist_bracket_yy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_mx_3
-                * poses.minus_rotation_right_wrist_bracket_xy) * qd[29];
-        let wrench_right_wrist_bracket_my_7 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-            .minus_wrench_right_wrist_cross_mx_3 * screws.screw_right_wrist_pitch_vz
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_mx_1
-                * screws.minus_screw_right_wrist_pitch_vy
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_mx_7
-                * poses.rotation_right_wrist_bracket_zy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .minus_wrench_right_wrist_cross_mx_5
-                    * poses.rotation_right_wrist_bracket_yy)) * qd[29];
-        let wrench_right_wrist_bracket_mx_9 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-            .minus_wrench_right_wrist_cross_mx_1 * screws.screw_right_wrist_pitch_vx
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_my_1 * screws.screw_right_wrist_pitch_vz
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_mx_5
-                * poses.minus_rotation_right_wrist_bracket_xy
-                + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .minus_wrench_right_wrist_cross_my_5
-                    * poses.rotation_right_wrist_bracket_zy)) * qd[29];
-        let wrench_right_wrist_bracket_mx_7 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-            .minus_wrench_right_wrist_cross_my_5 * poses.rotation_right_wrist_bracket_yy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_mx_7
-                * poses.minus_rotation_right_wrist_bracket_xy
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .minus_wrench_right_wrist_cross_my_1
-                * screws.minus_screw_right_wrist_pitch_vy
-                + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .minus_wrench_right_wrist_cross_mx_3
-                    * screws.screw_right_wrist_pitch_vx)) * qd[29];
-        let inverse_pivot_right_wrist_pitch_d = 1.0
-            / (poses.rotation_right_wrist_bracket_yy * screws.inside_right_wrist_pitch_my
-                - poses.minus_rotation_right_wrist_bracket_xy
-                    * screws.inside_right_wrist_pitch_mx
-                + poses.rotation_right_wrist_bracket_zy
-                    * screws.inside_right_wrist_pitch_mz
-                + screws.screw_right_wrist_pitch_vx * screws.inside_right_wrist_pitch_fx
-                - screws.minus_screw_right_wrist_pitch_vy
-                    * screws.inside_right_wrist_pitch_fy
-                + screws.screw_right_wrist_pitch_vz
-                    * screws.inside_right_wrist_pitch_fz);
-        let wrench_right_wrist_bracket_mx_12_0 = tau[29]
-            - (poses.minus_rotation_right_wrist_bracket_xy
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .minus_wrench_right_wrist_cross_mx
-                - poses.rotation_right_wrist_bracket_yy
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .minus_wrench_right_wrist_cross_my
-                - poses.rotation_right_wrist_bracket_zy
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .minus_wrench_right_wrist_cross_mz
-                - screws.screw_right_wrist_pitch_vx
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .minus_wrench_right_wrist_cross_fx
-                + screws.minus_screw_right_wrist_pitch_vy
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .minus_wrench_right_wrist_cross_fy
-                - screws.screw_right_wrist_pitch_vz
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .minus_wrench_right_wrist_cross_fz);
-        let wrench_right_wrist_bracket_mx_12 = (wrench_right_wrist_bracket_mx_12_0
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_wrist_bracket_mx_1 * screws.inside_right_wrist_pitch_mx
-                - wrench_right_wrist_bracket_mx_3 * screws.inside_right_wrist_pitch_my
-                + wrench_right_wrist_bracket_mx_5 * screws.inside_right_wrist_pitch_mz
-                + wrench_right_wrist_bracket_my_7 * screws.inside_right_wrist_pitch_fx
-                + wrench_right_wrist_bracket_mx_9 * screws.inside_right_wrist_pitch_fy
-                + wrench_right_wrist_bracket_mx_7 * screws.inside_right_wrist_pitch_fz))
-            * inverse_pivot_right_wrist_pitch_d;
+        velocities: &Velocities,
+        forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4: &ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4,
+        forward_dynamics_itself_from_wrench_right_forearm_mx_19: &ForwardDynamicsItselfFromWrenchRightForearmMx19,
+    ) -> ForwardDynamicsItselfFromWrenchRightWristBracketMx {
         let wrench_right_wrist_bracket_mx = inertias.inertia_right_wrist_cross_xx
-            * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_1
-            - inertias.inertia_right_wrist_cross_xy * wrench_right_wrist_bracket_mx_3
-            + inertias.inertia_right_wrist_cross_xz * wrench_right_wrist_bracket_mx_5
-            + (inertias.inertia_right_wrist_cross_hy * wrench_right_wrist_bracket_mx_7
+            - inertias.inertia_right_wrist_cross_xy
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_3
+            + inertias.inertia_right_wrist_cross_xz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_5
+            + (inertias.inertia_right_wrist_cross_hy
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_7
                 - inertias.inertia_right_wrist_cross_hz
-                    * wrench_right_wrist_bracket_mx_9)
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                        .wrench_right_wrist_bracket_mx_9)
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .minus_wrench_right_wrist_cross_mx
-            + screws.inside_right_wrist_pitch_mx * wrench_right_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + screws.inside_right_wrist_pitch_mx
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_12
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_13
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_14
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_15
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_16
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                + (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_17
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_wrist_bracket_mx_18
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * velocities.velocity_right_wrist_bracket_vz
+                    - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                            .wrench_right_wrist_bracket_mx_20));
+                        * velocities.velocity_right_wrist_bracket_vy));
         let wrench_right_wrist_bracket_my = inertias.inertia_right_wrist_cross_xy
-            * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_1
-            - inertias.inertia_right_wrist_cross_yy * wrench_right_wrist_bracket_mx_3
-            + inertias.inertia_right_wrist_cross_yz * wrench_right_wrist_bracket_mx_5
-            + (inertias.inertia_right_wrist_cross_hz * wrench_right_wrist_bracket_my_7
+            - inertias.inertia_right_wrist_cross_yy
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_3
+            + inertias.inertia_right_wrist_cross_yz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_5
+            + (inertias.inertia_right_wrist_cross_hz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_my_7
                 - inertias.inertia_right_wrist_cross_hx
-                    * wrench_right_wrist_bracket_mx_7)
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                        .wrench_right_wrist_bracket_mx_7)
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .minus_wrench_right_wrist_cross_my
-            + screws.inside_right_wrist_pitch_my * wrench_right_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + screws.inside_right_wrist_pitch_my
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_12
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_15
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_my_14
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_my_15
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_14
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                + (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_wrist_bracket_my_18
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * velocities.velocity_right_wrist_bracket_vx
+                    - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_my_19
-                        * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                            .wrench_right_wrist_bracket_mx_18));
+                        * velocities.velocity_right_wrist_bracket_vz));
         let wrench_right_wrist_bracket_mz = inertias.inertia_right_wrist_cross_xz
-            * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_1
-            - inertias.inertia_right_wrist_cross_yz * wrench_right_wrist_bracket_mx_3
-            + inertias.inertia_right_wrist_cross_zz * wrench_right_wrist_bracket_mx_5
-            + (inertias.inertia_right_wrist_cross_hx * wrench_right_wrist_bracket_mx_9
+            - inertias.inertia_right_wrist_cross_yz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_3
+            + inertias.inertia_right_wrist_cross_zz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_5
+            + (inertias.inertia_right_wrist_cross_hx
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_9
                 - inertias.inertia_right_wrist_cross_hy
-                    * wrench_right_wrist_bracket_my_7)
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                        .wrench_right_wrist_bracket_my_7)
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .minus_wrench_right_wrist_cross_mz
-            + screws.inside_right_wrist_pitch_mz * wrench_right_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + screws.inside_right_wrist_pitch_mz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_12
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_my_15
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_13
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_my_14
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                + (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_my_19
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_wrist_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * velocities.velocity_right_wrist_bracket_vy
+                    - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_17
-                        * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                            .wrench_right_wrist_bracket_my_18));
-        let wrench_right_wrist_bracket_fx = 0.4 * wrench_right_wrist_bracket_my_7
-            - (inertias.inertia_right_wrist_cross_hz * wrench_right_wrist_bracket_mx_3
+                        * velocities.velocity_right_wrist_bracket_vx));
+        let wrench_right_wrist_bracket_fx = 0.4
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                .wrench_right_wrist_bracket_my_7
+            - (inertias.inertia_right_wrist_cross_hz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_3
                 + inertias.inertia_right_wrist_cross_hy
-                    * wrench_right_wrist_bracket_mx_5)
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                        .wrench_right_wrist_bracket_mx_5)
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .minus_wrench_right_wrist_cross_fx
-            + screws.inside_right_wrist_pitch_fx * wrench_right_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + screws.inside_right_wrist_pitch_fx
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_12
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_17
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_14
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_16);
         let wrench_right_wrist_bracket_fy = inertias.inertia_right_wrist_cross_hx
-            * wrench_right_wrist_bracket_mx_5
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                .wrench_right_wrist_bracket_mx_5
             - inertias.inertia_right_wrist_cross_hz
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_1
-            + 0.4 * wrench_right_wrist_bracket_mx_9
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + 0.4
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_9
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .minus_wrench_right_wrist_cross_fy
-            + screws.inside_right_wrist_pitch_fy * wrench_right_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + screws.inside_right_wrist_pitch_fy
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_12
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_19
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_my_14
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_my_19
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_14);
         let wrench_right_wrist_bracket_fz = inertias.inertia_right_wrist_cross_hy
-            * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_1
-            + inertias.inertia_right_wrist_cross_hx * wrench_right_wrist_bracket_mx_3
-            + 0.4 * wrench_right_wrist_bracket_mx_7
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + inertias.inertia_right_wrist_cross_hx
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_3
+            + 0.4
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_7
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .minus_wrench_right_wrist_cross_fz
-            + screws.inside_right_wrist_pitch_fz * wrench_right_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + screws.inside_right_wrist_pitch_fz
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_wrist_bracket_mx_12
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_my_19
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_17
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_my_14);
         let minus_articulated_right_wrist_bracket_hxx_0 = screws
-            .inside_right_wrist_pitch_mx * inverse_pivot_right_wrist_pitch_d;
+            .inside_right_wrist_pitch_mx
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                .inverse_pivot_right_wrist_pitch_d;
         let minus_articulated_right_wrist_bracket_hyy_0 = screws
-            .inside_right_wrist_pitch_my * inverse_pivot_right_wrist_pitch_d;
+            .inside_right_wrist_pitch_my
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                .inverse_pivot_right_wrist_pitch_d;
         let minus_articulated_right_wrist_bracket_hzz_0 = screws
-            .inside_right_wrist_pitch_mz * inverse_pivot_right_wrist_pitch_d;
+            .inside_right_wrist_pitch_mz
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                .inverse_pivot_right_wrist_pitch_d;
         let minus_articulated_right_wrist_bracket_mxy_0 = screws
-            .inside_right_wrist_pitch_fx * inverse_pivot_right_wrist_pitch_d;
+            .inside_right_wrist_pitch_fx
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                .inverse_pivot_right_wrist_pitch_d;
         let minus_articulated_right_wrist_bracket_myz_0 = screws
-            .inside_right_wrist_pitch_fy * inverse_pivot_right_wrist_pitch_d;
+            .inside_right_wrist_pitch_fy
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                .inverse_pivot_right_wrist_pitch_d;
         let minus_articulated_right_wrist_bracket_hxx = minus_articulated_right_wrist_bracket_hxx_0
             * screws.inside_right_wrist_pitch_fx;
         let minus_articulated_right_wrist_bracket_hyy = minus_articulated_right_wrist_bracket_hyy_0
@@ -23817,50 +23934,49 @@ mod forward_dynamics_itself {
                     * screws.inside_right_wrist_pitch_fy);
         let articulated_right_wrist_bracket_mzz = 0.2
             + (0.4
-                - screws.inside_right_wrist_pitch_fz * inverse_pivot_right_wrist_pitch_d
+                - screws.inside_right_wrist_pitch_fz
+                    * forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                        .inverse_pivot_right_wrist_pitch_d
                     * screws.inside_right_wrist_pitch_fz);
-        let wrench_right_forearm_mx_2 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_forearm_mx_2 = (forward_dynamics_itself_from_wrench_right_forearm_mx_19
             .wrench_right_wrist_bracket_mx_14 * poses.rotation_right_forearm_yy
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_16 * poses.rotation_right_forearm_zy)
             * qd[28];
-        let wrench_right_forearm_mx_4 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_forearm_mx_4 = (forward_dynamics_itself_from_wrench_right_forearm_mx_19
             .wrench_right_wrist_bracket_my_14 * poses.rotation_right_forearm_zy
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_14 * poses.rotation_right_forearm_xy)
             * qd[28];
-        let wrench_right_forearm_mx_6 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_forearm_mx_6 = (forward_dynamics_itself_from_wrench_right_forearm_mx_19
             .wrench_right_wrist_bracket_mx_16 * poses.rotation_right_forearm_xy
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_my_14 * poses.rotation_right_forearm_yy)
             * qd[28];
-        let wrench_right_forearm_mx_12 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_forearm_mx_12 = (forward_dynamics_itself_from_wrench_right_forearm_mx_19
             .wrench_right_wrist_bracket_mx_16 * screws.screw_right_wrist_yaw_vz
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_14 * screws.screw_right_wrist_yaw_vy
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_wrist_bracket_mx_18 * poses.rotation_right_forearm_yy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_wrist_bracket_mx_20 * poses.rotation_right_forearm_zy))
-            * qd[28];
-        let wrench_right_forearm_mx_10 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + (velocities.velocity_right_wrist_bracket_vz
+                * poses.rotation_right_forearm_yy
+                - velocities.velocity_right_wrist_bracket_vy
+                    * poses.rotation_right_forearm_zy)) * qd[28];
+        let wrench_right_forearm_mx_10 = (forward_dynamics_itself_from_wrench_right_forearm_mx_19
             .wrench_right_wrist_bracket_mx_14 * screws.screw_right_wrist_yaw_vx
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_my_14 * screws.screw_right_wrist_yaw_vz
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_wrist_bracket_my_18 * poses.rotation_right_forearm_zy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_wrist_bracket_mx_18 * poses.rotation_right_forearm_xy))
-            * qd[28];
-        let wrench_right_forearm_mx_8 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + (velocities.velocity_right_wrist_bracket_vx
+                * poses.rotation_right_forearm_zy
+                - velocities.velocity_right_wrist_bracket_vz
+                    * poses.rotation_right_forearm_xy)) * qd[28];
+        let wrench_right_forearm_mx_8 = (forward_dynamics_itself_from_wrench_right_forearm_mx_19
             .wrench_right_wrist_bracket_my_14 * screws.screw_right_wrist_yaw_vy
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_wrist_bracket_mx_16 * screws.screw_right_wrist_yaw_vx
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_wrist_bracket_mx_20 * poses.rotation_right_forearm_xy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_wrist_bracket_my_18 * poses.rotation_right_forearm_yy))
-            * qd[28];
+            + (velocities.velocity_right_wrist_bracket_vy
+                * poses.rotation_right_forearm_xy
+                - velocities.velocity_right_wrist_bracket_vx
+                    * poses.rotation_right_forearm_yy)) * qd[28];
         let wrench_outside_right_wrist_bracket_mx = articulated_right_wrist_bracket_hxz
             * screws.screw_right_wrist_yaw_vz
             - (minus_articulated_right_wrist_bracket_hxy
@@ -23937,16 +24053,53 @@ mod forward_dynamics_itself {
                 + wrench_right_forearm_mx_10 * wrench_outside_right_wrist_bracket_fy
                 + wrench_right_forearm_mx_8 * wrench_outside_right_wrist_bracket_fz))
             * inverse_pivot_right_wrist_yaw_d;
-        ForwardDynamicsItselfFromWrenchRightWristBracketMx3 {
-            wrench_right_wrist_bracket_mx_3,
-            wrench_right_wrist_bracket_mx_5,
-            wrench_right_wrist_bracket_my_7,
-            wrench_right_wrist_bracket_mx_9,
-            wrench_right_wrist_bracket_mx_7,
-            inverse_pivot_right_wrist_pitch_d,
-            wrench_right_wrist_bracket_mx_12_0,
-            wrench_right_wrist_bracket_mx,
-            wrench_right_wrist_bracket_my,
+        let wrench_right_forearm_mx = wrench_right_wrist_bracket_mx
+            + (articulated_right_wrist_bracket_jxx * wrench_right_forearm_mx_2
+                + articulated_right_wrist_bracket_jxy * wrench_right_forearm_mx_4
+                + articulated_right_wrist_bracket_jxz * wrench_right_forearm_mx_6
+                + (articulated_right_wrist_bracket_hxz * wrench_right_forearm_mx_8
+                    - (minus_articulated_right_wrist_bracket_hxy
+                        * wrench_right_forearm_mx_10
+                        + minus_articulated_right_wrist_bracket_hxx
+                            * wrench_right_forearm_mx_12)))
+            + wrench_outside_right_wrist_bracket_mx * wrench_right_forearm_mx_14
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_forearm_mx_15
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_forearm_mx_16
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_forearm_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_forearm_mx_18
+                + (forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_forearm_mx_19 * velocities.velocity_right_forearm_vz
+                    - forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                        .wrench_right_forearm_mx_21
+                        * velocities.velocity_right_forearm_vy));
+        let wrench_right_forearm_my = wrench_right_wrist_bracket_my
+            + (articulated_right_wrist_bracket_jxy * wrench_right_forearm_mx_2
+                + articulated_right_wrist_bracket_jyy * wrench_right_forearm_mx_4
+                + articulated_right_wrist_bracket_jyz * wrench_right_forearm_mx_6
+                + (articulated_right_wrist_bracket_hyx * wrench_right_forearm_mx_12
+                    - minus_articulated_right_wrist_bracket_hyy
+                        * wrench_right_forearm_mx_10
+                    - minus_articulated_right_wrist_bracket_hyz
+                        * wrench_right_forearm_mx_8))
+            + wrench_outside_right_wrist_bracket_my * wrench_right_forearm_mx_14
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_forearm_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_forearm_my_16
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_forearm_my_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_forearm_mx_16
+                + (forward_dynamics_itself_from_wrench_right_forearm_mx_19
+                    .wrench_right_forearm_mx_21 * velocities.velocity_right_forearm_vx
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_forearm_my_21
+                        * velocities.velocity_right_forearm_vz));
+        ForwardDynamicsItselfFromWrenchRightWristBracketMx {
             wrench_right_wrist_bracket_mz,
             wrench_right_wrist_bracket_fx,
             wrench_right_wrist_bracket_fy,
@@ -23987,15 +24140,12 @@ mod forward_dynamics_itself {
             inverse_pivot_right_wrist_yaw_d,
             wrench_right_forearm_mx_14_0,
             wrench_right_forearm_mx_14,
+            wrench_right_forearm_mx,
+            wrench_right_forearm_my,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchRightForearmMx {
-        pub(super) wrench_right_forearm_my: f64,
-        pub(super) wrench_right_forearm_mz: f64,
-        pub(super) wrench_right_forearm_fx: f64,
-        pub(super) wrench_right_forearm_fy: f64,
-        pub(super) wrench_right_forearm_fz: f64,
+    pub(super) struct ForwardDynamicsItselfFromWrenchRightForearmMz {
         pub(super) minus_articulated_right_forearm_hxx: f64,
         pub(super) minus_articulated_right_forearm_hyy: f64,
         pub(super) minus_articulated_right_forearm_hzz: f64,
@@ -24031,456 +24181,367 @@ mod forward_dynamics_itself {
         pub(super) wrench_outside_right_forearm_fz: f64,
         pub(super) inverse_pivot_right_elbow_d: f64,
         pub(super) wrench_right_upper_arm_mx_14_0: f64,
-        pub(super) wrench_right_upper_arm_mx_14: f64,
         pub(super) wrench_right_upper_arm_mx: f64,
+        pub(super) wrench_right_upper_arm_my: f64,
+        pub(super) wrench_right_upper_arm_mz: f64,
+        pub(super) wrench_right_upper_arm_fx: f64,
+        pub(super) wrench_right_upper_arm_fy: f64,
+        pub(super) wrench_right_upper_arm_fz: f64,
+        pub(super) minus_articulated_right_upper_arm_hxx_1: f64,
+        pub(super) minus_articulated_right_upper_arm_hyy_1: f64,
+        pub(super) minus_articulated_right_upper_arm_hzz_1: f64,
+        pub(super) minus_articulated_right_upper_arm_mxy_1: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_right_forearm_mx(
+    pub(super) fn forward_dynamics_itself_from_wrench_right_forearm_mz(
         qd: &[f64; 30],
         tau: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx17,
-        forward_dynamics_itself_from_wrench_right_upper_arm_mx_19: &ForwardDynamicsItselfFromWrenchRightUpperArmMx19,
-        forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3: &ForwardDynamicsItselfFromWrenchRightWristBracketMx3,
-    ) -> ForwardDynamicsItselfFromWrenchRightForearmMx {
-        let wrench_right_forearm_mx = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-            .wrench_right_wrist_bracket_mx
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                .articulated_right_wrist_bracket_jxx
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .wrench_right_forearm_mx_2
-                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .articulated_right_wrist_bracket_jxy
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .wrench_right_forearm_mx_4
-                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .articulated_right_wrist_bracket_jxz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .wrench_right_forearm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .articulated_right_wrist_bracket_hxz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .wrench_right_forearm_mx_8
-                    - (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .minus_articulated_right_wrist_bracket_hxy
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                            .wrench_right_forearm_mx_10
-                        + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                            .minus_articulated_right_wrist_bracket_hxx
-                            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                                .wrench_right_forearm_mx_12)))
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                .wrench_outside_right_wrist_bracket_mx
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .wrench_right_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_forearm_mx_15
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_mx_16
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_mx_17
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_forearm_mx_18
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_mx_19
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_forearm_mx_20
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_forearm_mx_21
-                        * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                            .wrench_right_forearm_mx_22));
-        let wrench_right_forearm_my = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-            .wrench_right_wrist_bracket_my
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                .articulated_right_wrist_bracket_jxy
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .wrench_right_forearm_mx_2
-                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .articulated_right_wrist_bracket_jyy
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .wrench_right_forearm_mx_4
-                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .articulated_right_wrist_bracket_jyz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .wrench_right_forearm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .articulated_right_wrist_bracket_hyx
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .wrench_right_forearm_mx_12
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .minus_articulated_right_wrist_bracket_hyy
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                            .wrench_right_forearm_mx_10
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                        .minus_articulated_right_wrist_bracket_hyz
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                            .wrench_right_forearm_mx_8))
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                .wrench_outside_right_wrist_bracket_my
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
-                    .wrench_right_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_forearm_mx_17
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_my_16
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_my_17
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_forearm_mx_16
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_mx_21
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_forearm_my_20
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_forearm_my_21
-                        * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                            .wrench_right_forearm_mx_20));
-        let wrench_right_forearm_mz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        velocities: &Velocities,
+        forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4: &ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4,
+        forward_dynamics_itself_from_wrench_right_forearm_mx_19: &ForwardDynamicsItselfFromWrenchRightForearmMx19,
+        forward_dynamics_itself_from_wrench_right_wrist_bracket_mx: &ForwardDynamicsItselfFromWrenchRightWristBracketMx,
+    ) -> ForwardDynamicsItselfFromWrenchRightForearmMz {
+        let wrench_right_forearm_mz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_right_wrist_bracket_mz
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_jxz
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_2
-                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .articulated_right_wrist_bracket_jyz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_4
-                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .articulated_right_wrist_bracket_jzz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .articulated_right_wrist_bracket_hzy
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_10
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_hzx
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_12
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_hzz
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_8))
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_outside_right_wrist_bracket_mz
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_my_17
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_forearm_mx_18
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_forearm_mx_15
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_forearm_my_16
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_my_21
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_forearm_mx_22
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_forearm_my_21 * velocities.velocity_right_forearm_vy
+                    - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_forearm_mx_19
-                        * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                            .wrench_right_forearm_my_20));
-        let wrench_right_forearm_fx = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * velocities.velocity_right_forearm_vx));
+        let wrench_right_forearm_fx = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_right_wrist_bracket_fx
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_hyx
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_4
-                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .minus_articulated_right_wrist_bracket_hxx
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_2
-                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .minus_articulated_right_wrist_bracket_hzx
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .articulated_right_wrist_bracket_mxx
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_12
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_mxy
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_10
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_mxz
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_8))
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_outside_right_wrist_bracket_fx
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_forearm_mx_19
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_forearm_mx_16
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_forearm_mx_21
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_forearm_mx_18);
-        let wrench_right_forearm_fy = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let wrench_right_forearm_fy = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_right_wrist_bracket_fy
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_hzy
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_6
-                - (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                - (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .minus_articulated_right_wrist_bracket_hxy
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_2
-                    + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_hyy
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_4)
-                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .articulated_right_wrist_bracket_myy
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_10
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_mxy
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_12
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_myz
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_8))
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_outside_right_wrist_bracket_fy
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - (forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .wrench_right_forearm_mx_21
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_forearm_my_16
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_forearm_my_21
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_forearm_mx_16);
-        let wrench_right_forearm_fz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let wrench_right_forearm_fz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_right_wrist_bracket_fz
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_hxz
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_2
-                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .minus_articulated_right_wrist_bracket_hyz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_4
-                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .minus_articulated_right_wrist_bracket_hzz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .articulated_right_wrist_bracket_mzz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_right_forearm_mx_8
-                    - (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .minus_articulated_right_wrist_bracket_mxz
-                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .wrench_right_forearm_mx_12
-                        + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                        + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                             .minus_articulated_right_wrist_bracket_myz
-                            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                                 .wrench_right_forearm_mx_10)))
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_outside_right_wrist_bracket_fz
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_right_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_my_21
-                * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_forearm_mx_18
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_forearm_mx_19
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_forearm_my_16);
-        let minus_articulated_right_forearm_hxx_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_hxx_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_outside_right_wrist_bracket_mx
-            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .inverse_pivot_right_wrist_yaw_d;
-        let minus_articulated_right_forearm_hyy_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_hyy_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_outside_right_wrist_bracket_my
-            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .inverse_pivot_right_wrist_yaw_d;
-        let minus_articulated_right_forearm_hzz_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_hzz_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_outside_right_wrist_bracket_mz
-            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .inverse_pivot_right_wrist_yaw_d;
-        let minus_articulated_right_forearm_mxy_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_mxy_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_outside_right_wrist_bracket_fx
-            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .inverse_pivot_right_wrist_yaw_d;
-        let minus_articulated_right_forearm_myz_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_myz_1 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_outside_right_wrist_bracket_fy
-            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .inverse_pivot_right_wrist_yaw_d;
-        let minus_articulated_right_forearm_hxx = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_hxx = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .minus_articulated_right_wrist_bracket_hxx
             + minus_articulated_right_forearm_hxx_1
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_fx;
-        let minus_articulated_right_forearm_hyy = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_hyy = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .minus_articulated_right_wrist_bracket_hyy
             + minus_articulated_right_forearm_hyy_1
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_fy;
-        let minus_articulated_right_forearm_hzz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_hzz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .minus_articulated_right_wrist_bracket_hzz
             + minus_articulated_right_forearm_hzz_1
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_fz;
-        let minus_articulated_right_forearm_mxy = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_mxy = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .minus_articulated_right_wrist_bracket_mxy
             + minus_articulated_right_forearm_mxy_1
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_fy;
-        let minus_articulated_right_forearm_mxz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_mxz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .minus_articulated_right_wrist_bracket_mxz
             + minus_articulated_right_forearm_mxy_1
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_fz;
-        let minus_articulated_right_forearm_myz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let minus_articulated_right_forearm_myz = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .minus_articulated_right_wrist_bracket_myz
             + minus_articulated_right_forearm_myz_1
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_fz;
         let articulated_right_forearm_jxx = inertias.inertia_right_forearm_xx
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_jxx
                 - minus_articulated_right_forearm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_mx);
         let articulated_right_forearm_jxy = inertias.inertia_right_forearm_xy
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_jxy
                 - minus_articulated_right_forearm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_my);
         let articulated_right_forearm_jxz = inertias.inertia_right_forearm_xz
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_jxz
                 - minus_articulated_right_forearm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_mz);
         let articulated_right_forearm_jyy = inertias.inertia_right_forearm_yy
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_jyy
                 - minus_articulated_right_forearm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_my);
         let articulated_right_forearm_jyz = inertias.inertia_right_forearm_yz
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_jyz
                 - minus_articulated_right_forearm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_mz);
         let articulated_right_forearm_jzz = inertias.inertia_right_forearm_zz
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_jzz
                 - minus_articulated_right_forearm_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_mz);
         let articulated_right_forearm_hyx = inertias.inertia_right_forearm_hz
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_hyx
                 - minus_articulated_right_forearm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fx);
         let minus_articulated_right_forearm_hzx = inertias.inertia_right_forearm_hy
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .minus_articulated_right_wrist_bracket_hzx
                 + minus_articulated_right_forearm_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fx);
         let minus_articulated_right_forearm_hxy = inertias.inertia_right_forearm_hz
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .minus_articulated_right_wrist_bracket_hxy
                 + minus_articulated_right_forearm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fy);
         let articulated_right_forearm_hzy = inertias.inertia_right_forearm_hx
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_hzy
                 - minus_articulated_right_forearm_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fy);
         let articulated_right_forearm_hxz = inertias.inertia_right_forearm_hy
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_hxz
                 - minus_articulated_right_forearm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fz);
         let minus_articulated_right_forearm_hyz = inertias.inertia_right_forearm_hx
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .minus_articulated_right_wrist_bracket_hyz
                 + minus_articulated_right_forearm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fz);
         let articulated_right_forearm_mxx = 0.45
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_mxx
                 - minus_articulated_right_forearm_mxy_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fx);
         let articulated_right_forearm_myy = 0.45
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_myy
                 - minus_articulated_right_forearm_myz_1
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fy);
         let articulated_right_forearm_mzz = 0.45
-            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .articulated_right_wrist_bracket_mzz
-                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_fz
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .inverse_pivot_right_wrist_yaw_d
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fz);
-        let wrench_right_upper_arm_mx_2 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_upper_arm_mx_2 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_forearm_mx_18 * poses.rotation_right_upper_arm_zy
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_mx_16 * poses.rotation_right_upper_arm_yy)
             * qd[27];
-        let wrench_right_upper_arm_mx_4 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_upper_arm_mx_4 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_forearm_mx_16 * poses.minus_rotation_right_upper_arm_xy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_my_16 * poses.rotation_right_upper_arm_zy)
             * qd[27];
-        let wrench_right_upper_arm_mx_6 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_upper_arm_mx_6 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_forearm_my_16 * poses.rotation_right_upper_arm_yy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_mx_18 * poses.minus_rotation_right_upper_arm_xy)
             * qd[27];
-        let wrench_right_upper_arm_mx_12 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+        let wrench_right_upper_arm_mx_12 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_forearm_mx_18 * screws.screw_right_elbow_vz
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_mx_16 * screws.minus_screw_right_elbow_vy
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_forearm_mx_22 * poses.rotation_right_upper_arm_zy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_mx_20 * poses.rotation_right_upper_arm_yy))
-            * qd[27];
-        let wrench_right_upper_arm_mx_10 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            + (velocities.velocity_right_forearm_vy * poses.rotation_right_upper_arm_zy
+                - velocities.velocity_right_forearm_vz
+                    * poses.rotation_right_upper_arm_yy)) * qd[27];
+        let wrench_right_upper_arm_mx_10 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_forearm_mx_16 * screws.screw_right_elbow_vx
-            - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_my_16 * screws.screw_right_elbow_vz
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_forearm_mx_20 * poses.minus_rotation_right_upper_arm_xy
-                + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_forearm_my_20 * poses.rotation_right_upper_arm_zy))
-            * qd[27];
-        let wrench_right_upper_arm_mx_8 = (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-            .wrench_right_forearm_my_20 * poses.rotation_right_upper_arm_yy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_forearm_mx_22 * poses.minus_rotation_right_upper_arm_xy
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+            - (velocities.velocity_right_forearm_vz
+                * poses.minus_rotation_right_upper_arm_xy
+                + velocities.velocity_right_forearm_vx
+                    * poses.rotation_right_upper_arm_zy)) * qd[27];
+        let wrench_right_upper_arm_mx_8 = (velocities.velocity_right_forearm_vx
+            * poses.rotation_right_upper_arm_yy
+            + velocities.velocity_right_forearm_vy
+                * poses.minus_rotation_right_upper_arm_xy
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_forearm_my_16 * screws.minus_screw_right_elbow_vy
-                + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_forearm_mx_18 * screws.screw_right_elbow_vx)) * qd[27];
         let wrench_outside_right_forearm_mx = articulated_right_forearm_jxy
             * poses.rotation_right_upper_arm_yy
@@ -24537,8 +24598,12 @@ mod forward_dynamics_itself {
                 - screws.minus_screw_right_elbow_vy * wrench_outside_right_forearm_fy
                 + screws.screw_right_elbow_vz * wrench_outside_right_forearm_fz);
         let wrench_right_upper_arm_mx_14_0 = tau[27]
-            - (poses.rotation_right_upper_arm_yy * wrench_right_forearm_my
-                - poses.minus_rotation_right_upper_arm_xy * wrench_right_forearm_mx
+            - (poses.rotation_right_upper_arm_yy
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
+                    .wrench_right_forearm_my
+                - poses.minus_rotation_right_upper_arm_xy
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
+                        .wrench_right_forearm_mx
                 + poses.rotation_right_upper_arm_zy * wrench_right_forearm_mz
                 + screws.screw_right_elbow_vx * wrench_right_forearm_fx
                 - screws.minus_screw_right_elbow_vy * wrench_right_forearm_fy
@@ -24551,7 +24616,8 @@ mod forward_dynamics_itself {
                 + wrench_right_upper_arm_mx_10 * wrench_outside_right_forearm_fy
                 + wrench_right_upper_arm_mx_8 * wrench_outside_right_forearm_fz))
             * inverse_pivot_right_elbow_d;
-        let wrench_right_upper_arm_mx = wrench_right_forearm_mx
+        let wrench_right_upper_arm_mx = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
+            .wrench_right_forearm_mx
             + (articulated_right_forearm_jxx * wrench_right_upper_arm_mx_2
                 - articulated_right_forearm_jxy * wrench_right_upper_arm_mx_4
                 + articulated_right_forearm_jxz * wrench_right_upper_arm_mx_6
@@ -24560,28 +24626,123 @@ mod forward_dynamics_itself {
                         + minus_articulated_right_forearm_hxx
                             * wrench_right_upper_arm_mx_12)))
             + wrench_outside_right_forearm_mx * wrench_right_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_upper_arm_mx_15
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_upper_arm_mx_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_upper_arm_mx_17
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_upper_arm_mx_18
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_upper_arm_mx_19
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_mx_20
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                    * velocities.velocity_right_upper_arm_vz
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_upper_arm_mx_21
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_upper_arm_mx_22));
-        ForwardDynamicsItselfFromWrenchRightForearmMx {
-            wrench_right_forearm_my,
-            wrench_right_forearm_mz,
-            wrench_right_forearm_fx,
-            wrench_right_forearm_fy,
-            wrench_right_forearm_fz,
+                        * velocities.velocity_right_upper_arm_vy));
+        let wrench_right_upper_arm_my = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
+            .wrench_right_forearm_my
+            + (articulated_right_forearm_jxy * wrench_right_upper_arm_mx_2
+                - articulated_right_forearm_jyy * wrench_right_upper_arm_mx_4
+                + articulated_right_forearm_jyz * wrench_right_upper_arm_mx_6
+                + (articulated_right_forearm_hyx * wrench_right_upper_arm_mx_12
+                    - minus_articulated_right_forearm_hyy * wrench_right_upper_arm_mx_10
+                    - minus_articulated_right_forearm_hyz * wrench_right_upper_arm_mx_8))
+            + wrench_outside_right_forearm_my * wrench_right_upper_arm_mx_14
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_upper_arm_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_my_16
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_my_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_upper_arm_mx_16
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_mx_21
+                    * velocities.velocity_right_upper_arm_vx
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_upper_arm_my_21
+                        * velocities.velocity_right_upper_arm_vz));
+        let wrench_right_upper_arm_mz = wrench_right_forearm_mz
+            + (articulated_right_forearm_jxz * wrench_right_upper_arm_mx_2
+                - articulated_right_forearm_jyz * wrench_right_upper_arm_mx_4
+                + articulated_right_forearm_jzz * wrench_right_upper_arm_mx_6
+                + (articulated_right_forearm_hzy * wrench_right_upper_arm_mx_10
+                    - minus_articulated_right_forearm_hzx * wrench_right_upper_arm_mx_12
+                    - minus_articulated_right_forearm_hzz * wrench_right_upper_arm_mx_8))
+            + wrench_outside_right_forearm_mz * wrench_right_upper_arm_mx_14
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_upper_arm_my_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_mx_18
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_mx_15
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_upper_arm_my_16
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_my_21
+                    * velocities.velocity_right_upper_arm_vy
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_upper_arm_mx_19
+                        * velocities.velocity_right_upper_arm_vx));
+        let wrench_right_upper_arm_fx = wrench_right_forearm_fx
+            + (articulated_right_forearm_mxx * wrench_right_upper_arm_mx_12
+                - minus_articulated_right_forearm_mxy * wrench_right_upper_arm_mx_10
+                - minus_articulated_right_forearm_mxz * wrench_right_upper_arm_mx_8
+                - (minus_articulated_right_forearm_hxx * wrench_right_upper_arm_mx_2
+                    + articulated_right_forearm_hyx * wrench_right_upper_arm_mx_4
+                    + minus_articulated_right_forearm_hzx * wrench_right_upper_arm_mx_6))
+            + wrench_outside_right_forearm_fx * wrench_right_upper_arm_mx_14
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_upper_arm_mx_19
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_mx_16
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_mx_21
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_upper_arm_mx_18);
+        let wrench_right_upper_arm_fy = wrench_right_forearm_fy
+            + (minus_articulated_right_forearm_hyy * wrench_right_upper_arm_mx_4
+                - minus_articulated_right_forearm_hxy * wrench_right_upper_arm_mx_2
+                + articulated_right_forearm_hzy * wrench_right_upper_arm_mx_6
+                + (articulated_right_forearm_myy * wrench_right_upper_arm_mx_10
+                    - minus_articulated_right_forearm_mxy * wrench_right_upper_arm_mx_12
+                    - minus_articulated_right_forearm_myz * wrench_right_upper_arm_mx_8))
+            + wrench_outside_right_forearm_fy * wrench_right_upper_arm_mx_14
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_upper_arm_mx_21
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_my_16
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_my_21
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_upper_arm_mx_16);
+        let wrench_right_upper_arm_fz = wrench_right_forearm_fz
+            + (articulated_right_forearm_hxz * wrench_right_upper_arm_mx_2
+                + minus_articulated_right_forearm_hyz * wrench_right_upper_arm_mx_4
+                - minus_articulated_right_forearm_hzz * wrench_right_upper_arm_mx_6
+                + (articulated_right_forearm_mzz * wrench_right_upper_arm_mx_8
+                    - (minus_articulated_right_forearm_mxz * wrench_right_upper_arm_mx_12
+                        + minus_articulated_right_forearm_myz
+                            * wrench_right_upper_arm_mx_10)))
+            + wrench_outside_right_forearm_fz * wrench_right_upper_arm_mx_14
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                .wrench_right_upper_arm_my_21
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_mx_18
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                    .wrench_right_upper_arm_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
+                        .wrench_right_upper_arm_my_16);
+        let minus_articulated_right_upper_arm_hxx_1 = wrench_outside_right_forearm_mx
+            * inverse_pivot_right_elbow_d;
+        let minus_articulated_right_upper_arm_hyy_1 = wrench_outside_right_forearm_my
+            * inverse_pivot_right_elbow_d;
+        let minus_articulated_right_upper_arm_hzz_1 = wrench_outside_right_forearm_mz
+            * inverse_pivot_right_elbow_d;
+        let minus_articulated_right_upper_arm_mxy_1 = wrench_outside_right_forearm_fx
+            * inverse_pivot_right_elbow_d;
+        ForwardDynamicsItselfFromWrenchRightForearmMz {
             minus_articulated_right_forearm_hxx,
             minus_articulated_right_forearm_hyy,
             minus_articulated_right_forearm_hzz,
@@ -24617,13 +24778,20 @@ mod forward_dynamics_itself {
             wrench_outside_right_forearm_fz,
             inverse_pivot_right_elbow_d,
             wrench_right_upper_arm_mx_14_0,
-            wrench_right_upper_arm_mx_14,
             wrench_right_upper_arm_mx,
+            wrench_right_upper_arm_my,
+            wrench_right_upper_arm_mz,
+            wrench_right_upper_arm_fx,
+            wrench_right_upper_arm_fy,
+            wrench_right_upper_arm_fz,
+            minus_articulated_right_upper_arm_hxx_1,
+            minus_articulated_right_upper_arm_hyy_1,
+            minus_articulated_right_upper_arm_hzz_1,
+            minus_articulated_right_upper_arm_mxy_1,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromWrenchRightUpperArmMy {
-        pub(super) minus_articulated_right_upper_arm_hxx: f64,
+    pub(super) struct ForwardDynamicsItselfFromMinusArticulatedRightUpperArmMyz1 {
         pub(super) minus_articulated_right_upper_arm_hyy: f64,
         pub(super) minus_articulated_right_upper_arm_hzz: f64,
         pub(super) minus_articulated_right_upper_arm_mxy: f64,
@@ -24667,409 +24835,205 @@ mod forward_dynamics_itself {
         pub(super) minus_articulated_right_shoulder_cross_hxx_1: f64,
         pub(super) minus_articulated_right_shoulder_cross_hyy_1: f64,
         pub(super) minus_articulated_right_shoulder_cross_hzz_1: f64,
+        pub(super) minus_articulated_right_shoulder_cross_mxy_1: f64,
+        pub(super) minus_articulated_right_shoulder_cross_myz_1: f64,
+        pub(super) minus_articulated_right_shoulder_cross_hxx: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_wrench_right_upper_arm_my(
+    pub(super) fn forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1(
         qd: &[f64; 30],
         tau: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx17,
-        forward_dynamics_itself_from_wrench_right_upper_arm_mx_19: &ForwardDynamicsItselfFromWrenchRightUpperArmMx19,
-        forward_dynamics_itself_from_wrench_right_forearm_mx: &ForwardDynamicsItselfFromWrenchRightForearmMx,
-    ) -> ForwardDynamicsItselfFromWrenchRightUpperArmMy {
-        let wrench_right_upper_arm_my = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_right_forearm_my
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                .articulated_right_forearm_jxy
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_2
-                - forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_jyy
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_4
-                + forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_jyz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_hyx
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_12
-                    - forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_hyy
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_10
-                    - forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_hyz
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_8))
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
-                .wrench_outside_right_forearm_my
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_mx_17
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_my_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_my_17
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_mx_16
-                + (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_upper_arm_mx_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_my_20
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_my_21
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_upper_arm_mx_20));
-        let wrench_right_upper_arm_mz = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_right_forearm_mz
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                .articulated_right_forearm_jxz
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_2
-                - forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_jyz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_4
-                + forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_jzz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_hzy
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_10
-                    - forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_hzx
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_12
-                    - forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_hzz
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_8))
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
-                .wrench_outside_right_forearm_mz
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_my_17
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_mx_18
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_mx_15
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_my_16
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_my_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_mx_22
-                    - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                        .wrench_right_upper_arm_mx_19
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_upper_arm_my_20));
-        let wrench_right_upper_arm_fx = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_right_forearm_fx
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                .articulated_right_forearm_mxx
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_12
-                - forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .minus_articulated_right_forearm_mxy
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_10
-                - forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .minus_articulated_right_forearm_mxz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_8
-                - (forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .minus_articulated_right_forearm_hxx
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_2
-                    + forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .articulated_right_forearm_hyx
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_4
-                    + forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_hzx
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_6))
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
-                .wrench_outside_right_forearm_fx
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_upper_arm_mx_19
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_mx_16
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_upper_arm_mx_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_mx_18);
-        let wrench_right_upper_arm_fy = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_right_forearm_fy
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                .minus_articulated_right_forearm_hyy
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_4
-                - forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .minus_articulated_right_forearm_hxy
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_2
-                + forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_hzy
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_myy
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_10
-                    - forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_mxy
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_12
-                    - forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_myz
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_8))
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
-                .wrench_outside_right_forearm_fy
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                .wrench_right_upper_arm_mx_21
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_my_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_my_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_mx_16);
-        let wrench_right_upper_arm_fz = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_right_forearm_fz
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                .articulated_right_forearm_hxz
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_2
-                + forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .minus_articulated_right_forearm_hyz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_4
-                - forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .minus_articulated_right_forearm_hzz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_6
-                + (forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .articulated_right_forearm_mzz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .wrench_right_upper_arm_mx_8
-                    - (forward_dynamics_itself_from_wrench_right_forearm_mx
-                        .minus_articulated_right_forearm_mxz
-                        * forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .wrench_right_upper_arm_mx_12
-                        + forward_dynamics_itself_from_wrench_right_forearm_mx
-                            .minus_articulated_right_forearm_myz
-                            * forward_dynamics_itself_from_wrench_right_forearm_mx
-                                .wrench_right_upper_arm_mx_10)))
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
-                .wrench_outside_right_forearm_fz
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
-                    .wrench_right_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_my_21
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_mx_18
-                - forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
-                    .wrench_right_upper_arm_mx_19
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_upper_arm_my_16);
-        let minus_articulated_right_upper_arm_hxx_1 = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_outside_right_forearm_mx
-            * forward_dynamics_itself_from_wrench_right_forearm_mx
-                .inverse_pivot_right_elbow_d;
-        let minus_articulated_right_upper_arm_hyy_1 = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_outside_right_forearm_my
-            * forward_dynamics_itself_from_wrench_right_forearm_mx
-                .inverse_pivot_right_elbow_d;
-        let minus_articulated_right_upper_arm_hzz_1 = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_outside_right_forearm_mz
-            * forward_dynamics_itself_from_wrench_right_forearm_mx
-                .inverse_pivot_right_elbow_d;
-        let minus_articulated_right_upper_arm_mxy_1 = forward_dynamics_itself_from_wrench_right_forearm_mx
-            .wrench_outside_right_forearm_fx
-            * forward_dynamics_itself_from_wrench_right_forearm_mx
-                .inverse_pivot_right_elbow_d;
-        let minus_articulated_right_upper_arm_myz_1 = forward_dynamics_itself_from_wrench_right_forearm_mx
+        velocities: &Velocities,
+        forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4: &ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4,
+        forward_dynamics_itself_from_wrench_right_forearm_mz: &ForwardDynamicsItselfFromWrenchRightForearmMz,
+    ) -> ForwardDynamicsItselfFromMinusArticulatedRightUpperArmMyz1 {
+        let minus_articulated_right_upper_arm_myz_1 = forward_dynamics_itself_from_wrench_right_forearm_mz
             .wrench_outside_right_forearm_fy
-            * forward_dynamics_itself_from_wrench_right_forearm_mx
+            * forward_dynamics_itself_from_wrench_right_forearm_mz
                 .inverse_pivot_right_elbow_d;
-        let minus_articulated_right_upper_arm_hxx = forward_dynamics_itself_from_wrench_right_forearm_mx
+        let minus_articulated_right_upper_arm_hxx = forward_dynamics_itself_from_wrench_right_forearm_mz
             .minus_articulated_right_forearm_hxx
-            + minus_articulated_right_upper_arm_hxx_1
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
+                .minus_articulated_right_upper_arm_hxx_1
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_fx;
-        let minus_articulated_right_upper_arm_hyy = forward_dynamics_itself_from_wrench_right_forearm_mx
+        let minus_articulated_right_upper_arm_hyy = forward_dynamics_itself_from_wrench_right_forearm_mz
             .minus_articulated_right_forearm_hyy
-            + minus_articulated_right_upper_arm_hyy_1
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
+                .minus_articulated_right_upper_arm_hyy_1
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_fy;
-        let minus_articulated_right_upper_arm_hzz = forward_dynamics_itself_from_wrench_right_forearm_mx
+        let minus_articulated_right_upper_arm_hzz = forward_dynamics_itself_from_wrench_right_forearm_mz
             .minus_articulated_right_forearm_hzz
-            + minus_articulated_right_upper_arm_hzz_1
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
+                .minus_articulated_right_upper_arm_hzz_1
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_fz;
-        let minus_articulated_right_upper_arm_mxy = forward_dynamics_itself_from_wrench_right_forearm_mx
+        let minus_articulated_right_upper_arm_mxy = forward_dynamics_itself_from_wrench_right_forearm_mz
             .minus_articulated_right_forearm_mxy
-            + minus_articulated_right_upper_arm_mxy_1
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
+                .minus_articulated_right_upper_arm_mxy_1
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_fy;
-        let minus_articulated_right_upper_arm_mxz = forward_dynamics_itself_from_wrench_right_forearm_mx
+        let minus_articulated_right_upper_arm_mxz = forward_dynamics_itself_from_wrench_right_forearm_mz
             .minus_articulated_right_forearm_mxz
-            + minus_articulated_right_upper_arm_mxy_1
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
+                .minus_articulated_right_upper_arm_mxy_1
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_fz;
-        let minus_articulated_right_upper_arm_myz = forward_dynamics_itself_from_wrench_right_forearm_mx
+        let minus_articulated_right_upper_arm_myz = forward_dynamics_itself_from_wrench_right_forearm_mz
             .minus_articulated_right_forearm_myz
             + minus_articulated_right_upper_arm_myz_1
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_fz;
         let articulated_right_upper_arm_jxx = inertias.inertia_right_upper_arm_xx
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_jxx
-                - minus_articulated_right_upper_arm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hxx_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_mx);
         let articulated_right_upper_arm_jxy = inertias.inertia_right_upper_arm_xy
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_jxy
-                - minus_articulated_right_upper_arm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hxx_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_my);
         let articulated_right_upper_arm_jxz = inertias.inertia_right_upper_arm_xz
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_jxz
-                - minus_articulated_right_upper_arm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hxx_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_mz);
         let articulated_right_upper_arm_jyy = inertias.inertia_right_upper_arm_yy
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_jyy
-                - minus_articulated_right_upper_arm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hyy_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_my);
         let articulated_right_upper_arm_jyz = inertias.inertia_right_upper_arm_yz
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_jyz
-                - minus_articulated_right_upper_arm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hyy_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_mz);
         let articulated_right_upper_arm_jzz = inertias.inertia_right_upper_arm_zz
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_jzz
-                - minus_articulated_right_upper_arm_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hzz_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_mz);
         let articulated_right_upper_arm_hyx = inertias.inertia_right_upper_arm_hz
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_hyx
-                - minus_articulated_right_upper_arm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hyy_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fx);
         let minus_articulated_right_upper_arm_hzx = inertias.inertia_right_upper_arm_hy
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .minus_articulated_right_forearm_hzx
-                + minus_articulated_right_upper_arm_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                + forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hzz_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fx);
         let minus_articulated_right_upper_arm_hxy = inertias.inertia_right_upper_arm_hz
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .minus_articulated_right_forearm_hxy
-                + minus_articulated_right_upper_arm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                + forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hxx_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fy);
         let articulated_right_upper_arm_hzy = inertias.inertia_right_upper_arm_hx
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_hzy
-                - minus_articulated_right_upper_arm_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hzz_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fy);
         let articulated_right_upper_arm_hxz = inertias.inertia_right_upper_arm_hy
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_hxz
-                - minus_articulated_right_upper_arm_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hxx_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fz);
         let minus_articulated_right_upper_arm_hyz = inertias.inertia_right_upper_arm_hx
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .minus_articulated_right_forearm_hyz
-                + minus_articulated_right_upper_arm_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                + forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_hyy_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fz);
         let articulated_right_upper_arm_mxx = 0.7
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_mxx
-                - minus_articulated_right_upper_arm_mxy_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .minus_articulated_right_upper_arm_mxy_1
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fx);
         let articulated_right_upper_arm_myy = 0.7
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_myy
                 - minus_articulated_right_upper_arm_myz_1
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fy);
         let articulated_right_upper_arm_mzz = 0.7
-            + (forward_dynamics_itself_from_wrench_right_forearm_mx
+            + (forward_dynamics_itself_from_wrench_right_forearm_mz
                 .articulated_right_forearm_mzz
-                - forward_dynamics_itself_from_wrench_right_forearm_mx
+                - forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_fz
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .inverse_pivot_right_elbow_d
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fz);
-        let wrench_right_shoulder_cross_mx_2 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_cross_mx_2 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_upper_arm_mx_16 * poses.rotation_right_shoulder_cross_yx
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_upper_arm_mx_18 * poses.rotation_right_shoulder_cross_zx)
             * qd[26];
-        let wrench_right_shoulder_cross_mx_4 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_cross_mx_4 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_upper_arm_my_16 * poses.rotation_right_shoulder_cross_zx
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_upper_arm_mx_16 * poses.rotation_right_shoulder_cross_xx)
             * qd[26];
-        let wrench_right_shoulder_cross_mx_6 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_cross_mx_6 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_upper_arm_mx_18 * poses.rotation_right_shoulder_cross_xx
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_upper_arm_my_16 * poses.rotation_right_shoulder_cross_yx)
             * qd[26];
-        let wrench_right_shoulder_cross_mx_12 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_cross_mx_12 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_upper_arm_mx_18 * screws.screw_right_shoulder_yaw_vz
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_upper_arm_mx_16 * screws.screw_right_shoulder_yaw_vy
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_mx_20 * poses.rotation_right_shoulder_cross_yx
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_mx_22
+            + (velocities.velocity_right_upper_arm_vz
+                * poses.rotation_right_shoulder_cross_yx
+                - velocities.velocity_right_upper_arm_vy
                     * poses.rotation_right_shoulder_cross_zx)) * qd[26];
-        let wrench_right_shoulder_cross_mx_10 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_cross_mx_10 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_upper_arm_mx_16 * screws.screw_right_shoulder_yaw_vx
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_upper_arm_my_16 * screws.screw_right_shoulder_yaw_vz
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_my_20 * poses.rotation_right_shoulder_cross_zx
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_mx_20
+            + (velocities.velocity_right_upper_arm_vx
+                * poses.rotation_right_shoulder_cross_zx
+                - velocities.velocity_right_upper_arm_vz
                     * poses.rotation_right_shoulder_cross_xx)) * qd[26];
-        let wrench_right_shoulder_cross_mx_8 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_cross_mx_8 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_upper_arm_my_16 * screws.screw_right_shoulder_yaw_vy
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_upper_arm_mx_18 * screws.screw_right_shoulder_yaw_vx
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_upper_arm_mx_22 * poses.rotation_right_shoulder_cross_xx
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_upper_arm_my_20
+            + (velocities.velocity_right_upper_arm_vy
+                * poses.rotation_right_shoulder_cross_xx
+                - velocities.velocity_right_upper_arm_vx
                     * poses.rotation_right_shoulder_cross_yx)) * qd[26];
         let wrench_outside_right_upper_arm_mx = articulated_right_upper_arm_hxz
             * screws.screw_right_shoulder_yaw_vz
@@ -25141,14 +25105,24 @@ mod forward_dynamics_itself {
                 + screws.screw_right_shoulder_yaw_vz
                     * wrench_outside_right_upper_arm_fz);
         let wrench_right_shoulder_cross_mx_14_0 = tau[26]
-            - (screws.screw_right_shoulder_yaw_vx * wrench_right_upper_arm_fx
+            - (screws.screw_right_shoulder_yaw_vx
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
+                    .wrench_right_upper_arm_fx
                 - (poses.rotation_right_shoulder_cross_xx
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_right_upper_arm_mx
-                    + poses.rotation_right_shoulder_cross_yx * wrench_right_upper_arm_my
-                    + poses.rotation_right_shoulder_cross_zx * wrench_right_upper_arm_mz)
-                + screws.screw_right_shoulder_yaw_vy * wrench_right_upper_arm_fy
-                + screws.screw_right_shoulder_yaw_vz * wrench_right_upper_arm_fz);
+                    + poses.rotation_right_shoulder_cross_yx
+                        * forward_dynamics_itself_from_wrench_right_forearm_mz
+                            .wrench_right_upper_arm_my
+                    + poses.rotation_right_shoulder_cross_zx
+                        * forward_dynamics_itself_from_wrench_right_forearm_mz
+                            .wrench_right_upper_arm_mz)
+                + screws.screw_right_shoulder_yaw_vy
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
+                        .wrench_right_upper_arm_fy
+                + screws.screw_right_shoulder_yaw_vz
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
+                        .wrench_right_upper_arm_fz);
         let wrench_right_shoulder_cross_mx_14 = (wrench_right_shoulder_cross_mx_14_0
             - (wrench_right_shoulder_cross_mx_2 * wrench_outside_right_upper_arm_mx
                 + wrench_right_shoulder_cross_mx_4 * wrench_outside_right_upper_arm_my
@@ -25157,7 +25131,7 @@ mod forward_dynamics_itself {
                 + wrench_right_shoulder_cross_mx_10 * wrench_outside_right_upper_arm_fy
                 + wrench_right_shoulder_cross_mx_8 * wrench_outside_right_upper_arm_fz))
             * inverse_pivot_right_shoulder_yaw_d;
-        let wrench_right_shoulder_cross_mx = forward_dynamics_itself_from_wrench_right_forearm_mx
+        let wrench_right_shoulder_cross_mx = forward_dynamics_itself_from_wrench_right_forearm_mz
             .wrench_right_upper_arm_mx
             + (articulated_right_upper_arm_jxx * wrench_right_shoulder_cross_mx_2
                 + articulated_right_upper_arm_jxy * wrench_right_shoulder_cross_mx_4
@@ -25168,23 +25142,22 @@ mod forward_dynamics_itself {
                         + minus_articulated_right_upper_arm_hxx
                             * wrench_right_shoulder_cross_mx_12)))
             + wrench_outside_right_upper_arm_mx * wrench_right_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_15
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_mx_18
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_shoulder_cross_mx_20
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_right_shoulder_cross_vz
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_mx_21
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_shoulder_cross_mx_22));
-        let wrench_right_shoulder_cross_my = wrench_right_upper_arm_my
+                        * velocities.velocity_right_shoulder_cross_vy));
+        let wrench_right_shoulder_cross_my = forward_dynamics_itself_from_wrench_right_forearm_mz
+            .wrench_right_upper_arm_my
             + (articulated_right_upper_arm_jxy * wrench_right_shoulder_cross_mx_2
                 + articulated_right_upper_arm_jyy * wrench_right_shoulder_cross_mx_4
                 + articulated_right_upper_arm_jyz * wrench_right_shoulder_cross_mx_6
@@ -25194,23 +25167,22 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_upper_arm_hyz
                         * wrench_right_shoulder_cross_mx_8))
             + wrench_outside_right_upper_arm_my * wrench_right_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_17
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_my_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_my_17
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_shoulder_cross_my_20
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_right_shoulder_cross_vx
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_my_21
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_shoulder_cross_mx_20));
-        let wrench_right_shoulder_cross_mz = wrench_right_upper_arm_mz
+                        * velocities.velocity_right_shoulder_cross_vz));
+        let wrench_right_shoulder_cross_mz = forward_dynamics_itself_from_wrench_right_forearm_mz
+            .wrench_right_upper_arm_mz
             + (articulated_right_upper_arm_jxz * wrench_right_shoulder_cross_mx_2
                 + articulated_right_upper_arm_jyz * wrench_right_shoulder_cross_mx_4
                 + articulated_right_upper_arm_jzz * wrench_right_shoulder_cross_mx_6
@@ -25220,23 +25192,22 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_upper_arm_hzz
                         * wrench_right_shoulder_cross_mx_8))
             + wrench_outside_right_upper_arm_mz * wrench_right_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_my_17
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_18
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_15
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_my_16
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_my_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_shoulder_cross_mx_22
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_right_shoulder_cross_vy
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_shoulder_cross_my_20));
-        let wrench_right_shoulder_cross_fx = wrench_right_upper_arm_fx
+                        * velocities.velocity_right_shoulder_cross_vx));
+        let wrench_right_shoulder_cross_fx = forward_dynamics_itself_from_wrench_right_forearm_mz
+            .wrench_right_upper_arm_fx
             + (articulated_right_upper_arm_hyx * wrench_right_shoulder_cross_mx_4
                 - minus_articulated_right_upper_arm_hxx
                     * wrench_right_shoulder_cross_mx_2
@@ -25248,15 +25219,16 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_upper_arm_mxz
                         * wrench_right_shoulder_cross_mx_8))
             + wrench_outside_right_upper_arm_fx * wrench_right_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_19
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_mx_18);
-        let wrench_right_shoulder_cross_fy = wrench_right_upper_arm_fy
+        let wrench_right_shoulder_cross_fy = forward_dynamics_itself_from_wrench_right_forearm_mz
+            .wrench_right_upper_arm_fy
             + (articulated_right_upper_arm_hzy * wrench_right_shoulder_cross_mx_6
                 - (minus_articulated_right_upper_arm_hxy
                     * wrench_right_shoulder_cross_mx_2
@@ -25268,15 +25240,16 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_upper_arm_myz
                         * wrench_right_shoulder_cross_mx_8))
             + wrench_outside_right_upper_arm_fy * wrench_right_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_21
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_my_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_my_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_mx_16);
-        let wrench_right_shoulder_cross_fz = wrench_right_upper_arm_fz
+        let wrench_right_shoulder_cross_fz = forward_dynamics_itself_from_wrench_right_forearm_mz
+            .wrench_right_upper_arm_fz
             + (articulated_right_upper_arm_hxz * wrench_right_shoulder_cross_mx_2
                 - minus_articulated_right_upper_arm_hyz
                     * wrench_right_shoulder_cross_mx_4
@@ -25288,13 +25261,13 @@ mod forward_dynamics_itself {
                         + minus_articulated_right_upper_arm_myz
                             * wrench_right_shoulder_cross_mx_10)))
             + wrench_outside_right_upper_arm_fz * wrench_right_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_my_21
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_18
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_cross_my_16);
         let minus_articulated_right_shoulder_cross_hxx_1 = wrench_outside_right_upper_arm_mx
             * inverse_pivot_right_shoulder_yaw_d;
@@ -25302,8 +25275,14 @@ mod forward_dynamics_itself {
             * inverse_pivot_right_shoulder_yaw_d;
         let minus_articulated_right_shoulder_cross_hzz_1 = wrench_outside_right_upper_arm_mz
             * inverse_pivot_right_shoulder_yaw_d;
-        ForwardDynamicsItselfFromWrenchRightUpperArmMy {
-            minus_articulated_right_upper_arm_hxx,
+        let minus_articulated_right_shoulder_cross_mxy_1 = wrench_outside_right_upper_arm_fx
+            * inverse_pivot_right_shoulder_yaw_d;
+        let minus_articulated_right_shoulder_cross_myz_1 = wrench_outside_right_upper_arm_fy
+            * inverse_pivot_right_shoulder_yaw_d;
+        let minus_articulated_right_shoulder_cross_hxx = minus_articulated_right_upper_arm_hxx
+            + minus_articulated_right_shoulder_cross_hxx_1
+                * wrench_outside_right_upper_arm_fx;
+        ForwardDynamicsItselfFromMinusArticulatedRightUpperArmMyz1 {
             minus_articulated_right_upper_arm_hyy,
             minus_articulated_right_upper_arm_hzz,
             minus_articulated_right_upper_arm_mxy,
@@ -25347,11 +25326,13 @@ mod forward_dynamics_itself {
             minus_articulated_right_shoulder_cross_hxx_1,
             minus_articulated_right_shoulder_cross_hyy_1,
             minus_articulated_right_shoulder_cross_hzz_1,
+            minus_articulated_right_shoulder_cross_mxy_1,
+            minus_articulated_right_shoulder_cross_myz_1,
+            minus_articulated_right_shoulder_cross_hxx,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossMxy1 {
-        pub(super) minus_articulated_right_shoulder_cross_hyy: f64,
+    pub(super) struct ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossHyy {
         pub(super) minus_articulated_right_shoulder_cross_hzz: f64,
         pub(super) minus_articulated_right_shoulder_cross_mxy: f64,
         pub(super) minus_articulated_right_shoulder_cross_mxz: f64,
@@ -25397,223 +25378,211 @@ mod forward_dynamics_itself {
         pub(super) minus_articulated_right_shoulder_bracket_mxy_1: f64,
         pub(super) minus_articulated_right_shoulder_bracket_myz_1: f64,
         pub(super) minus_articulated_right_shoulder_bracket_hxx: f64,
+        pub(super) minus_articulated_right_shoulder_bracket_hyy: f64,
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1(
+    pub(super) fn forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy(
         qd: &[f64; 30],
         tau: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx17,
-        forward_dynamics_itself_from_wrench_right_upper_arm_my: &ForwardDynamicsItselfFromWrenchRightUpperArmMy,
-    ) -> ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossMxy1 {
-        let minus_articulated_right_shoulder_cross_mxy_1 = forward_dynamics_itself_from_wrench_right_upper_arm_my
-            .wrench_outside_right_upper_arm_fx
-            * forward_dynamics_itself_from_wrench_right_upper_arm_my
-                .inverse_pivot_right_shoulder_yaw_d;
-        let minus_articulated_right_shoulder_cross_myz_1 = forward_dynamics_itself_from_wrench_right_upper_arm_my
-            .wrench_outside_right_upper_arm_fy
-            * forward_dynamics_itself_from_wrench_right_upper_arm_my
-                .inverse_pivot_right_shoulder_yaw_d;
-        let minus_articulated_right_shoulder_cross_hxx = forward_dynamics_itself_from_wrench_right_upper_arm_my
-            .minus_articulated_right_upper_arm_hxx
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
-                .minus_articulated_right_shoulder_cross_hxx_1
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
-                    .wrench_outside_right_upper_arm_fx;
-        let minus_articulated_right_shoulder_cross_hyy = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        velocities: &Velocities,
+        forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4: &ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4,
+        forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1: &ForwardDynamicsItselfFromMinusArticulatedRightUpperArmMyz1,
+    ) -> ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossHyy {
+        let minus_articulated_right_shoulder_cross_hyy = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .minus_articulated_right_upper_arm_hyy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .minus_articulated_right_shoulder_cross_hyy_1
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_outside_right_upper_arm_fy;
-        let minus_articulated_right_shoulder_cross_hzz = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let minus_articulated_right_shoulder_cross_hzz = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .minus_articulated_right_upper_arm_hzz
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .minus_articulated_right_shoulder_cross_hzz_1
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_outside_right_upper_arm_fz;
-        let minus_articulated_right_shoulder_cross_mxy = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let minus_articulated_right_shoulder_cross_mxy = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .minus_articulated_right_upper_arm_mxy
-            + minus_articulated_right_shoulder_cross_mxy_1
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                .minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_outside_right_upper_arm_fy;
-        let minus_articulated_right_shoulder_cross_mxz = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let minus_articulated_right_shoulder_cross_mxz = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .minus_articulated_right_upper_arm_mxz
-            + minus_articulated_right_shoulder_cross_mxy_1
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                .minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_outside_right_upper_arm_fz;
-        let minus_articulated_right_shoulder_cross_myz = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let minus_articulated_right_shoulder_cross_myz = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .minus_articulated_right_upper_arm_myz
-            + minus_articulated_right_shoulder_cross_myz_1
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                .minus_articulated_right_shoulder_cross_myz_1
+                * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_outside_right_upper_arm_fz;
         let articulated_right_shoulder_cross_jxx = inertias
             .inertia_right_shoulder_cross_xx
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_jxx
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_mx);
         let articulated_right_shoulder_cross_jxy = inertias
             .inertia_right_shoulder_cross_xy
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_jxy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_my);
         let articulated_right_shoulder_cross_jxz = inertias
             .inertia_right_shoulder_cross_xz
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_jxz
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_mz);
         let articulated_right_shoulder_cross_jyy = inertias
             .inertia_right_shoulder_cross_yy
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_jyy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_my);
         let articulated_right_shoulder_cross_jyz = inertias
             .inertia_right_shoulder_cross_yz
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_jyz
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_mz);
         let articulated_right_shoulder_cross_jzz = inertias
             .inertia_right_shoulder_cross_zz
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_jzz
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_mz);
         let articulated_right_shoulder_cross_hyx = inertias
             .inertia_right_shoulder_cross_hz
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_hyx
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fx);
         let minus_articulated_right_shoulder_cross_hzx = inertias
             .inertia_right_shoulder_cross_hy
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .minus_articulated_right_upper_arm_hzx
-                + forward_dynamics_itself_from_wrench_right_upper_arm_my
+                + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fx);
         let minus_articulated_right_shoulder_cross_hxy = inertias
             .inertia_right_shoulder_cross_hz
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .minus_articulated_right_upper_arm_hxy
-                + forward_dynamics_itself_from_wrench_right_upper_arm_my
+                + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fy);
         let articulated_right_shoulder_cross_hzy = inertias
             .inertia_right_shoulder_cross_hx
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_hzy
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hzz_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fy);
         let articulated_right_shoulder_cross_hxz = inertias
             .inertia_right_shoulder_cross_hy
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_hxz
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hxx_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fz);
         let minus_articulated_right_shoulder_cross_hyz = inertias
             .inertia_right_shoulder_cross_hx
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .minus_articulated_right_upper_arm_hyz
-                + forward_dynamics_itself_from_wrench_right_upper_arm_my
+                + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .minus_articulated_right_shoulder_cross_hyy_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fz);
         let articulated_right_shoulder_cross_mxx = 0.6
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_mxx
-                - minus_articulated_right_shoulder_cross_mxy_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                    .minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fx);
         let articulated_right_shoulder_cross_myy = 0.6
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_myy
-                - minus_articulated_right_shoulder_cross_myz_1
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                    .minus_articulated_right_shoulder_cross_myz_1
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fy);
         let articulated_right_shoulder_cross_mzz = 0.6
-            + (forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .articulated_right_upper_arm_mzz
-                - forward_dynamics_itself_from_wrench_right_upper_arm_my
+                - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_outside_right_upper_arm_fz
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .inverse_pivot_right_shoulder_yaw_d
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fz);
-        let wrench_right_shoulder_bracket_mx_4 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_bracket_mx_4 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_cross_mx_18
             * poses.minus_rotation_right_shoulder_bracket_zx
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_16
                 * poses.rotation_right_shoulder_bracket_yx) * qd[25];
-        let wrench_right_shoulder_bracket_mx_2 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_bracket_mx_2 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_cross_mx_16 * poses.rotation_right_shoulder_bracket_xx
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_my_16
                 * poses.minus_rotation_right_shoulder_bracket_zx) * qd[25];
-        let wrench_right_shoulder_bracket_mx_6 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_bracket_mx_6 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_cross_my_16 * poses.rotation_right_shoulder_bracket_yx
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_18
                 * poses.rotation_right_shoulder_bracket_xx) * qd[25];
-        let wrench_right_shoulder_bracket_mx_12 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_bracket_mx_12 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_cross_mx_18 * screws.screw_right_shoulder_roll_vz
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_16 * screws.screw_right_shoulder_roll_vy
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_shoulder_cross_mx_22
+            - (velocities.velocity_right_shoulder_cross_vy
                 * poses.minus_rotation_right_shoulder_bracket_zx
-                + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_shoulder_cross_mx_20
+                + velocities.velocity_right_shoulder_cross_vz
                     * poses.rotation_right_shoulder_bracket_yx)) * qd[25];
-        let wrench_right_shoulder_bracket_mx_10 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-            .wrench_right_shoulder_cross_mx_20 * poses.rotation_right_shoulder_bracket_xx
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_shoulder_cross_my_20
+        let wrench_right_shoulder_bracket_mx_10 = (velocities
+            .velocity_right_shoulder_cross_vz * poses.rotation_right_shoulder_bracket_xx
+            + velocities.velocity_right_shoulder_cross_vx
                 * poses.minus_rotation_right_shoulder_bracket_zx
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_16
                 * screws.minus_screw_right_shoulder_roll_vx
-                + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_cross_my_16
                     * screws.screw_right_shoulder_roll_vz)) * qd[25];
-        let wrench_right_shoulder_bracket_mx_8 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_right_shoulder_bracket_mx_8 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_cross_my_16 * screws.screw_right_shoulder_roll_vy
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_cross_mx_18
                 * screws.minus_screw_right_shoulder_roll_vx
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_shoulder_cross_my_20
+            + (velocities.velocity_right_shoulder_cross_vx
                 * poses.rotation_right_shoulder_bracket_yx
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_shoulder_cross_mx_22
+                - velocities.velocity_right_shoulder_cross_vy
                     * poses.rotation_right_shoulder_bracket_xx)) * qd[25];
         let wrench_outside_right_shoulder_cross_mx = articulated_right_shoulder_cross_jxx
             * poses.rotation_right_shoulder_bracket_xx
@@ -25622,7 +25591,8 @@ mod forward_dynamics_itself {
             - articulated_right_shoulder_cross_jxz
                 * poses.minus_rotation_right_shoulder_bracket_zx
             + (articulated_right_shoulder_cross_hxz * screws.screw_right_shoulder_roll_vz
-                + (minus_articulated_right_shoulder_cross_hxx
+                + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                    .minus_articulated_right_shoulder_cross_hxx
                     * screws.minus_screw_right_shoulder_roll_vx
                     - minus_articulated_right_shoulder_cross_hxy
                         * screws.screw_right_shoulder_roll_vy));
@@ -25651,7 +25621,8 @@ mod forward_dynamics_itself {
                     * screws.screw_right_shoulder_roll_vz);
         let wrench_outside_right_shoulder_cross_fx = articulated_right_shoulder_cross_hyx
             * poses.rotation_right_shoulder_bracket_yx
-            - minus_articulated_right_shoulder_cross_hxx
+            - forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                .minus_articulated_right_shoulder_cross_hxx
                 * poses.rotation_right_shoulder_bracket_xx
             + minus_articulated_right_shoulder_cross_hzx
                 * poses.minus_rotation_right_shoulder_bracket_zx
@@ -25699,22 +25670,22 @@ mod forward_dynamics_itself {
                     * wrench_outside_right_shoulder_cross_fz);
         let wrench_right_shoulder_bracket_mx_14_0 = tau[25]
             - (poses.rotation_right_shoulder_bracket_xx
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_right_shoulder_cross_mx
                 + poses.rotation_right_shoulder_bracket_yx
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_right_shoulder_cross_my
                 - poses.minus_rotation_right_shoulder_bracket_zx
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_right_shoulder_cross_mz
                 - screws.minus_screw_right_shoulder_roll_vx
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_right_shoulder_cross_fx
                 + screws.screw_right_shoulder_roll_vy
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_right_shoulder_cross_fy
                 + screws.screw_right_shoulder_roll_vz
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_right_shoulder_cross_fz);
         let wrench_right_shoulder_bracket_mx_14 = (wrench_right_shoulder_bracket_mx_14_0
             - (wrench_right_shoulder_bracket_mx_2
@@ -25730,7 +25701,7 @@ mod forward_dynamics_itself {
                 + wrench_right_shoulder_bracket_mx_8
                     * wrench_outside_right_shoulder_cross_fz))
             * inverse_pivot_right_shoulder_roll_d;
-        let wrench_right_shoulder_bracket_mx = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let wrench_right_shoulder_bracket_mx = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .wrench_right_shoulder_cross_mx
             + (articulated_right_shoulder_cross_jxy * wrench_right_shoulder_bracket_mx_2
                 - articulated_right_shoulder_cross_jxx
@@ -25741,27 +25712,26 @@ mod forward_dynamics_itself {
                     * wrench_right_shoulder_bracket_mx_8
                     - (minus_articulated_right_shoulder_cross_hxy
                         * wrench_right_shoulder_bracket_mx_10
-                        + minus_articulated_right_shoulder_cross_hxx
+                        + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                            .minus_articulated_right_shoulder_cross_hxx
                             * wrench_right_shoulder_bracket_mx_12)))
             + wrench_outside_right_shoulder_cross_mx
                 * wrench_right_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_mx_15
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_17
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_mx_18
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_shoulder_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_right_shoulder_bracket_vz
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_mx_21
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_shoulder_bracket_mx_22));
-        let wrench_right_shoulder_bracket_my = forward_dynamics_itself_from_wrench_right_upper_arm_my
+                        * velocities.velocity_right_shoulder_bracket_vy));
+        let wrench_right_shoulder_bracket_my = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .wrench_right_shoulder_cross_my
             + (articulated_right_shoulder_cross_jyy * wrench_right_shoulder_bracket_mx_2
                 - articulated_right_shoulder_cross_jxy
@@ -25776,23 +25746,21 @@ mod forward_dynamics_itself {
                         * wrench_right_shoulder_bracket_mx_8))
             + wrench_outside_right_shoulder_cross_my
                 * wrench_right_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_mx_17
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_my_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_my_17
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_mx_16
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_shoulder_bracket_my_20
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_right_shoulder_bracket_vx
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_my_21
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_shoulder_bracket_mx_20));
-        let wrench_right_shoulder_bracket_mz = forward_dynamics_itself_from_wrench_right_upper_arm_my
+                        * velocities.velocity_right_shoulder_bracket_vz));
+        let wrench_right_shoulder_bracket_mz = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .wrench_right_shoulder_cross_mz
             + (articulated_right_shoulder_cross_jyz * wrench_right_shoulder_bracket_mx_2
                 - articulated_right_shoulder_cross_jxz
@@ -25807,25 +25775,24 @@ mod forward_dynamics_itself {
                         * wrench_right_shoulder_bracket_mx_8))
             + wrench_outside_right_shoulder_cross_mz
                 * wrench_right_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_my_17
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_15
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_my_16
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                        .wrench_right_shoulder_bracket_mx_22
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_right_shoulder_bracket_vy
+                    - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                            .wrench_right_shoulder_bracket_my_20));
-        let wrench_right_shoulder_bracket_fx = forward_dynamics_itself_from_wrench_right_upper_arm_my
+                        * velocities.velocity_right_shoulder_bracket_vx));
+        let wrench_right_shoulder_bracket_fx = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .wrench_right_shoulder_cross_fx
-            + (minus_articulated_right_shoulder_cross_hxx
+            + (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+                .minus_articulated_right_shoulder_cross_hxx
                 * wrench_right_shoulder_bracket_mx_4
                 + articulated_right_shoulder_cross_hyx
                     * wrench_right_shoulder_bracket_mx_2
@@ -25839,15 +25806,15 @@ mod forward_dynamics_itself {
                         * wrench_right_shoulder_bracket_mx_8))
             + wrench_outside_right_shoulder_cross_fx
                 * wrench_right_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_mx_19
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_mx_18);
-        let wrench_right_shoulder_bracket_fy = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let wrench_right_shoulder_bracket_fy = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .wrench_right_shoulder_cross_fy
             + (minus_articulated_right_shoulder_cross_hxy
                 * wrench_right_shoulder_bracket_mx_4
@@ -25863,15 +25830,15 @@ mod forward_dynamics_itself {
                         * wrench_right_shoulder_bracket_mx_8))
             + wrench_outside_right_shoulder_cross_fy
                 * wrench_right_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_mx_21
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_my_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_mx_16);
-        let wrench_right_shoulder_bracket_fz = forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let wrench_right_shoulder_bracket_fz = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .wrench_right_shoulder_cross_fz
             + (articulated_right_shoulder_cross_mzz * wrench_right_shoulder_bracket_mx_8
                 - (minus_articulated_right_shoulder_cross_mxz
@@ -25886,13 +25853,13 @@ mod forward_dynamics_itself {
                         * wrench_right_shoulder_bracket_mx_6))
             + wrench_outside_right_shoulder_cross_fz
                 * wrench_right_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_my_21
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .wrench_right_shoulder_bracket_my_16);
         let minus_articulated_right_shoulder_bracket_hxx_1 = wrench_outside_right_shoulder_cross_mx
             * inverse_pivot_right_shoulder_roll_d;
@@ -25904,11 +25871,14 @@ mod forward_dynamics_itself {
             * inverse_pivot_right_shoulder_roll_d;
         let minus_articulated_right_shoulder_bracket_myz_1 = wrench_outside_right_shoulder_cross_fy
             * inverse_pivot_right_shoulder_roll_d;
-        let minus_articulated_right_shoulder_bracket_hxx = minus_articulated_right_shoulder_cross_hxx
+        let minus_articulated_right_shoulder_bracket_hxx = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
+            .minus_articulated_right_shoulder_cross_hxx
             + minus_articulated_right_shoulder_bracket_hxx_1
                 * wrench_outside_right_shoulder_cross_fx;
-        ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossMxy1 {
-            minus_articulated_right_shoulder_cross_hyy,
+        let minus_articulated_right_shoulder_bracket_hyy = minus_articulated_right_shoulder_cross_hyy
+            + minus_articulated_right_shoulder_bracket_hyy_1
+                * wrench_outside_right_shoulder_cross_fy;
+        ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossHyy {
             minus_articulated_right_shoulder_cross_hzz,
             minus_articulated_right_shoulder_cross_mxy,
             minus_articulated_right_shoulder_cross_mxz,
@@ -25954,11 +25924,11 @@ mod forward_dynamics_itself {
             minus_articulated_right_shoulder_bracket_mxy_1,
             minus_articulated_right_shoulder_bracket_myz_1,
             minus_articulated_right_shoulder_bracket_hxx,
+            minus_articulated_right_shoulder_bracket_hyy,
         }
     }
     /// What only `forward_dynamics` computes. Continued.
-    pub(super) struct ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHyy {
-        pub(super) minus_articulated_right_shoulder_bracket_hyy: f64,
+    pub(super) struct ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHzz {
         pub(super) minus_articulated_right_shoulder_bracket_hzz: f64,
         pub(super) minus_articulated_right_shoulder_bracket_mxy: f64,
         pub(super) minus_articulated_right_shoulder_bracket_mxz: f64,
@@ -26002,214 +25972,204 @@ mod forward_dynamics_itself {
     }
     /// What only `forward_dynamics` computes. Continued.
     #[inline(never)]
-    pub(super) fn forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy(
+    pub(super) fn forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz(
         qd: &[f64; 30],
         tau: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx17,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossMxy1,
-    ) -> ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHyy {
-        let minus_articulated_right_shoulder_bracket_hyy = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
-            .minus_articulated_right_shoulder_cross_hyy
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
-                .minus_articulated_right_shoulder_bracket_hyy_1
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
-                    .wrench_outside_right_shoulder_cross_fy;
-        let minus_articulated_right_shoulder_bracket_hzz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19,
+        forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4: &ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossHyy,
+    ) -> ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHzz {
+        let minus_articulated_right_shoulder_bracket_hzz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .minus_articulated_right_shoulder_cross_hzz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_bracket_hzz_1
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .wrench_outside_right_shoulder_cross_fz;
-        let minus_articulated_right_shoulder_bracket_mxy = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let minus_articulated_right_shoulder_bracket_mxy = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .minus_articulated_right_shoulder_cross_mxy
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_bracket_mxy_1
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .wrench_outside_right_shoulder_cross_fy;
-        let minus_articulated_right_shoulder_bracket_mxz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let minus_articulated_right_shoulder_bracket_mxz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .minus_articulated_right_shoulder_cross_mxz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_bracket_mxy_1
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .wrench_outside_right_shoulder_cross_fz;
-        let minus_articulated_right_shoulder_bracket_myz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let minus_articulated_right_shoulder_bracket_myz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .minus_articulated_right_shoulder_cross_myz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_bracket_myz_1
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .wrench_outside_right_shoulder_cross_fz;
         let articulated_right_shoulder_bracket_jxx = inertias
             .inertia_right_shoulder_bracket_xx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_jxx
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hxx_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_mx);
         let articulated_right_shoulder_bracket_jxy = inertias
             .inertia_right_shoulder_bracket_xy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_jxy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hxx_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_my);
         let articulated_right_shoulder_bracket_jxz = inertias
             .inertia_right_shoulder_bracket_xz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_jxz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hxx_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_mz);
         let articulated_right_shoulder_bracket_jyy = inertias
             .inertia_right_shoulder_bracket_yy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_jyy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hyy_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_my);
         let articulated_right_shoulder_bracket_jyz = inertias
             .inertia_right_shoulder_bracket_yz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_jyz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hyy_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_mz);
         let articulated_right_shoulder_bracket_jzz = inertias
             .inertia_right_shoulder_bracket_zz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_jzz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hzz_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_mz);
         let articulated_right_shoulder_bracket_hyx = inertias
             .inertia_right_shoulder_bracket_hz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_hyx
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hyy_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fx);
         let minus_articulated_right_shoulder_bracket_hzx = inertias
             .inertia_right_shoulder_bracket_hy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_cross_hzx
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hzz_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fx);
         let minus_articulated_right_shoulder_bracket_hxy = inertias
             .inertia_right_shoulder_bracket_hz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_cross_hxy
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hxx_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fy);
         let articulated_right_shoulder_bracket_hzy = inertias
             .inertia_right_shoulder_bracket_hx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_hzy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hzz_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fy);
         let articulated_right_shoulder_bracket_hxz = inertias
             .inertia_right_shoulder_bracket_hy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_hxz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hxx_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fz);
         let minus_articulated_right_shoulder_bracket_hyz = inertias
             .inertia_right_shoulder_bracket_hx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_cross_hyz
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hyy_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fz);
         let articulated_right_shoulder_bracket_mxx = 0.7
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_mxx
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_mxy_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fx);
         let articulated_right_shoulder_bracket_myy = 0.7
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_myy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_myz_1
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fy);
         let articulated_right_shoulder_bracket_mzz = 0.7
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .articulated_right_shoulder_cross_mzz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .wrench_outside_right_shoulder_cross_fz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .inverse_pivot_right_shoulder_roll_d
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fz);
-        let wrench_torso_mx_2 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_torso_mx_2 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_bracket_mx_18
             * poses.rotation_right_shoulder_bracket_zz
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_mx_16
                 * poses.rotation_right_shoulder_bracket_yz) * qd[24];
-        let wrench_torso_mx_4 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_torso_mx_4 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_bracket_mx_16
             * poses.minus_rotation_right_shoulder_bracket_xz
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_my_16
                 * poses.rotation_right_shoulder_bracket_zz) * qd[24];
-        let wrench_torso_mx_6 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_torso_mx_6 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_bracket_my_16
             * poses.rotation_right_shoulder_bracket_yz
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_mx_18
                 * poses.minus_rotation_right_shoulder_bracket_xz) * qd[24];
-        let wrench_torso_mx_12 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_torso_mx_12 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_bracket_mx_18 * screws.screw_right_shoulder_pitch_vz
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_mx_16
                 * screws.minus_screw_right_shoulder_pitch_vy
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_shoulder_bracket_mx_22
+            + (velocities.velocity_right_shoulder_bracket_vy
                 * poses.rotation_right_shoulder_bracket_zz
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_shoulder_bracket_mx_20
+                - velocities.velocity_right_shoulder_bracket_vz
                     * poses.rotation_right_shoulder_bracket_yz)) * qd[24];
-        let wrench_torso_mx_10 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_torso_mx_10 = (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
             .wrench_right_shoulder_bracket_mx_16 * screws.screw_right_shoulder_pitch_vx
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_my_16
                 * screws.screw_right_shoulder_pitch_vz
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_shoulder_bracket_mx_20
+            - (velocities.velocity_right_shoulder_bracket_vz
                 * poses.minus_rotation_right_shoulder_bracket_xz
-                + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .wrench_right_shoulder_bracket_my_20
+                + velocities.velocity_right_shoulder_bracket_vx
                     * poses.rotation_right_shoulder_bracket_zz)) * qd[24];
-        let wrench_torso_mx_8 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-            .wrench_right_shoulder_bracket_my_20
+        let wrench_torso_mx_8 = (velocities.velocity_right_shoulder_bracket_vx
             * poses.rotation_right_shoulder_bracket_yz
-            + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .wrench_right_shoulder_bracket_mx_22
+            + velocities.velocity_right_shoulder_bracket_vy
                 * poses.minus_rotation_right_shoulder_bracket_xz
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .wrench_right_shoulder_bracket_my_16
                 * screws.minus_screw_right_shoulder_pitch_vy
-                + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .wrench_right_shoulder_bracket_mx_18
                     * screws.screw_right_shoulder_pitch_vx)) * qd[24];
         let wrench_outside_right_shoulder_bracket_mx = articulated_right_shoulder_bracket_jxy
@@ -26222,7 +26182,7 @@ mod forward_dynamics_itself {
                 * screws.screw_right_shoulder_pitch_vz
                 + (minus_articulated_right_shoulder_bracket_hxy
                     * screws.minus_screw_right_shoulder_pitch_vy
-                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .minus_articulated_right_shoulder_bracket_hxx
                         * screws.screw_right_shoulder_pitch_vx));
         let wrench_outside_right_shoulder_bracket_my = articulated_right_shoulder_bracket_jyy
@@ -26231,7 +26191,8 @@ mod forward_dynamics_itself {
                 * poses.minus_rotation_right_shoulder_bracket_xz
             + articulated_right_shoulder_bracket_jyz
                 * poses.rotation_right_shoulder_bracket_zz
-            + (minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
+                .minus_articulated_right_shoulder_bracket_hyy
                 * screws.minus_screw_right_shoulder_pitch_vy
                 + articulated_right_shoulder_bracket_hyx
                     * screws.screw_right_shoulder_pitch_vx
@@ -26249,7 +26210,7 @@ mod forward_dynamics_itself {
                     * screws.minus_screw_right_shoulder_pitch_vy
                     + minus_articulated_right_shoulder_bracket_hzx
                         * screws.screw_right_shoulder_pitch_vx));
-        let wrench_outside_right_shoulder_bracket_fx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let wrench_outside_right_shoulder_bracket_fx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .minus_articulated_right_shoulder_bracket_hxx
             * poses.minus_rotation_right_shoulder_bracket_xz
             + articulated_right_shoulder_bracket_hyx
@@ -26264,7 +26225,8 @@ mod forward_dynamics_itself {
                     * screws.screw_right_shoulder_pitch_vz);
         let wrench_outside_right_shoulder_bracket_fy = minus_articulated_right_shoulder_bracket_hxy
             * poses.minus_rotation_right_shoulder_bracket_xz
-            - minus_articulated_right_shoulder_bracket_hyy
+            - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
+                .minus_articulated_right_shoulder_bracket_hyy
                 * poses.rotation_right_shoulder_bracket_yz
             + articulated_right_shoulder_bracket_hzy
                 * poses.rotation_right_shoulder_bracket_zz
@@ -26301,22 +26263,22 @@ mod forward_dynamics_itself {
                     * wrench_outside_right_shoulder_bracket_fz);
         let wrench_torso_mx_14_0 = tau[24]
             - (poses.rotation_right_shoulder_bracket_yz
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .wrench_right_shoulder_bracket_my
                 - poses.minus_rotation_right_shoulder_bracket_xz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_right_shoulder_bracket_mx
                 + poses.rotation_right_shoulder_bracket_zz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_right_shoulder_bracket_mz
                 + screws.screw_right_shoulder_pitch_vx
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_right_shoulder_bracket_fx
                 - screws.minus_screw_right_shoulder_pitch_vy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_right_shoulder_bracket_fy
                 + screws.screw_right_shoulder_pitch_vz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_right_shoulder_bracket_fz);
         let wrench_torso_mx_14 = (wrench_torso_mx_14_0
             - (wrench_torso_mx_2 * wrench_outside_right_shoulder_bracket_mx
@@ -26336,13 +26298,12 @@ mod forward_dynamics_itself {
             * inverse_pivot_right_shoulder_pitch_d;
         let articulated_torso_myy_2 = wrench_outside_right_shoulder_bracket_fy
             * inverse_pivot_right_shoulder_pitch_d;
-        let wrench_left_wrist_bracket_mx_1 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_left_wrist_bracket_mx_1 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .minus_wrench_left_wrist_cross_mx_3 * poses.rotation_left_wrist_bracket_zy
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .minus_wrench_left_wrist_cross_mx_1
                 * poses.rotation_left_wrist_bracket_yy) * qd[23];
-        ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHyy {
-            minus_articulated_right_shoulder_bracket_hyy,
+        ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHzz {
             minus_articulated_right_shoulder_bracket_hzz,
             minus_articulated_right_shoulder_bracket_mxy,
             minus_articulated_right_shoulder_bracket_mxz,
@@ -26445,49 +26406,44 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19,
-        forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx17,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHyy,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19,
+        forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4: &ForwardDynamicsItselfFromMinusWrenchLeftWristCrossMx4,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHzz,
     ) -> ForwardDynamicsItselfFromWrenchLeftWristBracketMx3 {
-        let wrench_left_wrist_bracket_mx_3 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_left_wrist_bracket_mx_3 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .minus_wrench_left_wrist_cross_mx_1 * poses.rotation_left_wrist_bracket_xy
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .minus_wrench_left_wrist_cross_my_1
                 * poses.rotation_left_wrist_bracket_zy) * qd[23];
-        let wrench_left_wrist_bracket_mx_5 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_left_wrist_bracket_mx_5 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .minus_wrench_left_wrist_cross_my_1 * poses.rotation_left_wrist_bracket_yy
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .minus_wrench_left_wrist_cross_mx_3
                 * poses.rotation_left_wrist_bracket_xy) * qd[23];
-        let wrench_left_wrist_bracket_my_7 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_left_wrist_bracket_my_7 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .minus_wrench_left_wrist_cross_mx_3 * screws.screw_left_wrist_pitch_vz
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .minus_wrench_left_wrist_cross_mx_1 * screws.screw_left_wrist_pitch_vy
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .minus_wrench_left_wrist_cross_mx_7
+            + (velocities.velocity_left_wrist_cross_vy
                 * poses.rotation_left_wrist_bracket_zy
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .minus_wrench_left_wrist_cross_mx_5
+                - velocities.velocity_left_wrist_cross_vz
                     * poses.rotation_left_wrist_bracket_yy)) * qd[23];
-        let wrench_left_wrist_bracket_mx_9 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_left_wrist_bracket_mx_9 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .minus_wrench_left_wrist_cross_mx_1 * screws.screw_left_wrist_pitch_vx
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .minus_wrench_left_wrist_cross_my_1 * screws.screw_left_wrist_pitch_vz
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .minus_wrench_left_wrist_cross_mx_5
+            + (velocities.velocity_left_wrist_cross_vz
                 * poses.rotation_left_wrist_bracket_xy
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .minus_wrench_left_wrist_cross_my_5
+                - velocities.velocity_left_wrist_cross_vx
                     * poses.rotation_left_wrist_bracket_zy)) * qd[23];
-        let wrench_left_wrist_bracket_mx_7 = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+        let wrench_left_wrist_bracket_mx_7 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .minus_wrench_left_wrist_cross_my_1 * screws.screw_left_wrist_pitch_vy
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .minus_wrench_left_wrist_cross_mx_3 * screws.screw_left_wrist_pitch_vx
-            + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                .minus_wrench_left_wrist_cross_my_5
+            + (velocities.velocity_left_wrist_cross_vx
                 * poses.rotation_left_wrist_bracket_yy
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
-                    .minus_wrench_left_wrist_cross_mx_7
+                - velocities.velocity_left_wrist_cross_vy
                     * poses.rotation_left_wrist_bracket_xy)) * qd[23];
         let inverse_pivot_left_wrist_pitch_d = 1.0
             / (poses.rotation_left_wrist_bracket_xy * screws.inside_left_wrist_pitch_mx
@@ -26500,25 +26456,25 @@ mod forward_dynamics_itself {
                 + screws.screw_left_wrist_pitch_vz * screws.inside_left_wrist_pitch_fz);
         let wrench_left_wrist_bracket_mx_12_0 = tau[23]
             + (poses.rotation_left_wrist_bracket_xy
-                * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                     .minus_wrench_left_wrist_cross_mx
                 + poses.rotation_left_wrist_bracket_yy
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .minus_wrench_left_wrist_cross_my
                 + poses.rotation_left_wrist_bracket_zy
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .minus_wrench_left_wrist_cross_mz
                 + screws.screw_left_wrist_pitch_vx
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .minus_wrench_left_wrist_cross_fx
                 + screws.screw_left_wrist_pitch_vy
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .minus_wrench_left_wrist_cross_fy
                 + screws.screw_left_wrist_pitch_vz
-                    * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                         .minus_wrench_left_wrist_cross_fz);
         let wrench_left_wrist_bracket_mx_12 = (wrench_left_wrist_bracket_mx_12_0
-            - (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            - (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_left_wrist_bracket_mx_1 * screws.inside_left_wrist_pitch_mx
                 + wrench_left_wrist_bracket_mx_3 * screws.inside_left_wrist_pitch_my
                 + wrench_left_wrist_bracket_mx_5 * screws.inside_left_wrist_pitch_mz
@@ -26527,130 +26483,124 @@ mod forward_dynamics_itself {
                 + wrench_left_wrist_bracket_mx_7 * screws.inside_left_wrist_pitch_fz))
             * inverse_pivot_left_wrist_pitch_d;
         let wrench_left_wrist_bracket_mx = inertias.inertia_left_wrist_cross_xx
-            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_left_wrist_bracket_mx_1
             + inertias.inertia_left_wrist_cross_xy * wrench_left_wrist_bracket_mx_3
             + inertias.inertia_left_wrist_cross_xz * wrench_left_wrist_bracket_mx_5
             + (inertias.inertia_left_wrist_cross_hy * wrench_left_wrist_bracket_mx_7
                 - inertias.inertia_left_wrist_cross_hz * wrench_left_wrist_bracket_mx_9)
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .minus_wrench_left_wrist_cross_mx
             + screws.inside_left_wrist_pitch_mx * wrench_left_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_13
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_14
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_15
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_mx_16
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_wrist_bracket_mx_18
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_left_wrist_bracket_vz
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_wrist_bracket_mx_20));
+                        * velocities.velocity_left_wrist_bracket_vy));
         let wrench_left_wrist_bracket_my = inertias.inertia_left_wrist_cross_xy
-            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_left_wrist_bracket_mx_1
             + inertias.inertia_left_wrist_cross_yy * wrench_left_wrist_bracket_mx_3
             + inertias.inertia_left_wrist_cross_yz * wrench_left_wrist_bracket_mx_5
             + (inertias.inertia_left_wrist_cross_hz * wrench_left_wrist_bracket_my_7
                 - inertias.inertia_left_wrist_cross_hx * wrench_left_wrist_bracket_mx_7)
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .minus_wrench_left_wrist_cross_my
             + screws.inside_left_wrist_pitch_my * wrench_left_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_15
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_my_14
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_my_15
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_mx_14
-                + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_wrist_bracket_my_18
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * velocities.velocity_left_wrist_bracket_vx
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_my_19
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_wrist_bracket_mx_18));
+                        * velocities.velocity_left_wrist_bracket_vz));
         let wrench_left_wrist_bracket_mz = inertias.inertia_left_wrist_cross_xz
-            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_left_wrist_bracket_mx_1
             + inertias.inertia_left_wrist_cross_yz * wrench_left_wrist_bracket_mx_3
             + inertias.inertia_left_wrist_cross_zz * wrench_left_wrist_bracket_mx_5
             + (inertias.inertia_left_wrist_cross_hx * wrench_left_wrist_bracket_mx_9
                 - inertias.inertia_left_wrist_cross_hy * wrench_left_wrist_bracket_my_7)
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .minus_wrench_left_wrist_cross_mz
             + screws.inside_left_wrist_pitch_mz * wrench_left_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_my_15
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_13
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_my_14
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_my_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_wrist_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                    * velocities.velocity_left_wrist_bracket_vy
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_mx_17
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_wrist_bracket_my_18));
+                        * velocities.velocity_left_wrist_bracket_vx));
         let wrench_left_wrist_bracket_fx = inertias.inertia_left_wrist_cross_hz
             * wrench_left_wrist_bracket_mx_3
             - inertias.inertia_left_wrist_cross_hy * wrench_left_wrist_bracket_mx_5
             + 0.4 * wrench_left_wrist_bracket_my_7
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .minus_wrench_left_wrist_cross_fx
             + screws.inside_left_wrist_pitch_fx * wrench_left_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_17
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_14
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_mx_16);
         let wrench_left_wrist_bracket_fy = inertias.inertia_left_wrist_cross_hx
             * wrench_left_wrist_bracket_mx_5
             - inertias.inertia_left_wrist_cross_hz
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_left_wrist_bracket_mx_1
             + 0.4 * wrench_left_wrist_bracket_mx_9
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .minus_wrench_left_wrist_cross_fy
             + screws.inside_left_wrist_pitch_fy * wrench_left_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_19
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_my_14
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_my_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_mx_14);
         let wrench_left_wrist_bracket_fz = inertias.inertia_left_wrist_cross_hy
-            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_left_wrist_bracket_mx_1
             - inertias.inertia_left_wrist_cross_hx * wrench_left_wrist_bracket_mx_3
             + 0.4 * wrench_left_wrist_bracket_mx_7
-            - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+            - forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4
                 .minus_wrench_left_wrist_cross_fz
             + screws.inside_left_wrist_pitch_fz * wrench_left_wrist_bracket_mx_12
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_my_19
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_wrist_bracket_mx_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_wrist_bracket_my_14);
         let minus_articulated_left_wrist_bracket_hxx_0 = screws
             .inside_left_wrist_pitch_mx * inverse_pivot_left_wrist_pitch_d;
@@ -26737,48 +26687,42 @@ mod forward_dynamics_itself {
             + (0.4
                 - screws.inside_left_wrist_pitch_fz * inverse_pivot_left_wrist_pitch_d
                     * screws.inside_left_wrist_pitch_fz);
-        let wrench_left_forearm_mx_2 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_forearm_mx_2 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_wrist_bracket_mx_14 * poses.rotation_left_forearm_yy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_16 * poses.rotation_left_forearm_zy)
             * qd[22];
-        let wrench_left_forearm_mx_4 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_forearm_mx_4 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_wrist_bracket_my_14 * poses.rotation_left_forearm_zy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_14 * poses.rotation_left_forearm_xy)
             * qd[22];
-        let wrench_left_forearm_mx_6 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_forearm_mx_6 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_wrist_bracket_mx_16 * poses.rotation_left_forearm_xy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_my_14 * poses.rotation_left_forearm_yy)
             * qd[22];
-        let wrench_left_forearm_mx_12 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_forearm_mx_12 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_wrist_bracket_mx_16 * screws.screw_left_wrist_yaw_vz
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_14 * screws.screw_left_wrist_yaw_vy
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_wrist_bracket_mx_18 * poses.rotation_left_forearm_yy
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_wrist_bracket_mx_20 * poses.rotation_left_forearm_zy))
-            * qd[22];
-        let wrench_left_forearm_mx_10 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            + (velocities.velocity_left_wrist_bracket_vz * poses.rotation_left_forearm_yy
+                - velocities.velocity_left_wrist_bracket_vy
+                    * poses.rotation_left_forearm_zy)) * qd[22];
+        let wrench_left_forearm_mx_10 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_wrist_bracket_mx_14 * screws.screw_left_wrist_yaw_vx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_my_14 * screws.screw_left_wrist_yaw_vz
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_wrist_bracket_my_18 * poses.rotation_left_forearm_zy
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_wrist_bracket_mx_18 * poses.rotation_left_forearm_xy))
-            * qd[22];
-        let wrench_left_forearm_mx_8 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            + (velocities.velocity_left_wrist_bracket_vx * poses.rotation_left_forearm_zy
+                - velocities.velocity_left_wrist_bracket_vz
+                    * poses.rotation_left_forearm_xy)) * qd[22];
+        let wrench_left_forearm_mx_8 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_wrist_bracket_my_14 * screws.screw_left_wrist_yaw_vy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_wrist_bracket_mx_16 * screws.screw_left_wrist_yaw_vx
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_wrist_bracket_mx_20 * poses.rotation_left_forearm_xy
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_wrist_bracket_my_18 * poses.rotation_left_forearm_yy))
-            * qd[22];
+            + (velocities.velocity_left_wrist_bracket_vy * poses.rotation_left_forearm_xy
+                - velocities.velocity_left_wrist_bracket_vx
+                    * poses.rotation_left_forearm_yy)) * qd[22];
         let wrench_outside_left_wrist_bracket_mx = articulated_left_wrist_bracket_hxz
             * screws.screw_left_wrist_yaw_vz
             - (minus_articulated_left_wrist_bracket_hxy * screws.screw_left_wrist_yaw_vy
@@ -26957,7 +26901,8 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19,
         forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx3,
     ) -> ForwardDynamicsItselfFromWrenchLeftForearmMx {
         let wrench_left_forearm_mx = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
@@ -26990,22 +26935,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_wrist_bracket_mx
                 * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
                     .wrench_left_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_15
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_mx_18
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_forearm_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_forearm_mx_20
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .wrench_left_forearm_mx_19 * velocities.velocity_left_forearm_vz
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_mx_21
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_forearm_mx_22));
+                        * velocities.velocity_left_forearm_vy));
         let wrench_left_forearm_my = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
             .wrench_left_wrist_bracket_my
             + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
@@ -27036,22 +26978,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_wrist_bracket_my
                 * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
                     .wrench_left_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_17
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_my_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_my_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_mx_16
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_forearm_mx_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_forearm_my_20
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .wrench_left_forearm_mx_21 * velocities.velocity_left_forearm_vx
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_my_21
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_forearm_mx_20));
+                        * velocities.velocity_left_forearm_vz));
         let wrench_left_forearm_mz = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
             .wrench_left_wrist_bracket_mz
             + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
@@ -27082,22 +27021,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_wrist_bracket_mz
                 * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
                     .wrench_left_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_my_17
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_18
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_15
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_my_16
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_forearm_my_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_forearm_mx_22
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .wrench_left_forearm_my_21 * velocities.velocity_left_forearm_vy
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_mx_19
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_forearm_my_20));
+                        * velocities.velocity_left_forearm_vx));
         let wrench_left_forearm_fx = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
             .wrench_left_wrist_bracket_fx
             + (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
@@ -27128,13 +27064,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_wrist_bracket_fx
                 * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
                     .wrench_left_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_19
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_mx_18);
         let wrench_left_forearm_fy = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
             .wrench_left_wrist_bracket_fy
@@ -27166,13 +27102,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_wrist_bracket_fy
                 * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
                     .wrench_left_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_21
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_my_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_my_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_mx_16);
         let wrench_left_forearm_fz = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
             .wrench_left_wrist_bracket_fz
@@ -27204,13 +27140,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_wrist_bracket_fz
                 * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
                     .wrench_left_forearm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_my_21
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_18
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_forearm_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_forearm_my_16);
         let minus_articulated_left_forearm_hxx_1 = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
             .wrench_outside_left_wrist_bracket_mx
@@ -27355,45 +27291,39 @@ mod forward_dynamics_itself {
                         .inverse_pivot_left_wrist_yaw_d
                     * forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
                         .wrench_outside_left_wrist_bracket_fz);
-        let wrench_left_upper_arm_mx_2 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_upper_arm_mx_2 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_forearm_mx_18 * poses.rotation_left_upper_arm_zy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_16 * poses.rotation_left_upper_arm_yy) * qd[21];
-        let wrench_left_upper_arm_mx_4 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_upper_arm_mx_4 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_forearm_mx_16 * poses.rotation_left_upper_arm_xy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_my_16 * poses.rotation_left_upper_arm_zy) * qd[21];
-        let wrench_left_upper_arm_mx_6 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_upper_arm_mx_6 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_forearm_my_16 * poses.rotation_left_upper_arm_yy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_18 * poses.rotation_left_upper_arm_xy) * qd[21];
-        let wrench_left_upper_arm_mx_12 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_upper_arm_mx_12 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_forearm_mx_18 * screws.screw_left_elbow_vz
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_16 * screws.screw_left_elbow_vy
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_forearm_mx_22 * poses.rotation_left_upper_arm_zy
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_forearm_mx_20 * poses.rotation_left_upper_arm_yy))
-            * qd[21];
-        let wrench_left_upper_arm_mx_10 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            + (velocities.velocity_left_forearm_vy * poses.rotation_left_upper_arm_zy
+                - velocities.velocity_left_forearm_vz
+                    * poses.rotation_left_upper_arm_yy)) * qd[21];
+        let wrench_left_upper_arm_mx_10 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_forearm_mx_16 * screws.screw_left_elbow_vx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_my_16 * screws.screw_left_elbow_vz
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_forearm_mx_20 * poses.rotation_left_upper_arm_xy
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_forearm_my_20 * poses.rotation_left_upper_arm_zy))
-            * qd[21];
-        let wrench_left_upper_arm_mx_8 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            + (velocities.velocity_left_forearm_vz * poses.rotation_left_upper_arm_xy
+                - velocities.velocity_left_forearm_vx
+                    * poses.rotation_left_upper_arm_zy)) * qd[21];
+        let wrench_left_upper_arm_mx_8 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_forearm_my_16 * screws.screw_left_elbow_vy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_forearm_mx_18 * screws.screw_left_elbow_vx
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_forearm_my_20 * poses.rotation_left_upper_arm_yy
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_forearm_mx_22 * poses.rotation_left_upper_arm_xy))
-            * qd[21];
+            + (velocities.velocity_left_forearm_vx * poses.rotation_left_upper_arm_yy
+                - velocities.velocity_left_forearm_vy
+                    * poses.rotation_left_upper_arm_xy)) * qd[21];
         let wrench_outside_left_forearm_mx = articulated_left_forearm_jxx
             * poses.rotation_left_upper_arm_xy
             + articulated_left_forearm_jxy * poses.rotation_left_upper_arm_yy
@@ -27467,22 +27397,19 @@ mod forward_dynamics_itself {
                         + minus_articulated_left_forearm_hxx
                             * wrench_left_upper_arm_mx_12)))
             + wrench_outside_left_forearm_mx * wrench_left_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_15
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_mx_18
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_upper_arm_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_upper_arm_mx_20
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .wrench_left_upper_arm_mx_19 * velocities.velocity_left_upper_arm_vz
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_mx_21
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_upper_arm_mx_22));
+                        * velocities.velocity_left_upper_arm_vy));
         ForwardDynamicsItselfFromWrenchLeftForearmMx {
             wrench_left_forearm_my,
             wrench_left_forearm_mz,
@@ -27583,7 +27510,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_neck_bracket_mx_19: &ForwardDynamicsItselfFromWrenchNeckBracketMx19,
+        forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderCrossMx19,
         forward_dynamics_itself_from_wrench_left_forearm_mx: &ForwardDynamicsItselfFromWrenchLeftForearmMx,
     ) -> ForwardDynamicsItselfFromWrenchLeftUpperArmMy {
         let wrench_left_upper_arm_my = forward_dynamics_itself_from_wrench_left_forearm_mx
@@ -27616,22 +27545,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_forearm_my
                 * forward_dynamics_itself_from_wrench_left_forearm_mx
                     .wrench_left_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_17
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_my_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_my_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_mx_16
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_upper_arm_mx_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_upper_arm_my_20
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .wrench_left_upper_arm_mx_21 * velocities.velocity_left_upper_arm_vx
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_my_21
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_upper_arm_mx_20));
+                        * velocities.velocity_left_upper_arm_vz));
         let wrench_left_upper_arm_mz = forward_dynamics_itself_from_wrench_left_forearm_mx
             .wrench_left_forearm_mz
             + (forward_dynamics_itself_from_wrench_left_forearm_mx
@@ -27662,22 +27588,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_forearm_mz
                 * forward_dynamics_itself_from_wrench_left_forearm_mx
                     .wrench_left_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_my_17
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_18
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_15
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_my_16
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_upper_arm_my_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_upper_arm_mx_22
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
+                    .wrench_left_upper_arm_my_21 * velocities.velocity_left_upper_arm_vy
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_mx_19
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_upper_arm_my_20));
+                        * velocities.velocity_left_upper_arm_vx));
         let wrench_left_upper_arm_fx = forward_dynamics_itself_from_wrench_left_forearm_mx
             .wrench_left_forearm_fx
             + (forward_dynamics_itself_from_wrench_left_forearm_mx
@@ -27708,13 +27631,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_forearm_fx
                 * forward_dynamics_itself_from_wrench_left_forearm_mx
                     .wrench_left_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_19
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_mx_18);
         let wrench_left_upper_arm_fy = forward_dynamics_itself_from_wrench_left_forearm_mx
             .wrench_left_forearm_fy
@@ -27746,13 +27669,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_forearm_fy
                 * forward_dynamics_itself_from_wrench_left_forearm_mx
                     .wrench_left_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_21
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_my_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_my_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_mx_16);
         let wrench_left_upper_arm_fz = forward_dynamics_itself_from_wrench_left_forearm_mx
             .wrench_left_forearm_fz
@@ -27784,13 +27707,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_forearm_fz
                 * forward_dynamics_itself_from_wrench_left_forearm_mx
                     .wrench_left_upper_arm_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_my_21
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_18
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_upper_arm_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_upper_arm_my_16);
         let minus_articulated_left_upper_arm_hxx_1 = forward_dynamics_itself_from_wrench_left_forearm_mx
             .wrench_outside_left_forearm_mx
@@ -27935,47 +27858,44 @@ mod forward_dynamics_itself {
                         .inverse_pivot_left_elbow_d
                     * forward_dynamics_itself_from_wrench_left_forearm_mx
                         .wrench_outside_left_forearm_fz);
-        let wrench_left_shoulder_cross_mx_2 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_cross_mx_2 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_upper_arm_mx_16 * poses.rotation_left_shoulder_cross_yx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_18 * poses.rotation_left_shoulder_cross_zx)
             * qd[20];
-        let wrench_left_shoulder_cross_mx_4 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_cross_mx_4 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_upper_arm_my_16 * poses.rotation_left_shoulder_cross_zx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_16 * poses.rotation_left_shoulder_cross_xx)
             * qd[20];
-        let wrench_left_shoulder_cross_mx_6 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_cross_mx_6 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_upper_arm_mx_18 * poses.rotation_left_shoulder_cross_xx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_my_16 * poses.rotation_left_shoulder_cross_yx)
             * qd[20];
-        let wrench_left_shoulder_cross_mx_12 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_cross_mx_12 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_upper_arm_mx_18 * screws.screw_left_shoulder_yaw_vz
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_16 * screws.screw_left_shoulder_yaw_vy
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_upper_arm_mx_20 * poses.rotation_left_shoulder_cross_yx
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_upper_arm_mx_22
+            + (velocities.velocity_left_upper_arm_vz
+                * poses.rotation_left_shoulder_cross_yx
+                - velocities.velocity_left_upper_arm_vy
                     * poses.rotation_left_shoulder_cross_zx)) * qd[20];
-        let wrench_left_shoulder_cross_mx_10 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_cross_mx_10 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_upper_arm_mx_16 * screws.screw_left_shoulder_yaw_vx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_my_16 * screws.screw_left_shoulder_yaw_vz
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_upper_arm_my_20 * poses.rotation_left_shoulder_cross_zx
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_upper_arm_mx_20
+            + (velocities.velocity_left_upper_arm_vx
+                * poses.rotation_left_shoulder_cross_zx
+                - velocities.velocity_left_upper_arm_vz
                     * poses.rotation_left_shoulder_cross_xx)) * qd[20];
-        let wrench_left_shoulder_cross_mx_8 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_cross_mx_8 = (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
             .wrench_left_upper_arm_my_16 * screws.screw_left_shoulder_yaw_vy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_upper_arm_mx_18 * screws.screw_left_shoulder_yaw_vx
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_upper_arm_mx_22 * poses.rotation_left_shoulder_cross_xx
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_upper_arm_my_20
+            + (velocities.velocity_left_upper_arm_vy
+                * poses.rotation_left_shoulder_cross_xx
+                - velocities.velocity_left_upper_arm_vx
                     * poses.rotation_left_shoulder_cross_yx)) * qd[20];
         let wrench_outside_left_upper_arm_mx = articulated_left_upper_arm_hxz
             * screws.screw_left_shoulder_yaw_vz
@@ -28070,22 +27990,20 @@ mod forward_dynamics_itself {
                         + minus_articulated_left_upper_arm_hxx
                             * wrench_left_shoulder_cross_mx_12)))
             + wrench_outside_left_upper_arm_mx * wrench_left_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_mx_15
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_cross_mx_18
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_shoulder_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_shoulder_cross_mx_20
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * velocities.velocity_left_shoulder_cross_vz
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_shoulder_cross_mx_21
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_shoulder_cross_mx_22));
+                        * velocities.velocity_left_shoulder_cross_vy));
         let wrench_left_shoulder_cross_my = wrench_left_upper_arm_my
             + (articulated_left_upper_arm_jxy * wrench_left_shoulder_cross_mx_2
                 + articulated_left_upper_arm_jyy * wrench_left_shoulder_cross_mx_4
@@ -28096,22 +28014,20 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_upper_arm_hyz
                         * wrench_left_shoulder_cross_mx_8))
             + wrench_outside_left_upper_arm_my * wrench_left_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_mx_17
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_my_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_my_17
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_shoulder_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_shoulder_cross_my_20
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * velocities.velocity_left_shoulder_cross_vx
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_cross_my_21
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_shoulder_cross_mx_20));
+                        * velocities.velocity_left_shoulder_cross_vz));
         let wrench_left_shoulder_cross_mz = wrench_left_upper_arm_mz
             + (articulated_left_upper_arm_jxz * wrench_left_shoulder_cross_mx_2
                 + articulated_left_upper_arm_jyz * wrench_left_shoulder_cross_mx_4
@@ -28122,22 +28038,20 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_upper_arm_hzz
                         * wrench_left_shoulder_cross_mx_8))
             + wrench_outside_left_upper_arm_mz * wrench_left_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_my_17
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_mx_18
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_mx_15
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_cross_my_16
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_my_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                        .wrench_left_shoulder_cross_mx_22
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * velocities.velocity_left_shoulder_cross_vy
+                    - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                         .wrench_left_shoulder_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                            .wrench_left_shoulder_cross_my_20));
+                        * velocities.velocity_left_shoulder_cross_vx));
         let wrench_left_shoulder_cross_fx = wrench_left_upper_arm_fx
             + (articulated_left_upper_arm_hyx * wrench_left_shoulder_cross_mx_4
                 - minus_articulated_left_upper_arm_hxx * wrench_left_shoulder_cross_mx_2
@@ -28148,13 +28062,13 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_upper_arm_mxz
                         * wrench_left_shoulder_cross_mx_8))
             + wrench_outside_left_upper_arm_fx * wrench_left_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_shoulder_cross_mx_19
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_shoulder_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_cross_mx_18);
         let wrench_left_shoulder_cross_fy = wrench_left_upper_arm_fy
             + (articulated_left_upper_arm_hzy * wrench_left_shoulder_cross_mx_6
@@ -28167,13 +28081,13 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_upper_arm_myz
                         * wrench_left_shoulder_cross_mx_8))
             + wrench_outside_left_upper_arm_fy * wrench_left_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                 .wrench_left_shoulder_cross_mx_21
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_my_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_my_21
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_cross_mx_16);
         let wrench_left_shoulder_cross_fz = wrench_left_upper_arm_fz
             + (articulated_left_upper_arm_hxz * wrench_left_shoulder_cross_mx_2
@@ -28185,13 +28099,13 @@ mod forward_dynamics_itself {
                         + minus_articulated_left_upper_arm_myz
                             * wrench_left_shoulder_cross_mx_10)))
             + wrench_outside_left_upper_arm_fz * wrench_left_shoulder_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_my_21
-                * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_cross_mx_18
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19
                     .wrench_left_shoulder_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_cross_my_16);
         let minus_articulated_left_shoulder_cross_hxx_1 = wrench_outside_left_upper_arm_mx
             * inverse_pivot_left_shoulder_yaw_d;
@@ -28303,8 +28217,8 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_torso_mx_19: &ForwardDynamicsItselfFromWrenchTorsoMx19,
-        forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19: &ForwardDynamicsItselfFromWrenchLeftShoulderBracketMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_neck_bracket_mx_19: &ForwardDynamicsItselfFromWrenchNeckBracketMx19,
         forward_dynamics_itself_from_wrench_left_upper_arm_my: &ForwardDynamicsItselfFromWrenchLeftUpperArmMy,
     ) -> ForwardDynamicsItselfFromMinusArticulatedLeftShoulderCrossMxy1 {
         let minus_articulated_left_shoulder_cross_mxy_1 = forward_dynamics_itself_from_wrench_left_upper_arm_my
@@ -28456,50 +28370,44 @@ mod forward_dynamics_itself {
                         .inverse_pivot_left_shoulder_yaw_d
                     * forward_dynamics_itself_from_wrench_left_upper_arm_my
                         .wrench_outside_left_upper_arm_fz);
-        let wrench_left_shoulder_bracket_mx_2 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_bracket_mx_2 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_cross_mx_18 * poses.rotation_left_shoulder_bracket_zx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_mx_16
                 * poses.rotation_left_shoulder_bracket_yx) * qd[19];
-        let wrench_left_shoulder_bracket_mx_4 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_bracket_mx_4 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_cross_mx_16 * poses.rotation_left_shoulder_bracket_xx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_my_16
                 * poses.rotation_left_shoulder_bracket_zx) * qd[19];
-        let wrench_left_shoulder_bracket_mx_6 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_bracket_mx_6 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_cross_my_16 * poses.rotation_left_shoulder_bracket_yx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_mx_18
                 * poses.rotation_left_shoulder_bracket_xx) * qd[19];
-        let wrench_left_shoulder_bracket_mx_12 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_bracket_mx_12 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_cross_mx_18 * screws.screw_left_shoulder_roll_vz
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_mx_16 * screws.screw_left_shoulder_roll_vy
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_shoulder_cross_mx_22
+            + (velocities.velocity_left_shoulder_cross_vy
                 * poses.rotation_left_shoulder_bracket_zx
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_shoulder_cross_mx_20
+                - velocities.velocity_left_shoulder_cross_vz
                     * poses.rotation_left_shoulder_bracket_yx)) * qd[19];
-        let wrench_left_shoulder_bracket_mx_10 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_bracket_mx_10 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_cross_mx_16 * screws.screw_left_shoulder_roll_vx
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_my_16 * screws.screw_left_shoulder_roll_vz
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_shoulder_cross_mx_20
+            + (velocities.velocity_left_shoulder_cross_vz
                 * poses.rotation_left_shoulder_bracket_xx
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_shoulder_cross_my_20
+                - velocities.velocity_left_shoulder_cross_vx
                     * poses.rotation_left_shoulder_bracket_zx)) * qd[19];
-        let wrench_left_shoulder_bracket_mx_8 = (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+        let wrench_left_shoulder_bracket_mx_8 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_cross_my_16 * screws.screw_left_shoulder_roll_vy
-            - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_cross_mx_18 * screws.screw_left_shoulder_roll_vx
-            + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                .wrench_left_shoulder_cross_my_20
+            + (velocities.velocity_left_shoulder_cross_vx
                 * poses.rotation_left_shoulder_bracket_yx
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
-                    .wrench_left_shoulder_cross_mx_22
+                - velocities.velocity_left_shoulder_cross_vy
                     * poses.rotation_left_shoulder_bracket_xx)) * qd[19];
         let wrench_outside_left_shoulder_cross_mx = articulated_left_shoulder_cross_jxx
             * poses.rotation_left_shoulder_bracket_xx
@@ -28624,22 +28532,20 @@ mod forward_dynamics_itself {
                         + minus_articulated_left_shoulder_cross_hxx
                             * wrench_left_shoulder_bracket_mx_12)))
             + wrench_outside_left_shoulder_cross_mx * wrench_left_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_15
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_17
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_mx_18
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_left_shoulder_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * velocities.velocity_left_shoulder_bracket_vz
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_mx_21
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_left_shoulder_bracket_mx_22));
+                        * velocities.velocity_left_shoulder_bracket_vy));
         let wrench_left_shoulder_bracket_my = forward_dynamics_itself_from_wrench_left_upper_arm_my
             .wrench_left_shoulder_cross_my
             + (articulated_left_shoulder_cross_jxy * wrench_left_shoulder_bracket_mx_2
@@ -28652,22 +28558,20 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_shoulder_cross_hyz
                         * wrench_left_shoulder_bracket_mx_8))
             + wrench_outside_left_shoulder_cross_my * wrench_left_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_17
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_my_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_my_17
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_mx_16
-                + (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_left_shoulder_bracket_my_20
-                    - forward_dynamics_itself_from_wrench_torso_mx_19
+                    * velocities.velocity_left_shoulder_bracket_vx
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_my_21
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_left_shoulder_bracket_mx_20));
+                        * velocities.velocity_left_shoulder_bracket_vz));
         let wrench_left_shoulder_bracket_mz = forward_dynamics_itself_from_wrench_left_upper_arm_my
             .wrench_left_shoulder_cross_mz
             + (articulated_left_shoulder_cross_jxz * wrench_left_shoulder_bracket_mx_2
@@ -28680,22 +28584,20 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_shoulder_cross_hzz
                         * wrench_left_shoulder_bracket_mx_8))
             + wrench_outside_left_shoulder_cross_mz * wrench_left_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_my_17
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_15
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_my_16
-                + (forward_dynamics_itself_from_wrench_torso_mx_19
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_left_shoulder_bracket_mx_22
-                    - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                    * velocities.velocity_left_shoulder_bracket_vy
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_left_shoulder_bracket_my_20));
+                        * velocities.velocity_left_shoulder_bracket_vx));
         let wrench_left_shoulder_bracket_fx = forward_dynamics_itself_from_wrench_left_upper_arm_my
             .wrench_left_shoulder_cross_fx
             + (articulated_left_shoulder_cross_hyx * wrench_left_shoulder_bracket_mx_4
@@ -28710,13 +28612,13 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_shoulder_cross_mxz
                         * wrench_left_shoulder_bracket_mx_8))
             + wrench_outside_left_shoulder_cross_fx * wrench_left_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_19
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_mx_18);
         let wrench_left_shoulder_bracket_fy = forward_dynamics_itself_from_wrench_left_upper_arm_my
             .wrench_left_shoulder_cross_fy
@@ -28732,13 +28634,13 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_shoulder_cross_myz
                         * wrench_left_shoulder_bracket_mx_8))
             + wrench_outside_left_shoulder_cross_fy * wrench_left_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_21
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_my_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_mx_16);
         let wrench_left_shoulder_bracket_fz = forward_dynamics_itself_from_wrench_left_upper_arm_my
             .wrench_left_shoulder_cross_fz
@@ -28754,13 +28656,13 @@ mod forward_dynamics_itself {
                         + minus_articulated_left_shoulder_cross_myz
                             * wrench_left_shoulder_bracket_mx_10)))
             + wrench_outside_left_shoulder_cross_fz * wrench_left_shoulder_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_my_21
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_left_shoulder_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_left_shoulder_bracket_my_16);
         let minus_articulated_left_shoulder_bracket_hxx_1 = wrench_outside_left_shoulder_cross_mx
             * inverse_pivot_left_shoulder_roll_d;
@@ -28876,7 +28778,8 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_torso_mx_19: &ForwardDynamicsItselfFromWrenchTorsoMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_neck_bracket_mx_19: &ForwardDynamicsItselfFromWrenchNeckBracketMx19,
         forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1: &ForwardDynamicsItselfFromMinusArticulatedLeftShoulderCrossMxy1,
     ) -> ForwardDynamicsItselfFromMinusArticulatedLeftShoulderBracketHyy {
         let minus_articulated_left_shoulder_bracket_hyy = forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
@@ -29028,50 +28931,44 @@ mod forward_dynamics_itself {
                         .inverse_pivot_left_shoulder_roll_d
                     * forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                         .wrench_outside_left_shoulder_cross_fz);
-        let wrench_torso_mx_25 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_25 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_bracket_mx_18 * poses.rotation_left_shoulder_bracket_zz
-            - forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_16
                 * poses.rotation_left_shoulder_bracket_yz) * qd[18];
-        let wrench_torso_mx_27 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_27 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_bracket_mx_16 * poses.rotation_left_shoulder_bracket_xz
-            - forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_my_16
                 * poses.rotation_left_shoulder_bracket_zz) * qd[18];
-        let wrench_torso_mx_29 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_29 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_bracket_my_16 * poses.rotation_left_shoulder_bracket_yz
-            - forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_18
                 * poses.rotation_left_shoulder_bracket_xz) * qd[18];
-        let wrench_torso_mx_35 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_35 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_bracket_mx_18 * screws.screw_left_shoulder_pitch_vz
-            - forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_16 * screws.screw_left_shoulder_pitch_vy
-            + (forward_dynamics_itself_from_wrench_torso_mx_19
-                .wrench_left_shoulder_bracket_mx_22
+            + (velocities.velocity_left_shoulder_bracket_vy
                 * poses.rotation_left_shoulder_bracket_zz
-                - forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_left_shoulder_bracket_mx_20
+                - velocities.velocity_left_shoulder_bracket_vz
                     * poses.rotation_left_shoulder_bracket_yz)) * qd[18];
-        let wrench_torso_mx_33 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_33 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_bracket_mx_16 * screws.screw_left_shoulder_pitch_vx
-            - forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_my_16 * screws.screw_left_shoulder_pitch_vz
-            + (forward_dynamics_itself_from_wrench_torso_mx_19
-                .wrench_left_shoulder_bracket_mx_20
+            + (velocities.velocity_left_shoulder_bracket_vz
                 * poses.rotation_left_shoulder_bracket_xz
-                - forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_left_shoulder_bracket_my_20
+                - velocities.velocity_left_shoulder_bracket_vx
                     * poses.rotation_left_shoulder_bracket_zz)) * qd[18];
-        let wrench_torso_mx_31 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_31 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_left_shoulder_bracket_my_16 * screws.screw_left_shoulder_pitch_vy
-            - forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                 .wrench_left_shoulder_bracket_mx_18 * screws.screw_left_shoulder_pitch_vx
-            + (forward_dynamics_itself_from_wrench_torso_mx_19
-                .wrench_left_shoulder_bracket_my_20
+            + (velocities.velocity_left_shoulder_bracket_vx
                 * poses.rotation_left_shoulder_bracket_yz
-                - forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_left_shoulder_bracket_mx_22
+                - velocities.velocity_left_shoulder_bracket_vy
                     * poses.rotation_left_shoulder_bracket_xz)) * qd[18];
         let wrench_outside_left_shoulder_bracket_mx = articulated_left_shoulder_bracket_jxx
             * poses.rotation_left_shoulder_bracket_xz
@@ -29197,10 +29094,10 @@ mod forward_dynamics_itself {
             * inverse_pivot_left_shoulder_pitch_d;
         let articulated_torso_myy_5 = wrench_outside_left_shoulder_bracket_fy
             * inverse_pivot_left_shoulder_pitch_d;
-        let wrench_neck_cross_mx_1 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_neck_cross_mx_1 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .minus_wrench_head_mx_3 * poses.rotation_neck_cross_zy
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_1
-                * poses.rotation_neck_cross_yy) * qd[17];
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .minus_wrench_head_mx_1 * poses.rotation_neck_cross_yy) * qd[17];
         ForwardDynamicsItselfFromMinusArticulatedLeftShoulderBracketHyy {
             minus_articulated_left_shoulder_bracket_hyy,
             minus_articulated_left_shoulder_bracket_hzz,
@@ -29305,41 +29202,36 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_torso_mx_19: &ForwardDynamicsItselfFromWrenchTorsoMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_neck_bracket_mx_19: &ForwardDynamicsItselfFromWrenchNeckBracketMx19,
         forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy: &ForwardDynamicsItselfFromMinusArticulatedLeftShoulderBracketHyy,
     ) -> ForwardDynamicsItselfFromWrenchNeckCrossMx3 {
-        let wrench_neck_cross_mx_3 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_neck_cross_mx_3 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .minus_wrench_head_mx_1 * poses.rotation_neck_cross_xy
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_my_1
-                * poses.rotation_neck_cross_zy) * qd[17];
-        let wrench_neck_cross_mx_5 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .minus_wrench_head_my_1 * poses.rotation_neck_cross_zy) * qd[17];
+        let wrench_neck_cross_mx_5 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .minus_wrench_head_my_1 * poses.rotation_neck_cross_yy
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_3
-                * poses.rotation_neck_cross_xy) * qd[17];
-        let wrench_neck_cross_my_7 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .minus_wrench_head_mx_3 * poses.rotation_neck_cross_xy) * qd[17];
+        let wrench_neck_cross_my_7 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .minus_wrench_head_mx_3 * screws.screw_neck_pitch_vz
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_1
-                * screws.screw_neck_pitch_vy
-            + (forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_7
-                * poses.rotation_neck_cross_zy
-                - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_5
-                    * poses.rotation_neck_cross_yy)) * qd[17];
-        let wrench_neck_cross_mx_9 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .minus_wrench_head_mx_1 * screws.screw_neck_pitch_vy
+            + (velocities.velocity_head_vy * poses.rotation_neck_cross_zy
+                - velocities.velocity_head_vz * poses.rotation_neck_cross_yy)) * qd[17];
+        let wrench_neck_cross_mx_9 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .minus_wrench_head_mx_1 * screws.screw_neck_pitch_vx
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_my_1
-                * screws.screw_neck_pitch_vz
-            + (forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_5
-                * poses.rotation_neck_cross_xy
-                - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_my_5
-                    * poses.rotation_neck_cross_zy)) * qd[17];
-        let wrench_neck_cross_mx_7 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .minus_wrench_head_my_1 * screws.screw_neck_pitch_vz
+            + (velocities.velocity_head_vz * poses.rotation_neck_cross_xy
+                - velocities.velocity_head_vx * poses.rotation_neck_cross_zy)) * qd[17];
+        let wrench_neck_cross_mx_7 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .minus_wrench_head_my_1 * screws.screw_neck_pitch_vy
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_3
-                * screws.screw_neck_pitch_vx
-            + (forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_my_5
-                * poses.rotation_neck_cross_yy
-                - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx_7
-                    * poses.rotation_neck_cross_xy)) * qd[17];
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .minus_wrench_head_mx_3 * screws.screw_neck_pitch_vx
+            + (velocities.velocity_head_vx * poses.rotation_neck_cross_yy
+                - velocities.velocity_head_vy * poses.rotation_neck_cross_xy)) * qd[17];
         let inverse_pivot_neck_pitch_d = 1.0
             / (poses.rotation_neck_cross_xy * screws.inside_neck_pitch_mx
                 + poses.rotation_neck_cross_yy * screws.inside_neck_pitch_my
@@ -29349,21 +29241,22 @@ mod forward_dynamics_itself {
                 + screws.screw_neck_pitch_vz * screws.inside_neck_pitch_fz);
         let wrench_neck_cross_mx_12_0 = tau[17]
             + (poses.rotation_neck_cross_xy
-                * forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .minus_wrench_head_mx
                 + poses.rotation_neck_cross_yy
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .minus_wrench_head_my
                 + poses.rotation_neck_cross_zy
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .minus_wrench_head_mz
                 + screws.screw_neck_pitch_vx
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .minus_wrench_head_fx
                 + screws.screw_neck_pitch_vy
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .minus_wrench_head_fy
                 + screws.screw_neck_pitch_vz
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .minus_wrench_head_fz);
         let wrench_neck_cross_mx_12 = (wrench_neck_cross_mx_12_0
             - (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
@@ -29381,21 +29274,20 @@ mod forward_dynamics_itself {
             + inertias.inertia_head_xz * wrench_neck_cross_mx_5
             + (inertias.inertia_head_hy * wrench_neck_cross_mx_7
                 - inertias.inertia_head_hz * wrench_neck_cross_mx_9)
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mx
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_mx
             + screws.inside_neck_pitch_mx * wrench_neck_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_13
-                * forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_14
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_15
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_13
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_14
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_15
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_cross_mx_18
-                    - forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_neck_cross_mx_20));
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_17 * velocities.velocity_neck_cross_vz
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                        .wrench_neck_cross_mx_19 * velocities.velocity_neck_cross_vy));
         let wrench_neck_cross_my = inertias.inertia_head_xy
             * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .wrench_neck_cross_mx_1
@@ -29403,21 +29295,20 @@ mod forward_dynamics_itself {
             + inertias.inertia_head_yz * wrench_neck_cross_mx_5
             + (inertias.inertia_head_hz * wrench_neck_cross_my_7
                 - inertias.inertia_head_hx * wrench_neck_cross_mx_7)
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_my
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_my
             + screws.inside_neck_pitch_my * wrench_neck_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_15
-                * forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_14
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_15
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_15
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_my_14
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_my_15
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_mx_14
-                + (forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_cross_my_18
-                    - forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_cross_my_19
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_neck_cross_mx_18));
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_19 * velocities.velocity_neck_cross_vx
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                        .wrench_neck_cross_my_19 * velocities.velocity_neck_cross_vz));
         let wrench_neck_cross_mz = inertias.inertia_head_xz
             * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .wrench_neck_cross_mx_1
@@ -29425,53 +29316,61 @@ mod forward_dynamics_itself {
             + inertias.inertia_head_zz * wrench_neck_cross_mx_5
             + (inertias.inertia_head_hx * wrench_neck_cross_mx_9
                 - inertias.inertia_head_hy * wrench_neck_cross_my_7)
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_mz
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_mz
             + screws.inside_neck_pitch_mz * wrench_neck_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_15
-                * forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_13
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_my_15
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_16
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_13
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_my_14
-                + (forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_cross_my_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_cross_mx_20
-                    - forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_cross_mx_17
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_neck_cross_my_18));
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_my_19 * velocities.velocity_neck_cross_vy
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                        .wrench_neck_cross_mx_17 * velocities.velocity_neck_cross_vx));
         let wrench_neck_cross_fx = inertias.inertia_head_hz * wrench_neck_cross_mx_3
             - inertias.inertia_head_hy * wrench_neck_cross_mx_5
             + 3.0 * wrench_neck_cross_my_7
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_fx
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_fx
             + screws.inside_neck_pitch_fx * wrench_neck_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_17
-                * forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_14
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_17
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_14
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_mx_16);
         let wrench_neck_cross_fy = inertias.inertia_head_hx * wrench_neck_cross_mx_5
             - inertias.inertia_head_hz
                 * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                     .wrench_neck_cross_mx_1 + 3.0 * wrench_neck_cross_mx_9
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_fy
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_fy
             + screws.inside_neck_pitch_fy * wrench_neck_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_19
-                * forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_14
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_my_14
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_my_19
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_mx_14);
         let wrench_neck_cross_fz = inertias.inertia_head_hy
             * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .wrench_neck_cross_mx_1
             - inertias.inertia_head_hx * wrench_neck_cross_mx_3
             + 3.0 * wrench_neck_cross_mx_7
-            - forward_dynamics_itself_from_wrench_torso_mx_19.minus_wrench_head_fz
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_fz
             + screws.inside_neck_pitch_fz * wrench_neck_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_19
-                * forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_my_19
+                * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_16
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_cross_mx_17
+                    * forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_my_14);
         let minus_articulated_neck_cross_hxx_0 = screws.inside_neck_pitch_mx
             * inverse_pivot_neck_pitch_d;
@@ -29539,42 +29438,39 @@ mod forward_dynamics_itself {
             + (3.0
                 - screws.inside_neck_pitch_fz * inverse_pivot_neck_pitch_d
                     * screws.inside_neck_pitch_fz);
-        let wrench_neck_bracket_mx_2 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_neck_bracket_mx_2 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_neck_cross_mx_16 * poses.rotation_neck_bracket_zx
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_14
-                * poses.rotation_neck_bracket_yx) * qd[16];
-        let wrench_neck_bracket_mx_4 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_14 * poses.rotation_neck_bracket_yx) * qd[16];
+        let wrench_neck_bracket_mx_4 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_neck_cross_mx_14 * poses.rotation_neck_bracket_xx
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_14
-                * poses.rotation_neck_bracket_zx) * qd[16];
-        let wrench_neck_bracket_mx_6 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_my_14 * poses.rotation_neck_bracket_zx) * qd[16];
+        let wrench_neck_bracket_mx_6 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_neck_cross_my_14 * poses.rotation_neck_bracket_yx
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_16
-                * poses.rotation_neck_bracket_xx) * qd[16];
-        let wrench_neck_bracket_mx_12 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_16 * poses.rotation_neck_bracket_xx) * qd[16];
+        let wrench_neck_bracket_mx_12 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_neck_cross_mx_16 * screws.screw_neck_roll_vz
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_14
-                * screws.screw_neck_roll_vy
-            + (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_20
-                * poses.rotation_neck_bracket_zx
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_18
-                    * poses.rotation_neck_bracket_yx)) * qd[16];
-        let wrench_neck_bracket_mx_10 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_14 * screws.screw_neck_roll_vy
+            + (velocities.velocity_neck_cross_vy * poses.rotation_neck_bracket_zx
+                - velocities.velocity_neck_cross_vz * poses.rotation_neck_bracket_yx))
+            * qd[16];
+        let wrench_neck_bracket_mx_10 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_neck_cross_mx_14 * screws.screw_neck_roll_vx
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_14
-                * screws.screw_neck_roll_vz
-            + (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_18
-                * poses.rotation_neck_bracket_xx
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_18
-                    * poses.rotation_neck_bracket_zx)) * qd[16];
-        let wrench_neck_bracket_mx_8 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_my_14 * screws.screw_neck_roll_vz
+            + (velocities.velocity_neck_cross_vz * poses.rotation_neck_bracket_xx
+                - velocities.velocity_neck_cross_vx * poses.rotation_neck_bracket_zx))
+            * qd[16];
+        let wrench_neck_bracket_mx_8 = (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
             .wrench_neck_cross_my_14 * screws.screw_neck_roll_vy
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_16
-                * screws.screw_neck_roll_vx
-            + (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_my_18
-                * poses.rotation_neck_bracket_yx
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_cross_mx_20
-                    * poses.rotation_neck_bracket_xx)) * qd[16];
+            - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_cross_mx_16 * screws.screw_neck_roll_vx
+            + (velocities.velocity_neck_cross_vx * poses.rotation_neck_bracket_yx
+                - velocities.velocity_neck_cross_vy * poses.rotation_neck_bracket_xx))
+            * qd[16];
         let wrench_outside_neck_cross_mx = articulated_neck_cross_jxx
             * poses.rotation_neck_bracket_xx
             + articulated_neck_cross_jxy * poses.rotation_neck_bracket_yx
@@ -29744,10 +29640,11 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17: &ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17,
-        forward_dynamics_itself_from_wrench_torso_mx_19: &ForwardDynamicsItselfFromWrenchTorsoMx19,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossMxy1,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHyy,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0: &ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0,
+        forward_dynamics_itself_from_wrench_neck_bracket_mx_19: &ForwardDynamicsItselfFromWrenchNeckBracketMx19,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossHyy,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHzz,
         forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1: &ForwardDynamicsItselfFromMinusArticulatedLeftShoulderCrossMxy1,
         forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy: &ForwardDynamicsItselfFromMinusArticulatedLeftShoulderBracketHyy,
         forward_dynamics_itself_from_wrench_neck_cross_mx_3: &ForwardDynamicsItselfFromWrenchNeckCrossMx3,
@@ -29782,21 +29679,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_neck_cross_mx
                 * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                     .wrench_neck_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_15
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_mx_15
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_mx_17
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_neck_bracket_mx_18
-                + (forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_torso_mx_19
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_bracket_mx_19 * velocities.velocity_neck_bracket_vz
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_bracket_mx_21
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_neck_bracket_mx_22));
+                        * velocities.velocity_neck_bracket_vy));
         let wrench_neck_bracket_my = forward_dynamics_itself_from_wrench_neck_cross_mx_3
             .wrench_neck_cross_my
             + (forward_dynamics_itself_from_wrench_neck_cross_mx_3
@@ -29827,21 +29722,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_neck_cross_my
                 * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                     .wrench_neck_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_17
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_my_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_my_17
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_neck_bracket_mx_16
-                + (forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_bracket_my_20
-                    - forward_dynamics_itself_from_wrench_torso_mx_19
+                + (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                    .wrench_neck_bracket_mx_21 * velocities.velocity_neck_bracket_vx
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_neck_bracket_my_21
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_neck_bracket_mx_20));
+                        * velocities.velocity_neck_bracket_vz));
         let wrench_neck_bracket_mz = forward_dynamics_itself_from_wrench_neck_cross_mx_3
             .wrench_neck_cross_mz
             + (forward_dynamics_itself_from_wrench_neck_cross_mx_3
@@ -29872,21 +29765,19 @@ mod forward_dynamics_itself {
                 .wrench_outside_neck_cross_mz
                 * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                     .wrench_neck_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_my_17
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_my_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_mx_15
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_neck_bracket_my_16
-                + (forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
-                        .wrench_neck_bracket_mx_22
-                    - forward_dynamics_itself_from_wrench_torso_mx_19
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_neck_bracket_my_21 * velocities.velocity_neck_bracket_vy
+                    - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_torso_mx_19
-                            .wrench_neck_bracket_my_20));
+                        * velocities.velocity_neck_bracket_vx));
         let wrench_neck_bracket_fx = forward_dynamics_itself_from_wrench_neck_cross_mx_3
             .wrench_neck_cross_fx
             + (forward_dynamics_itself_from_wrench_neck_cross_mx_3
@@ -29917,12 +29808,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_neck_cross_fx
                 * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                     .wrench_neck_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_19
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_bracket_mx_19
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_mx_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_neck_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_neck_bracket_mx_18);
         let wrench_neck_bracket_fy = forward_dynamics_itself_from_wrench_neck_cross_mx_3
             .wrench_neck_cross_fy
@@ -29954,12 +29846,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_neck_cross_fy
                 * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                     .wrench_neck_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_21
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_wrench_neck_bracket_mx_19
+                .wrench_neck_bracket_mx_21
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_my_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_neck_bracket_mx_16);
         let wrench_neck_bracket_fz = forward_dynamics_itself_from_wrench_neck_cross_mx_3
             .wrench_neck_cross_fz
@@ -29991,12 +29884,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_neck_cross_fz
                 * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                     .wrench_neck_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_my_21
-                * forward_dynamics_itself_from_wrench_torso_mx_19
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_my_21
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_torso_mx_19
+                - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                     .wrench_neck_bracket_mx_19
-                    * forward_dynamics_itself_from_wrench_torso_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_neck_bracket_my_16);
         let minus_articulated_neck_bracket_hxx_1 = forward_dynamics_itself_from_wrench_neck_cross_mx_3
             .wrench_outside_neck_cross_mx
@@ -30141,43 +30035,38 @@ mod forward_dynamics_itself {
                         .inverse_pivot_neck_roll_d
                     * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                         .wrench_outside_neck_cross_fz);
-        let wrench_torso_mx_40 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_40 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_neck_bracket_mx_18 * poses.rotation_neck_bracket_zz
-            + forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_16
-                * poses.rotation_torso_yy) * qd[15];
-        let wrench_torso_mx_42 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_mx_16 * poses.rotation_torso_yy) * qd[15];
+        let wrench_torso_mx_42 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_neck_bracket_mx_16 * poses.rotation_neck_bracket_xz
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_my_16
-                * poses.rotation_neck_bracket_zz) * qd[15];
-        let wrench_torso_mx_44 = (forward_dynamics_itself_from_wrench_torso_mx_19
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_my_16 * poses.rotation_neck_bracket_zz) * qd[15];
+        let wrench_torso_mx_44 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_neck_bracket_my_16 * poses.rotation_torso_yy
-            + forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_18
-                * poses.rotation_neck_bracket_xz) * qd[15];
-        let wrench_torso_mx_50 = (forward_dynamics_itself_from_wrench_torso_mx_19
-            .wrench_neck_bracket_mx_22 * poses.rotation_neck_bracket_zz
-            + forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_20
-                * poses.rotation_torso_yy
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_18
-                * screws.minus_screw_neck_yaw_vz
-                + forward_dynamics_itself_from_wrench_torso_mx_19
+            + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_mx_18 * poses.rotation_neck_bracket_xz) * qd[15];
+        let wrench_torso_mx_50 = (velocities.velocity_neck_bracket_vy
+            * poses.rotation_neck_bracket_zz
+            + velocities.velocity_neck_bracket_vz * poses.rotation_torso_yy
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_mx_18 * screws.minus_screw_neck_yaw_vz
+                + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_neck_bracket_mx_16 * screws.screw_neck_yaw_vy)) * qd[15];
-        let wrench_torso_mx_48 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_48 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_neck_bracket_mx_16 * screws.screw_neck_yaw_vx
-            + forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_my_16
-                * screws.minus_screw_neck_yaw_vz
-            + (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_20
-                * poses.rotation_neck_bracket_xz
-                - forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_bracket_my_20 * poses.rotation_neck_bracket_zz))
+            + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_my_16 * screws.minus_screw_neck_yaw_vz
+            + (velocities.velocity_neck_bracket_vz * poses.rotation_neck_bracket_xz
+                - velocities.velocity_neck_bracket_vx * poses.rotation_neck_bracket_zz))
             * qd[15];
-        let wrench_torso_mx_46 = (forward_dynamics_itself_from_wrench_torso_mx_19
+        let wrench_torso_mx_46 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_neck_bracket_my_16 * screws.screw_neck_yaw_vy
-            - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_mx_18
-                * screws.screw_neck_yaw_vx
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_neck_bracket_my_20
-                * poses.rotation_torso_yy
-                + forward_dynamics_itself_from_wrench_torso_mx_19
-                    .wrench_neck_bracket_mx_22 * poses.rotation_neck_bracket_xz))
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_neck_bracket_mx_18 * screws.screw_neck_yaw_vx
+            - (velocities.velocity_neck_bracket_vx * poses.rotation_torso_yy
+                + velocities.velocity_neck_bracket_vy * poses.rotation_neck_bracket_xz))
             * qd[15];
         let wrench_outside_neck_bracket_mx = articulated_neck_bracket_jxx
             * poses.rotation_neck_bracket_xz
@@ -30243,50 +30132,48 @@ mod forward_dynamics_itself {
                 + wrench_torso_mx_48 * wrench_outside_neck_bracket_fy
                 + wrench_torso_mx_46 * wrench_outside_neck_bracket_fz))
             * inverse_pivot_neck_yaw_d;
-        let wrench_torso_mx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let wrench_torso_mx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .wrench_right_shoulder_bracket_mx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jxx
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_2
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_jxy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_4
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_jxz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_6
-                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_hxz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_8
-                    - (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_hxy
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_10
-                        + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                        + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                             .minus_articulated_right_shoulder_bracket_hxx
-                            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                                 .wrench_torso_mx_12)))
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_outside_right_shoulder_bracket_mx
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_mx_15
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_mx_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_mx_17
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_torso_mx_18
-                + (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_19
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_torso_mx_20
-                    - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_21
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_torso_mx_22))
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_torso_mx_19 * velocities.velocity_torso_vz
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                        .wrench_torso_mx_21 * velocities.velocity_torso_vy))
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                 .wrench_left_shoulder_bracket_mx
                 + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
@@ -30423,59 +30310,56 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17: &ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17,
-        forward_dynamics_itself_from_wrench_torso_mx_19: &ForwardDynamicsItselfFromWrenchTorsoMx19,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossMxy1,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHyy,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0: &ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossHyy,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHzz,
         forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1: &ForwardDynamicsItselfFromMinusArticulatedLeftShoulderCrossMxy1,
         forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy: &ForwardDynamicsItselfFromMinusArticulatedLeftShoulderBracketHyy,
         forward_dynamics_itself_from_wrench_neck_bracket_mx: &ForwardDynamicsItselfFromWrenchNeckBracketMx,
     ) -> ForwardDynamicsItselfFromWrenchTorsoMy {
-        let wrench_torso_my = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let wrench_torso_my = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .wrench_right_shoulder_bracket_my
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jxy
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_2
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_jyy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_4
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_jyz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_6
-                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_hyx
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_12
-                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .minus_articulated_right_shoulder_bracket_hyy
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_10
-                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_hyz
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_8))
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_outside_right_shoulder_bracket_my
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_mx_17
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_my_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_my_17
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_torso_mx_16
-                + (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_torso_my_20
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_torso_my_21
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_torso_mx_20))
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_torso_mx_21 * velocities.velocity_torso_vx
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                        .wrench_torso_my_21 * velocities.velocity_torso_vz))
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                 .wrench_left_shoulder_bracket_my
                 + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
@@ -30535,51 +30419,48 @@ mod forward_dynamics_itself {
                     .wrench_outside_neck_bracket_my
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_torso_mx_52);
-        let wrench_torso_mz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let wrench_torso_mz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .wrench_right_shoulder_bracket_mz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jxz
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_2
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_jyz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_4
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_jzz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_6
-                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_hzy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_10
-                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_hzx
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_12
-                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_hzz
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_8))
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_outside_right_shoulder_bracket_mz
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_my_17
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_mx_18
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_mx_15
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_torso_my_16
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_torso_my_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_torso_mx_22
-                    - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_19
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_torso_my_20))
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_torso_my_21 * velocities.velocity_torso_vy
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                        .wrench_torso_mx_19 * velocities.velocity_torso_vx))
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                 .wrench_left_shoulder_bracket_mz
                 + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
@@ -30639,41 +30520,43 @@ mod forward_dynamics_itself {
                     .wrench_outside_neck_bracket_mz
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_torso_mx_52);
-        let wrench_torso_fx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let wrench_torso_fx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .wrench_right_shoulder_bracket_fx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_mxx
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_12
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .minus_articulated_right_shoulder_bracket_mxy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_10
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .minus_articulated_right_shoulder_bracket_mxz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_8
-                - (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                - (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .minus_articulated_right_shoulder_bracket_hxx
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_2
-                    + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .articulated_right_shoulder_bracket_hyx
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_4
-                    + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_hzx
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_6))
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_outside_right_shoulder_bracket_fx
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_19
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_torso_mx_19
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_mx_16
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_torso_mx_21
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_torso_mx_18)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                 .wrench_left_shoulder_bracket_fx
@@ -30734,42 +30617,43 @@ mod forward_dynamics_itself {
                     .wrench_outside_neck_bracket_fx
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_torso_mx_52);
-        let wrench_torso_fy = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let wrench_torso_fy = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .wrench_right_shoulder_bracket_fy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .minus_articulated_right_shoulder_bracket_hyy
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_4
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .minus_articulated_right_shoulder_bracket_hxy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_2
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_hzy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_6
-                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_myy
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_10
-                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_mxy
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_12
-                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_myz
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_8))
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_outside_right_shoulder_bracket_fy
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_14
-            - (forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_21
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                .wrench_torso_mx_21
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_my_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_my_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_torso_mx_16)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                 .wrench_left_shoulder_bracket_fy
@@ -30830,42 +30714,43 @@ mod forward_dynamics_itself {
                     .wrench_outside_neck_bracket_fy
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_torso_mx_52);
-        let wrench_torso_fz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let wrench_torso_fz = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .wrench_right_shoulder_bracket_fz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_hxz
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_2
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .minus_articulated_right_shoulder_bracket_hyz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_4
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .minus_articulated_right_shoulder_bracket_hzz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_6
-                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_right_shoulder_bracket_mzz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_torso_mx_8
-                    - (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    - (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .minus_articulated_right_shoulder_bracket_mxz
-                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .wrench_torso_mx_12
-                        + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                        + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                             .minus_articulated_right_shoulder_bracket_myz
-                            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                                 .wrench_torso_mx_10)))
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_outside_right_shoulder_bracket_fz
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_torso_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_my_21
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_mx_18
-                - forward_dynamics_itself_from_wrench_torso_mx_19.wrench_torso_mx_19
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_torso_mx_19
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_torso_my_16)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                 .wrench_left_shoulder_bracket_fz
@@ -30947,11 +30832,11 @@ mod forward_dynamics_itself {
             * forward_dynamics_itself_from_wrench_neck_bracket_mx
                 .inverse_pivot_neck_yaw_d;
         let articulated_torso_jxx = inertias.inertia_torso_xx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jxx
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jxx_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_mx)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_jxx
@@ -30965,11 +30850,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_mx);
         let articulated_torso_jxy = inertias.inertia_torso_xy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jxy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jxx_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_my)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_jxy
@@ -30983,11 +30868,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_my);
         let articulated_torso_jxz = inertias.inertia_torso_xz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jxz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jxx_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_mz)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_jxz
@@ -31001,11 +30886,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_mz);
         let articulated_torso_jyy = inertias.inertia_torso_yy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jyy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jyy_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_my)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_jyy
@@ -31019,11 +30904,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_my);
         let articulated_torso_jyz = inertias.inertia_torso_yz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jyz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jyy_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_mz)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_jyz
@@ -31037,11 +30922,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_mz);
         let articulated_torso_jzz = inertias.inertia_torso_zz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_jzz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jzz_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_mz)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_jzz
@@ -31054,11 +30939,11 @@ mod forward_dynamics_itself {
                 - articulated_torso_jzz_8
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_mz);
-        let minus_articulated_torso_hxx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let minus_articulated_torso_hxx = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .minus_articulated_right_shoulder_bracket_hxx
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_torso_jxx_2
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_fx
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1
                 .minus_articulated_left_shoulder_bracket_hxx
@@ -31072,11 +30957,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fx);
         let articulated_torso_hyx = inertias.inertia_torso_hz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_hyx
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jyy_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fx)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_hyx
@@ -31090,11 +30975,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fx);
         let minus_articulated_torso_hzx = inertias.inertia_torso_hy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .minus_articulated_right_shoulder_bracket_hzx
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jzz_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fx)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_hzx
@@ -31108,11 +30993,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fx);
         let minus_articulated_torso_hxy = inertias.inertia_torso_hz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .minus_articulated_right_shoulder_bracket_hxy
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jxx_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fy)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_hxy
@@ -31125,11 +31010,11 @@ mod forward_dynamics_itself {
                 + articulated_torso_jxx_8
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fy);
-        let minus_articulated_torso_hyy = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+        let minus_articulated_torso_hyy = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .minus_articulated_right_shoulder_bracket_hyy
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_torso_jyy_2
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_fy
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_hyy
@@ -31143,11 +31028,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fy);
         let articulated_torso_hzy = inertias.inertia_torso_hx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_hzy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jzz_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fy)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_hzy
@@ -31161,11 +31046,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fy);
         let articulated_torso_hxz = inertias.inertia_torso_hy
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_hxz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jxx_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fz)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_hxz
@@ -31179,11 +31064,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fz);
         let minus_articulated_torso_hyz = inertias.inertia_torso_hx
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .minus_articulated_right_shoulder_bracket_hyz
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_jyy_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fz)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_hyz
@@ -31196,11 +31081,11 @@ mod forward_dynamics_itself {
                 + articulated_torso_jyy_8
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fz);
-        let minus_articulated_torso_hzz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+        let minus_articulated_torso_hzz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
             .minus_articulated_right_shoulder_bracket_hzz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_torso_jzz_2
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_fz
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_hzz
@@ -31214,11 +31099,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fz);
         let articulated_torso_mxx = 16.0
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_mxx
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_mxx_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fx)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_mxx
@@ -31231,11 +31116,11 @@ mod forward_dynamics_itself {
                 - articulated_torso_mxx_8
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fx);
-        let minus_articulated_torso_mxy = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+        let minus_articulated_torso_mxy = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
             .minus_articulated_right_shoulder_bracket_mxy
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_torso_mxx_2
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_fy
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_mxy
@@ -31248,11 +31133,11 @@ mod forward_dynamics_itself {
                 + articulated_torso_mxx_8
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fy);
-        let minus_articulated_torso_mxz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+        let minus_articulated_torso_mxz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
             .minus_articulated_right_shoulder_bracket_mxz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_torso_mxx_2
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_fz
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_mxz
@@ -31266,11 +31151,11 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fz);
         let articulated_torso_myy = 16.0
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_myy
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .articulated_torso_myy_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fy)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_myy
@@ -31283,11 +31168,11 @@ mod forward_dynamics_itself {
                 - articulated_torso_myy_8
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fy);
-        let minus_articulated_torso_myz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+        let minus_articulated_torso_myz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
             .minus_articulated_right_shoulder_bracket_myz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_torso_myy_2
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_fz
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .minus_articulated_left_shoulder_bracket_myz
@@ -31301,13 +31186,13 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fz);
         let articulated_torso_mzz = 16.0
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .articulated_right_shoulder_bracket_mzz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_fz
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .inverse_pivot_right_shoulder_pitch_d
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fz)
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_mzz
@@ -31325,41 +31210,37 @@ mod forward_dynamics_itself {
                         .inverse_pivot_neck_yaw_d
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_fz);
-        let wrench_waist_cross_mx_2 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_cross_mx_2 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_torso_mx_18 * poses.sin_waist_roll
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_mx_16 * poses.rotation_waist_cross_yy) * qd[14];
-        let wrench_waist_cross_mx_4 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_cross_mx_4 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_torso_mx_16 * poses.minus_rotation_waist_cross_xy
-            + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_my_16 * poses.sin_waist_roll) * qd[14];
-        let wrench_waist_cross_mx_6 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_cross_mx_6 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_torso_my_16 * poses.rotation_waist_cross_yy
-            + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_mx_18 * poses.minus_rotation_waist_cross_xy) * qd[14];
-        let wrench_waist_cross_mx_12 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_cross_mx_12 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_torso_mx_18 * screws.screw_waist_pitch_vz
-            + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_mx_16 * screws.minus_screw_waist_pitch_vy
-            + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_torso_mx_22 * poses.sin_waist_roll
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_torso_mx_20 * poses.rotation_waist_cross_yy)) * qd[14];
-        let wrench_waist_cross_mx_10 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            + (velocities.velocity_torso_vy * poses.sin_waist_roll
+                - velocities.velocity_torso_vz * poses.rotation_waist_cross_yy))
+            * qd[14];
+        let wrench_waist_cross_mx_10 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_torso_mx_16 * screws.screw_waist_pitch_vx
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_my_16 * screws.screw_waist_pitch_vz
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_torso_mx_20 * poses.minus_rotation_waist_cross_xy
-                + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_torso_my_20 * poses.sin_waist_roll)) * qd[14];
-        let wrench_waist_cross_mx_8 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-            .wrench_torso_my_20 * poses.rotation_waist_cross_yy
-            + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_torso_mx_22 * poses.minus_rotation_waist_cross_xy
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (velocities.velocity_torso_vz * poses.minus_rotation_waist_cross_xy
+                + velocities.velocity_torso_vx * poses.sin_waist_roll)) * qd[14];
+        let wrench_waist_cross_mx_8 = (velocities.velocity_torso_vx
+            * poses.rotation_waist_cross_yy
+            + velocities.velocity_torso_vy * poses.minus_rotation_waist_cross_xy
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_torso_my_16 * screws.minus_screw_waist_pitch_vy
-                + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_torso_mx_18 * screws.screw_waist_pitch_vx)) * qd[14];
         let wrench_outside_torso_mx = articulated_torso_jxy
             * poses.rotation_waist_cross_yy
@@ -31435,22 +31316,18 @@ mod forward_dynamics_itself {
                     - (minus_articulated_torso_hxy * wrench_waist_cross_mx_10
                         + minus_articulated_torso_hxx * wrench_waist_cross_mx_12)))
             + wrench_outside_torso_mx * wrench_waist_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_15
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_mx_18
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_waist_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_cross_mx_20
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_cross_mx_21
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_waist_cross_mx_22));
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_waist_cross_mx_19 * velocities.velocity_waist_cross_vz
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                        .wrench_waist_cross_mx_21 * velocities.velocity_waist_cross_vy));
         let wrench_waist_cross_my = wrench_torso_my
             + (articulated_torso_jxy * wrench_waist_cross_mx_2
                 - articulated_torso_jyy * wrench_waist_cross_mx_4
@@ -31459,22 +31336,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_torso_hyy * wrench_waist_cross_mx_10
                     - minus_articulated_torso_hyz * wrench_waist_cross_mx_8))
             + wrench_outside_torso_my * wrench_waist_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_17
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_my_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_my_17
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_waist_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_cross_my_20
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_cross_my_21
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_waist_cross_mx_20));
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_waist_cross_mx_21 * velocities.velocity_waist_cross_vx
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                        .wrench_waist_cross_my_21 * velocities.velocity_waist_cross_vz));
         let wrench_waist_cross_mz = wrench_torso_mz
             + (articulated_torso_jxz * wrench_waist_cross_mx_2
                 - articulated_torso_jyz * wrench_waist_cross_mx_4
@@ -31483,22 +31356,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_torso_hzx * wrench_waist_cross_mx_12
                     - minus_articulated_torso_hzz * wrench_waist_cross_mx_8))
             + wrench_outside_torso_mz * wrench_waist_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_my_17
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_18
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_15
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_my_16
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_waist_cross_my_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_cross_mx_22
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_waist_cross_my_20));
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_waist_cross_my_21 * velocities.velocity_waist_cross_vy
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                        .wrench_waist_cross_mx_19 * velocities.velocity_waist_cross_vx));
         ForwardDynamicsItselfFromWrenchTorsoMy {
             wrench_torso_fx,
             wrench_torso_fy,
@@ -31601,8 +31470,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17: &ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17,
+        forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0: &ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0,
         forward_dynamics_itself_from_wrench_torso_my: &ForwardDynamicsItselfFromWrenchTorsoMy,
     ) -> ForwardDynamicsItselfFromWrenchWaistCrossFx {
         let wrench_waist_cross_fx = forward_dynamics_itself_from_wrench_torso_my
@@ -31630,13 +31500,13 @@ mod forward_dynamics_itself {
                             .wrench_waist_cross_mx_6))
             + forward_dynamics_itself_from_wrench_torso_my.wrench_outside_torso_fx
                 * forward_dynamics_itself_from_wrench_torso_my.wrench_waist_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_19
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_mx_18);
         let wrench_waist_cross_fy = forward_dynamics_itself_from_wrench_torso_my
             .wrench_torso_fy
@@ -31662,13 +31532,13 @@ mod forward_dynamics_itself {
                             .wrench_waist_cross_mx_8))
             + forward_dynamics_itself_from_wrench_torso_my.wrench_outside_torso_fy
                 * forward_dynamics_itself_from_wrench_torso_my.wrench_waist_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_21
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_my_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_my_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_mx_16);
         let wrench_waist_cross_fz = forward_dynamics_itself_from_wrench_torso_my
             .wrench_torso_fz
@@ -31695,13 +31565,13 @@ mod forward_dynamics_itself {
                                 .wrench_waist_cross_mx_10)))
             + forward_dynamics_itself_from_wrench_torso_my.wrench_outside_torso_fz
                 * forward_dynamics_itself_from_wrench_torso_my.wrench_waist_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_my_21
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_18
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_my_16);
         let minus_articulated_waist_cross_hxx_1 = forward_dynamics_itself_from_wrench_torso_my
             .wrench_outside_torso_mx
@@ -31819,34 +31689,31 @@ mod forward_dynamics_itself {
                         .inverse_pivot_waist_pitch_d
                     * forward_dynamics_itself_from_wrench_torso_my
                         .wrench_outside_torso_fz);
-        let wrench_waist_bracket_mx_4 = forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_bracket_mx_4 = forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_waist_cross_mx_16 * poses.sin_waist_yaw * qd[13];
-        let wrench_waist_bracket_mx_2 = forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_bracket_mx_2 = forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_waist_cross_mx_16 * poses.cos_waist_yaw * qd[13];
-        let wrench_waist_bracket_mx_6 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_bracket_mx_6 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_waist_cross_my_16 * poses.sin_waist_yaw
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_18 * poses.cos_waist_yaw) * qd[13];
-        let wrench_waist_bracket_mx_12 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_bracket_mx_12 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_waist_cross_mx_18 * screws.screw_waist_roll_vz
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_16 * screws.screw_waist_roll_vy
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_waist_cross_mx_20 * poses.sin_waist_yaw) * qd[13];
-        let wrench_waist_bracket_mx_10 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-            .wrench_waist_cross_mx_20 * poses.cos_waist_yaw
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - velocities.velocity_waist_cross_vz * poses.sin_waist_yaw) * qd[13];
+        let wrench_waist_bracket_mx_10 = (velocities.velocity_waist_cross_vz
+            * poses.cos_waist_yaw
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_16 * screws.minus_screw_waist_roll_vx
-                + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_my_16 * screws.screw_waist_roll_vz)) * qd[13];
-        let wrench_waist_bracket_mx_8 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_waist_bracket_mx_8 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_waist_cross_my_16 * screws.screw_waist_roll_vy
-            + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_18 * screws.minus_screw_waist_roll_vx
-            + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_waist_cross_my_20 * poses.sin_waist_yaw
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_waist_cross_mx_22 * poses.cos_waist_yaw)) * qd[13];
+            + (velocities.velocity_waist_cross_vx * poses.sin_waist_yaw
+                - velocities.velocity_waist_cross_vy * poses.cos_waist_yaw)) * qd[13];
         let wrench_outside_waist_cross_mx = articulated_waist_cross_jxx
             * poses.cos_waist_yaw + articulated_waist_cross_jxy * poses.sin_waist_yaw
             + (articulated_waist_cross_hxz * screws.screw_waist_roll_vz
@@ -31912,20 +31779,18 @@ mod forward_dynamics_itself {
                         + minus_articulated_waist_cross_hxx
                             * wrench_waist_bracket_mx_12)))
             + wrench_outside_waist_cross_mx * wrench_waist_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_bracket_mx_15
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_bracket_mx_17
                     * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_waist_bracket_mx_19
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_waist_bracket_mx_19 * velocities.minus_velocity_pelvis_vz
+                    + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_bracket_mx_21
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_waist_bracket_mx_22));
+                        * velocities.velocity_waist_bracket_vy));
         let wrench_waist_bracket_my = forward_dynamics_itself_from_wrench_torso_my
             .wrench_waist_cross_my
             + (articulated_waist_cross_jyy * wrench_waist_bracket_mx_2
@@ -31935,20 +31800,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_waist_cross_hyy * wrench_waist_bracket_mx_10
                     - minus_articulated_waist_cross_hyz * wrench_waist_bracket_mx_8))
             + wrench_outside_waist_cross_my * wrench_waist_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_bracket_mx_17
                 * forward_dynamics_itself.wrench_waist_bracket_my_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_bracket_my_17
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_waist_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_bracket_my_20
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_waist_bracket_mx_21 * velocities.velocity_waist_bracket_vx
+                    + forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_bracket_my_21
-                        * forward_dynamics_itself.wrench_waist_bracket_mx_20));
+                        * velocities.minus_velocity_pelvis_vz));
         let wrench_waist_bracket_mz = forward_dynamics_itself_from_wrench_torso_my
             .wrench_waist_cross_mz
             + (articulated_waist_cross_jyz * wrench_waist_bracket_mx_2
@@ -31958,20 +31821,17 @@ mod forward_dynamics_itself {
                     - minus_articulated_waist_cross_hzx * wrench_waist_bracket_mx_12
                     - minus_articulated_waist_cross_hzz * wrench_waist_bracket_mx_8))
             + wrench_outside_waist_cross_mz * wrench_waist_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_bracket_my_17
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_bracket_mx_15
                     * forward_dynamics_itself.wrench_waist_bracket_my_16
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .wrench_waist_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                        .wrench_waist_bracket_mx_22
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                + (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
+                    .wrench_waist_bracket_my_21 * velocities.velocity_waist_bracket_vy
+                    - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                            .wrench_waist_bracket_my_20));
+                        * velocities.velocity_waist_bracket_vx));
         let wrench_waist_bracket_fx = wrench_waist_cross_fx
             + (minus_articulated_waist_cross_hxx * wrench_waist_bracket_mx_4
                 + articulated_waist_cross_hyx * wrench_waist_bracket_mx_2
@@ -31980,11 +31840,11 @@ mod forward_dynamics_itself {
                     - minus_articulated_waist_cross_mxy * wrench_waist_bracket_mx_10
                     - minus_articulated_waist_cross_mxz * wrench_waist_bracket_mx_8))
             + wrench_outside_waist_cross_fx * wrench_waist_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_bracket_mx_19
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_bracket_mx_21
                     * forward_dynamics_itself.wrench_waist_bracket_mx_18);
         let wrench_waist_bracket_fy = wrench_waist_cross_fy
@@ -31995,12 +31855,12 @@ mod forward_dynamics_itself {
                     - minus_articulated_waist_cross_mxy * wrench_waist_bracket_mx_12
                     - minus_articulated_waist_cross_myz * wrench_waist_bracket_mx_8))
             + wrench_outside_waist_cross_fy * wrench_waist_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_bracket_mx_21
                 * forward_dynamics_itself.wrench_waist_bracket_my_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .wrench_waist_cross_mx_16);
         let wrench_waist_bracket_fz = wrench_waist_cross_fz
             + (articulated_waist_cross_mzz * wrench_waist_bracket_mx_8
@@ -32010,10 +31870,10 @@ mod forward_dynamics_itself {
                     + minus_articulated_waist_cross_hyz * wrench_waist_bracket_mx_2
                     + minus_articulated_waist_cross_hzz * wrench_waist_bracket_mx_6))
             + wrench_outside_waist_cross_fz * wrench_waist_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_bracket_my_21
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .wrench_waist_bracket_mx_19
                     * forward_dynamics_itself.wrench_waist_bracket_my_16);
         let minus_articulated_waist_bracket_hxx_1 = wrench_outside_waist_cross_mx
@@ -32138,8 +31998,10 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17: &ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17,
+        forward_dynamics_itself_from_wrench_right_hip_cross_mx_15: &ForwardDynamicsItselfFromWrenchRightHipCrossMx15,
+        forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0: &ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0,
         forward_dynamics_itself_from_wrench_waist_cross_fx: &ForwardDynamicsItselfFromWrenchWaistCrossFx,
     ) -> ForwardDynamicsItselfFromMinusArticulatedWaistBracketMxy {
         let minus_articulated_waist_bracket_mxy = forward_dynamics_itself_from_wrench_waist_cross_fx
@@ -32271,14 +32133,12 @@ mod forward_dynamics_itself {
             * qd[12];
         let wrench_pelvis_mx_4 = forward_dynamics_itself.wrench_waist_bracket_my_16
             * qd[12];
-        let wrench_pelvis_mx_10 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-            .wrench_waist_bracket_mx_22
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_pelvis_mx_10 = (velocities.velocity_waist_bracket_vy
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .wrench_waist_cross_mx_16 * poses.minus_origin_waist_bracket_x) * qd[12];
-        let wrench_pelvis_mx_8 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_pelvis_mx_8 = (forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
             .wrench_waist_cross_mx_16 * poses.minus_origin_waist_bracket_y
-            + forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .wrench_waist_bracket_my_20) * qd[12];
+            + velocities.velocity_waist_bracket_vx) * qd[12];
         let wrench_pelvis_mx_6 = (forward_dynamics_itself.wrench_waist_bracket_my_16
             * poses.minus_origin_waist_bracket_x
             + forward_dynamics_itself.wrench_waist_bracket_mx_18
@@ -32338,50 +32198,44 @@ mod forward_dynamics_itself {
             * inverse_pivot_waist_yaw_d;
         let articulated_pelvis_myy_2 = wrench_outside_waist_bracket_fy
             * inverse_pivot_waist_yaw_d;
-        let wrench_right_ankle_cross_mx_1 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_right_ankle_cross_mx_1 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .minus_wrench_right_ankle_bracket_mx_3 * poses.rotation_right_ankle_cross_zx
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .minus_wrench_right_ankle_bracket_mx_1
                 * poses.rotation_right_ankle_cross_yx) * qd[11];
-        let wrench_right_ankle_cross_mx_3 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_right_ankle_cross_mx_3 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .minus_wrench_right_ankle_bracket_mx_1 * poses.rotation_right_ankle_cross_xx
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .minus_wrench_right_ankle_bracket_my_1
                 * poses.rotation_right_ankle_cross_zx) * qd[11];
-        let wrench_right_ankle_cross_mx_5 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_right_ankle_cross_mx_5 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .minus_wrench_right_ankle_bracket_my_1 * poses.rotation_right_ankle_cross_yx
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .minus_wrench_right_ankle_bracket_mx_3
                 * poses.rotation_right_ankle_cross_xx) * qd[11];
-        let wrench_right_ankle_cross_my_7 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_right_ankle_cross_my_7 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .minus_wrench_right_ankle_bracket_mx_3 * screws.screw_right_ankle_roll_vz
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .minus_wrench_right_ankle_bracket_mx_1 * screws.screw_right_ankle_roll_vy
-            + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .minus_wrench_right_ankle_bracket_mx_7
+            + (velocities.velocity_right_ankle_bracket_vy
                 * poses.rotation_right_ankle_cross_zx
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .minus_wrench_right_ankle_bracket_mx_5
+                - velocities.velocity_right_ankle_bracket_vz
                     * poses.rotation_right_ankle_cross_yx)) * qd[11];
-        let wrench_right_ankle_cross_mx_9 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_right_ankle_cross_mx_9 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .minus_wrench_right_ankle_bracket_mx_1 * screws.screw_right_ankle_roll_vx
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .minus_wrench_right_ankle_bracket_my_1 * screws.screw_right_ankle_roll_vz
-            + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .minus_wrench_right_ankle_bracket_mx_5
+            + (velocities.velocity_right_ankle_bracket_vz
                 * poses.rotation_right_ankle_cross_xx
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .minus_wrench_right_ankle_bracket_my_5
+                - velocities.velocity_right_ankle_bracket_vx
                     * poses.rotation_right_ankle_cross_zx)) * qd[11];
-        let wrench_right_ankle_cross_mx_7 = (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+        let wrench_right_ankle_cross_mx_7 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .minus_wrench_right_ankle_bracket_my_1 * screws.screw_right_ankle_roll_vy
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .minus_wrench_right_ankle_bracket_mx_3 * screws.screw_right_ankle_roll_vx
-            + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                .minus_wrench_right_ankle_bracket_my_5
+            + (velocities.velocity_right_ankle_bracket_vx
                 * poses.rotation_right_ankle_cross_yx
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
-                    .minus_wrench_right_ankle_bracket_mx_7
+                - velocities.velocity_right_ankle_bracket_vy
                     * poses.rotation_right_ankle_cross_xx)) * qd[11];
         let inverse_pivot_right_ankle_roll_d = 1.0
             / (poses.rotation_right_ankle_cross_xx * screws.inside_right_ankle_roll_mx
@@ -32392,22 +32246,22 @@ mod forward_dynamics_itself {
                 + screws.screw_right_ankle_roll_vz * screws.inside_right_ankle_roll_fz);
         let wrench_right_ankle_cross_mx_12_0 = tau[11]
             + (poses.rotation_right_ankle_cross_xx
-                * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                     .minus_wrench_right_ankle_bracket_mx
                 + poses.rotation_right_ankle_cross_yx
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .minus_wrench_right_ankle_bracket_my
                 + poses.rotation_right_ankle_cross_zx
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .minus_wrench_right_ankle_bracket_mz
                 + screws.screw_right_ankle_roll_vx
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .minus_wrench_right_ankle_bracket_fx
                 + screws.screw_right_ankle_roll_vy
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .minus_wrench_right_ankle_bracket_fy
                 + screws.screw_right_ankle_roll_vz
-                    * forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                         .minus_wrench_right_ankle_bracket_fz);
         let wrench_right_ankle_cross_mx_12 = (wrench_right_ankle_cross_mx_12_0
             - (wrench_right_ankle_cross_mx_1 * screws.inside_right_ankle_roll_mx
@@ -32519,8 +32373,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19: &ForwardDynamicsItselfFromWrenchRightHipBracketMx19,
-        forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17: &ForwardDynamicsItselfFromWrenchRightAnkleCrossMx17,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_right_hip_cross_mx_15: &ForwardDynamicsItselfFromWrenchRightHipCrossMx15,
+        forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0: &ForwardDynamicsItselfFromMinusWrenchRightAnkleBracketMx0,
         forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy: &ForwardDynamicsItselfFromMinusArticulatedWaistBracketMxy,
     ) -> ForwardDynamicsItselfFromWrenchRightAnkleCrossMx {
         let wrench_right_ankle_cross_mx = inertias.inertia_right_ankle_bracket_xx
@@ -32538,27 +32393,25 @@ mod forward_dynamics_itself {
                 - inertias.inertia_right_ankle_bracket_hz
                     * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                         .wrench_right_ankle_cross_mx_9)
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .minus_wrench_right_ankle_bracket_mx
             + screws.inside_right_ankle_roll_mx
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_mx_13
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_14
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_15
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_ankle_cross_mx_18
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * velocities.velocity_right_ankle_cross_vz
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_ankle_cross_mx_20));
+                        * velocities.velocity_right_ankle_cross_vy));
         let wrench_right_ankle_cross_my = inertias.inertia_right_ankle_bracket_xy
             * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                 .wrench_right_ankle_cross_mx_1
@@ -32574,27 +32427,25 @@ mod forward_dynamics_itself {
                 - inertias.inertia_right_ankle_bracket_hx
                     * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                         .wrench_right_ankle_cross_mx_7)
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .minus_wrench_right_ankle_bracket_my
             + screws.inside_right_ankle_roll_my
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_mx_15
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_my_14
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_my_15
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_mx_14
-                + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_ankle_cross_my_18
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * velocities.velocity_right_ankle_cross_vx
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_my_19
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_ankle_cross_mx_18));
+                        * velocities.velocity_right_ankle_cross_vz));
         let wrench_right_ankle_cross_mz = inertias.inertia_right_ankle_bracket_xz
             * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                 .wrench_right_ankle_cross_mx_1
@@ -32610,27 +32461,25 @@ mod forward_dynamics_itself {
                 - inertias.inertia_right_ankle_bracket_hy
                     * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                         .wrench_right_ankle_cross_my_7)
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .minus_wrench_right_ankle_bracket_mz
             + screws.inside_right_ankle_roll_mz
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_my_15
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_13
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_my_14
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_my_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_ankle_cross_mx_20
-                    - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                    * velocities.velocity_right_ankle_cross_vy
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_mx_17
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_ankle_cross_my_18));
+                        * velocities.velocity_right_ankle_cross_vx));
         let wrench_right_ankle_cross_fx = inertias.inertia_right_ankle_bracket_hz
             * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                 .wrench_right_ankle_cross_mx_3
@@ -32640,18 +32489,18 @@ mod forward_dynamics_itself {
             + 1.2999999999999998
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_my_7
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .minus_wrench_right_ankle_bracket_fx
             + screws.inside_right_ankle_roll_fx
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_mx_17
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_14
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_mx_16);
         let wrench_right_ankle_cross_fy = inertias.inertia_right_ankle_bracket_hx
             * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
@@ -32662,18 +32511,18 @@ mod forward_dynamics_itself {
             + 1.2999999999999998
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_9
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .minus_wrench_right_ankle_bracket_fy
             + screws.inside_right_ankle_roll_fy
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_mx_19
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_my_14
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_my_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_mx_14);
         let wrench_right_ankle_cross_fz = inertias.inertia_right_ankle_bracket_hy
             * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
@@ -32684,18 +32533,18 @@ mod forward_dynamics_itself {
             + 1.2999999999999998
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_7
-            - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+            - forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0
                 .minus_wrench_right_ankle_bracket_fz
             + screws.inside_right_ankle_roll_fz
                 * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                     .wrench_right_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_my_19
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_ankle_cross_my_14);
         let minus_articulated_right_ankle_cross_hxx_0 = screws.inside_right_ankle_roll_mx
             * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
@@ -32789,45 +32638,42 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy
                         .inverse_pivot_right_ankle_roll_d
                     * screws.inside_right_ankle_roll_fz);
-        let wrench_right_shank_mx_2 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_shank_mx_2 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_ankle_cross_mx_16 * poses.sin_right_hip_roll
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_mx_14 * poses.rotation_right_hip_cross_yy)
             * qd[10];
-        let wrench_right_shank_mx_4 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_shank_mx_4 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_ankle_cross_mx_14 * poses.minus_rotation_right_hip_cross_xy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_my_14 * poses.sin_right_hip_roll) * qd[10];
-        let wrench_right_shank_mx_6 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_shank_mx_6 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_ankle_cross_my_14 * poses.rotation_right_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_mx_16
                 * poses.minus_rotation_right_hip_cross_xy) * qd[10];
-        let wrench_right_shank_mx_12 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_shank_mx_12 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_ankle_cross_mx_16 * screws.screw_right_ankle_pitch_vz
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_mx_14 * screws.minus_screw_right_ankle_pitch_vy
-            + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_ankle_cross_mx_20 * poses.sin_right_hip_roll
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_ankle_cross_mx_18 * poses.rotation_right_hip_cross_yy))
-            * qd[10];
-        let wrench_right_shank_mx_10 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + (velocities.velocity_right_ankle_cross_vy * poses.sin_right_hip_roll
+                - velocities.velocity_right_ankle_cross_vz
+                    * poses.rotation_right_hip_cross_yy)) * qd[10];
+        let wrench_right_shank_mx_10 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_ankle_cross_mx_14 * screws.screw_right_ankle_pitch_vx
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_my_14 * screws.screw_right_ankle_pitch_vz
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_ankle_cross_mx_18 * poses.minus_rotation_right_hip_cross_xy
-                + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_ankle_cross_my_18 * poses.sin_right_hip_roll))
+            - (velocities.velocity_right_ankle_cross_vz
+                * poses.minus_rotation_right_hip_cross_xy
+                + velocities.velocity_right_ankle_cross_vx * poses.sin_right_hip_roll))
             * qd[10];
-        let wrench_right_shank_mx_8 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-            .wrench_right_ankle_cross_my_18 * poses.rotation_right_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_ankle_cross_mx_20 * poses.minus_rotation_right_hip_cross_xy
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_shank_mx_8 = (velocities.velocity_right_ankle_cross_vx
+            * poses.rotation_right_hip_cross_yy
+            + velocities.velocity_right_ankle_cross_vy
+                * poses.minus_rotation_right_hip_cross_xy
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_ankle_cross_my_14 * screws.minus_screw_right_ankle_pitch_vy
-                + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_ankle_cross_mx_16 * screws.screw_right_ankle_pitch_vx))
             * qd[10];
         let wrench_outside_right_ankle_cross_mx = articulated_right_ankle_cross_jxy
@@ -32920,22 +32766,18 @@ mod forward_dynamics_itself {
                         + minus_articulated_right_ankle_cross_hxx
                             * wrench_right_shank_mx_12)))
             + wrench_outside_right_ankle_cross_mx * wrench_right_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_mx_15
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_17
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_shank_mx_18
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_shank_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_shank_mx_20
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_shank_mx_21
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_shank_mx_22));
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .wrench_right_shank_mx_19 * velocities.velocity_right_shank_vz
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                        .wrench_right_shank_mx_21 * velocities.velocity_right_shank_vy));
         let wrench_right_shank_my = wrench_right_ankle_cross_my
             + (articulated_right_ankle_cross_jxy * wrench_right_shank_mx_2
                 - articulated_right_ankle_cross_jyy * wrench_right_shank_mx_4
@@ -32944,22 +32786,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_ankle_cross_hyy * wrench_right_shank_mx_10
                     - minus_articulated_right_ankle_cross_hyz * wrench_right_shank_mx_8))
             + wrench_outside_right_ankle_cross_my * wrench_right_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_mx_17
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_my_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_my_17
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_shank_mx_16
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_shank_mx_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_shank_my_20
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_shank_my_21
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_shank_mx_20));
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .wrench_right_shank_mx_21 * velocities.velocity_right_shank_vx
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                        .wrench_right_shank_my_21 * velocities.velocity_right_shank_vz));
         ForwardDynamicsItselfFromWrenchRightAnkleCrossMx {
             wrench_right_ankle_cross_mz,
             wrench_right_ankle_cross_fx,
@@ -33061,7 +32899,8 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19: &ForwardDynamicsItselfFromWrenchRightHipBracketMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_right_hip_cross_mx_15: &ForwardDynamicsItselfFromWrenchRightHipCrossMx15,
         forward_dynamics_itself_from_wrench_right_ankle_cross_mx: &ForwardDynamicsItselfFromWrenchRightAnkleCrossMx,
     ) -> ForwardDynamicsItselfFromWrenchRightShankMz {
         let wrench_right_shank_mz = forward_dynamics_itself_from_wrench_right_ankle_cross_mx
@@ -33094,22 +32933,18 @@ mod forward_dynamics_itself {
                 .wrench_outside_right_ankle_cross_mz
                 * forward_dynamics_itself_from_wrench_right_ankle_cross_mx
                     .wrench_right_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_my_17
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_18
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_15
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_shank_my_16
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_shank_my_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_shank_mx_22
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_shank_mx_19
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_shank_my_20));
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .wrench_right_shank_my_21 * velocities.velocity_right_shank_vy
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                        .wrench_right_shank_mx_19 * velocities.velocity_right_shank_vx));
         let wrench_right_shank_fx = forward_dynamics_itself_from_wrench_right_ankle_cross_mx
             .wrench_right_ankle_cross_fx
             + (forward_dynamics_itself_from_wrench_right_ankle_cross_mx
@@ -33140,13 +32975,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_right_ankle_cross_fx
                 * forward_dynamics_itself_from_wrench_right_ankle_cross_mx
                     .wrench_right_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_mx_19
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_shank_mx_18);
         let wrench_right_shank_fy = forward_dynamics_itself_from_wrench_right_ankle_cross_mx
             .wrench_right_ankle_cross_fy
@@ -33178,13 +33013,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_right_ankle_cross_fy
                 * forward_dynamics_itself_from_wrench_right_ankle_cross_mx
                     .wrench_right_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_mx_21
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_my_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_my_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_shank_mx_16);
         let wrench_right_shank_fz = forward_dynamics_itself_from_wrench_right_ankle_cross_mx
             .wrench_right_ankle_cross_fz
@@ -33216,13 +33051,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_right_ankle_cross_fz
                 * forward_dynamics_itself_from_wrench_right_ankle_cross_mx
                     .wrench_right_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_my_21
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_18
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_shank_my_16);
         let minus_articulated_right_shank_hxx_1 = forward_dynamics_itself_from_wrench_right_ankle_cross_mx
             .wrench_outside_right_ankle_cross_mx
@@ -33367,43 +33202,41 @@ mod forward_dynamics_itself {
                         .inverse_pivot_right_ankle_pitch_d
                     * forward_dynamics_itself_from_wrench_right_ankle_cross_mx
                         .wrench_outside_right_ankle_cross_fz);
-        let wrench_right_thigh_mx_2 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_thigh_mx_2 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_shank_mx_18 * poses.sin_right_hip_roll
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_mx_16 * poses.rotation_right_hip_cross_yy) * qd[9];
-        let wrench_right_thigh_mx_4 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_thigh_mx_4 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_shank_mx_16 * poses.minus_rotation_right_hip_cross_xy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_my_16 * poses.sin_right_hip_roll) * qd[9];
-        let wrench_right_thigh_mx_6 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_thigh_mx_6 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_shank_my_16 * poses.rotation_right_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_mx_18 * poses.minus_rotation_right_hip_cross_xy)
             * qd[9];
-        let wrench_right_thigh_mx_12 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_thigh_mx_12 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_shank_mx_18 * screws.screw_right_knee_vz
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_mx_16 * screws.minus_screw_right_knee_vy
-            + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_shank_mx_22 * poses.sin_right_hip_roll
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_shank_mx_20 * poses.rotation_right_hip_cross_yy))
-            * qd[9];
-        let wrench_right_thigh_mx_10 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + (velocities.velocity_right_shank_vy * poses.sin_right_hip_roll
+                - velocities.velocity_right_shank_vz
+                    * poses.rotation_right_hip_cross_yy)) * qd[9];
+        let wrench_right_thigh_mx_10 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_shank_mx_16 * screws.screw_right_knee_vx
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_my_16 * screws.screw_right_knee_vz
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_shank_mx_20 * poses.minus_rotation_right_hip_cross_xy
-                + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_shank_my_20 * poses.sin_right_hip_roll)) * qd[9];
-        let wrench_right_thigh_mx_8 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-            .wrench_right_shank_my_20 * poses.rotation_right_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_shank_mx_22 * poses.minus_rotation_right_hip_cross_xy
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (velocities.velocity_right_shank_vz
+                * poses.minus_rotation_right_hip_cross_xy
+                + velocities.velocity_right_shank_vx * poses.sin_right_hip_roll))
+            * qd[9];
+        let wrench_right_thigh_mx_8 = (velocities.velocity_right_shank_vx
+            * poses.rotation_right_hip_cross_yy
+            + velocities.velocity_right_shank_vy
+                * poses.minus_rotation_right_hip_cross_xy
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_shank_my_16 * screws.minus_screw_right_knee_vy
-                + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_shank_mx_18 * screws.screw_right_knee_vx)) * qd[9];
         let wrench_outside_right_shank_mx = articulated_right_shank_jxy
             * poses.rotation_right_hip_cross_yy
@@ -33482,22 +33315,18 @@ mod forward_dynamics_itself {
                     - (minus_articulated_right_shank_hxy * wrench_right_thigh_mx_10
                         + minus_articulated_right_shank_hxx * wrench_right_thigh_mx_12)))
             + wrench_outside_right_shank_mx * wrench_right_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_mx_15
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_17
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_thigh_mx_18
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_thigh_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_thigh_mx_20
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_thigh_mx_21
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_thigh_mx_22));
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .wrench_right_thigh_mx_19 * velocities.velocity_right_thigh_vz
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                        .wrench_right_thigh_mx_21 * velocities.velocity_right_thigh_vy));
         let wrench_right_thigh_my = forward_dynamics_itself_from_wrench_right_ankle_cross_mx
             .wrench_right_shank_my
             + (articulated_right_shank_jxy * wrench_right_thigh_mx_2
@@ -33507,22 +33336,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_shank_hyy * wrench_right_thigh_mx_10
                     - minus_articulated_right_shank_hyz * wrench_right_thigh_mx_8))
             + wrench_outside_right_shank_my * wrench_right_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_mx_17
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_my_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_my_17
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_thigh_mx_16
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_thigh_mx_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_thigh_my_20
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_thigh_my_21
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_thigh_mx_20));
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .wrench_right_thigh_mx_21 * velocities.velocity_right_thigh_vx
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                        .wrench_right_thigh_my_21 * velocities.velocity_right_thigh_vz));
         let wrench_right_thigh_mz = wrench_right_shank_mz
             + (articulated_right_shank_jxz * wrench_right_thigh_mx_2
                 - articulated_right_shank_jyz * wrench_right_thigh_mx_4
@@ -33531,22 +33356,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_shank_hzx * wrench_right_thigh_mx_12
                     - minus_articulated_right_shank_hzz * wrench_right_thigh_mx_8))
             + wrench_outside_right_shank_mz * wrench_right_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_my_17
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_18
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_15
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_thigh_my_16
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_thigh_my_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_thigh_mx_22
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_thigh_mx_19
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_thigh_my_20));
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                    .wrench_right_thigh_my_21 * velocities.velocity_right_thigh_vy
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                        .wrench_right_thigh_mx_19 * velocities.velocity_right_thigh_vx));
         let wrench_right_thigh_fx = wrench_right_shank_fx
             + (articulated_right_shank_mxx * wrench_right_thigh_mx_12
                 - minus_articulated_right_shank_mxy * wrench_right_thigh_mx_10
@@ -33555,13 +33376,13 @@ mod forward_dynamics_itself {
                     + articulated_right_shank_hyx * wrench_right_thigh_mx_4
                     + minus_articulated_right_shank_hzx * wrench_right_thigh_mx_6))
             + wrench_outside_right_shank_fx * wrench_right_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_mx_19
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_thigh_mx_18);
         let wrench_right_thigh_fy = wrench_right_shank_fy
             + (minus_articulated_right_shank_hyy * wrench_right_thigh_mx_4
@@ -33571,13 +33392,13 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_shank_mxy * wrench_right_thigh_mx_12
                     - minus_articulated_right_shank_myz * wrench_right_thigh_mx_8))
             + wrench_outside_right_shank_fy * wrench_right_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_mx_21
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_my_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_my_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_thigh_mx_16);
         let wrench_right_thigh_fz = wrench_right_shank_fz
             + (articulated_right_shank_hxz * wrench_right_thigh_mx_2
@@ -33587,13 +33408,13 @@ mod forward_dynamics_itself {
                     - (minus_articulated_right_shank_mxz * wrench_right_thigh_mx_12
                         + minus_articulated_right_shank_myz * wrench_right_thigh_mx_10)))
             + wrench_outside_right_shank_fz * wrench_right_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_my_21
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_18
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_thigh_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_thigh_my_16);
         let minus_articulated_right_thigh_hxx_1 = wrench_outside_right_shank_mx
             * inverse_pivot_right_knee_d;
@@ -33708,8 +33529,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_thigh_mx_19: &ForwardDynamicsItselfFromWrenchLeftThighMx19,
-        forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19: &ForwardDynamicsItselfFromWrenchRightHipBracketMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_left_shank_mx_18: &ForwardDynamicsItselfFromWrenchLeftShankMx18,
+        forward_dynamics_itself_from_wrench_right_hip_cross_mx_15: &ForwardDynamicsItselfFromWrenchRightHipCrossMx15,
         forward_dynamics_itself_from_wrench_right_shank_mz: &ForwardDynamicsItselfFromWrenchRightShankMz,
     ) -> ForwardDynamicsItselfFromMinusArticulatedRightThighMyz1 {
         let minus_articulated_right_thigh_myz_1 = forward_dynamics_itself_from_wrench_right_shank_mz
@@ -33857,45 +33679,41 @@ mod forward_dynamics_itself {
                         .inverse_pivot_right_knee_d
                     * forward_dynamics_itself_from_wrench_right_shank_mz
                         .wrench_outside_right_shank_fz);
-        let wrench_right_hip_cross_mx_2 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_hip_cross_mx_2 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_thigh_mx_18 * poses.sin_right_hip_roll
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_mx_16 * poses.rotation_right_hip_cross_yy) * qd[8];
-        let wrench_right_hip_cross_mx_4 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_hip_cross_mx_4 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_thigh_mx_16 * poses.minus_rotation_right_hip_cross_xy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_my_16 * poses.sin_right_hip_roll) * qd[8];
-        let wrench_right_hip_cross_mx_6 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_hip_cross_mx_6 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_thigh_my_16 * poses.rotation_right_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_mx_18 * poses.minus_rotation_right_hip_cross_xy)
             * qd[8];
-        let wrench_right_hip_cross_mx_12 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_hip_cross_mx_12 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_thigh_mx_18 * screws.screw_right_hip_pitch_vz
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_mx_16 * screws.screw_right_hip_pitch_vy
-            + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_thigh_mx_22 * poses.sin_right_hip_roll
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_thigh_mx_20 * poses.rotation_right_hip_cross_yy))
-            * qd[8];
-        let wrench_right_hip_cross_mx_10 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + (velocities.velocity_right_thigh_vy * poses.sin_right_hip_roll
+                - velocities.velocity_right_thigh_vz
+                    * poses.rotation_right_hip_cross_yy)) * qd[8];
+        let wrench_right_hip_cross_mx_10 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
             .wrench_right_thigh_mx_16 * screws.screw_right_hip_pitch_vx
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_thigh_my_16 * screws.screw_right_hip_pitch_vz
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_thigh_mx_20 * poses.minus_rotation_right_hip_cross_xy
-                + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_thigh_my_20 * poses.sin_right_hip_roll)) * qd[8];
-        let wrench_right_hip_cross_mx_8 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-            .wrench_right_thigh_my_16 * screws.screw_right_hip_pitch_vy
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_thigh_mx_18 * screws.screw_right_hip_pitch_vx
-            + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_thigh_my_20 * poses.rotation_right_hip_cross_yy
-                + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_thigh_mx_22 * poses.minus_rotation_right_hip_cross_xy))
+            - (velocities.velocity_right_thigh_vz
+                * poses.minus_rotation_right_hip_cross_xy
+                + velocities.velocity_right_thigh_vx * poses.sin_right_hip_roll))
             * qd[8];
+        let wrench_right_hip_cross_mx_8 = (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+            .wrench_right_thigh_my_16 * screws.screw_right_hip_pitch_vy
+            - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
+                .wrench_right_thigh_mx_18 * screws.screw_right_hip_pitch_vx
+            + (velocities.velocity_right_thigh_vx * poses.rotation_right_hip_cross_yy
+                + velocities.velocity_right_thigh_vy
+                    * poses.minus_rotation_right_hip_cross_xy)) * qd[8];
         let wrench_outside_right_thigh_mx = articulated_right_thigh_jxy
             * poses.rotation_right_hip_cross_yy
             - articulated_right_thigh_jxx * poses.minus_rotation_right_hip_cross_xy
@@ -33983,22 +33801,20 @@ mod forward_dynamics_itself {
                         - minus_articulated_right_thigh_hxx
                             * wrench_right_hip_cross_mx_12)))
             + wrench_outside_right_thigh_mx * wrench_right_hip_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_hip_cross_mx_15
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_cross_mx_18
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_hip_cross_mx_20
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * velocities.velocity_right_hip_cross_vz
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_hip_cross_mx_21
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_hip_cross_mx_22));
+                        * velocities.velocity_right_hip_cross_vy));
         let wrench_right_hip_cross_my = forward_dynamics_itself_from_wrench_right_shank_mz
             .wrench_right_thigh_my
             + (articulated_right_thigh_jxy * wrench_right_hip_cross_mx_2
@@ -34008,22 +33824,20 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_thigh_hyy * wrench_right_hip_cross_mx_10
                     - minus_articulated_right_thigh_hyz * wrench_right_hip_cross_mx_8))
             + wrench_outside_right_thigh_my * wrench_right_hip_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_hip_cross_mx_17
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_my_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_my_17
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_hip_cross_my_20
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * velocities.velocity_right_hip_cross_vx
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_hip_cross_my_21
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_hip_cross_mx_20));
+                        * velocities.velocity_right_hip_cross_vz));
         let wrench_right_hip_cross_mz = forward_dynamics_itself_from_wrench_right_shank_mz
             .wrench_right_thigh_mz
             + (articulated_right_thigh_jxz * wrench_right_hip_cross_mx_2
@@ -34033,22 +33847,20 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_thigh_hzx * wrench_right_hip_cross_mx_12
                     - minus_articulated_right_thigh_hzz * wrench_right_hip_cross_mx_8))
             + wrench_outside_right_thigh_mz * wrench_right_hip_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_cross_my_17
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_18
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_mx_15
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_cross_my_16
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_my_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_hip_cross_mx_22
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * velocities.velocity_right_hip_cross_vy
+                    - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                         .wrench_right_hip_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                            .wrench_right_hip_cross_my_20));
+                        * velocities.velocity_right_hip_cross_vx));
         let wrench_right_hip_cross_fx = forward_dynamics_itself_from_wrench_right_shank_mz
             .wrench_right_thigh_fx
             + (articulated_right_thigh_mxx * wrench_right_hip_cross_mx_12
@@ -34058,13 +33870,13 @@ mod forward_dynamics_itself {
                     + articulated_right_thigh_hyx * wrench_right_hip_cross_mx_4
                     + minus_articulated_right_thigh_hzx * wrench_right_hip_cross_mx_6))
             + wrench_outside_right_thigh_fx * wrench_right_hip_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_hip_cross_mx_19
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_cross_mx_18);
         let wrench_right_hip_cross_fy = forward_dynamics_itself_from_wrench_right_shank_mz
             .wrench_right_thigh_fy
@@ -34075,13 +33887,13 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_thigh_mxy * wrench_right_hip_cross_mx_12
                     - minus_articulated_right_thigh_myz * wrench_right_hip_cross_mx_8))
             + wrench_outside_right_thigh_fy * wrench_right_hip_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_hip_cross_mx_21
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_my_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_my_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_cross_mx_16);
         let wrench_right_hip_cross_fz = forward_dynamics_itself_from_wrench_right_shank_mz
             .wrench_right_thigh_fz
@@ -34093,13 +33905,13 @@ mod forward_dynamics_itself {
                         + minus_articulated_right_thigh_myz
                             * wrench_right_hip_cross_mx_10)))
             + wrench_outside_right_thigh_fz * wrench_right_hip_cross_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                 .wrench_right_hip_cross_my_21
-                * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_18
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_right_hip_cross_mx_15
                     .wrench_right_hip_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_cross_my_16);
         let minus_articulated_right_hip_cross_hxx_1 = wrench_outside_right_thigh_mx
             * inverse_pivot_right_hip_pitch_d;
@@ -34219,9 +34031,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_left_thigh_mx_19: &ForwardDynamicsItselfFromWrenchLeftThighMx19,
-        forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19: &ForwardDynamicsItselfFromWrenchRightHipBracketMx19,
+        forward_dynamics_itself_from_wrench_left_shank_mx_18: &ForwardDynamicsItselfFromWrenchLeftShankMx18,
         forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1: &ForwardDynamicsItselfFromMinusArticulatedRightThighMyz1,
     ) -> ForwardDynamicsItselfFromMinusArticulatedRightHipCrossHyy {
         let minus_articulated_right_hip_cross_hyy = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
@@ -34361,33 +34173,30 @@ mod forward_dynamics_itself {
                         .inverse_pivot_right_hip_pitch_d
                     * forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
                         .wrench_outside_right_thigh_fz);
-        let wrench_right_hip_bracket_mx_4 = forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_right_hip_bracket_mx_4 = forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_right_hip_cross_mx_16 * poses.sin_right_hip_yaw * qd[7];
-        let wrench_right_hip_bracket_mx_2 = forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_right_hip_bracket_mx_2 = forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_right_hip_cross_mx_16 * poses.cos_right_hip_yaw * qd[7];
-        let wrench_right_hip_bracket_mx_6 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_hip_bracket_mx_6 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_right_hip_cross_my_16 * poses.sin_right_hip_yaw
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_cross_mx_18 * poses.cos_right_hip_yaw) * qd[7];
-        let wrench_right_hip_bracket_mx_12 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+        let wrench_right_hip_bracket_mx_12 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_right_hip_cross_mx_18 * screws.screw_right_hip_roll_vz
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_cross_mx_16 * screws.minus_screw_right_hip_roll_vy
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_hip_cross_mx_20 * poses.sin_right_hip_yaw) * qd[7];
-        let wrench_right_hip_bracket_mx_10 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - velocities.velocity_right_hip_cross_vz * poses.sin_right_hip_yaw) * qd[7];
+        let wrench_right_hip_bracket_mx_10 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_right_hip_cross_mx_16 * screws.screw_right_hip_roll_vx
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_cross_my_16 * screws.screw_right_hip_roll_vz
-            + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_hip_cross_mx_20 * poses.cos_right_hip_yaw) * qd[7];
-        let wrench_right_hip_bracket_mx_8 = (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-            .wrench_right_hip_cross_my_20 * poses.sin_right_hip_yaw
-            - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_hip_cross_mx_22 * poses.cos_right_hip_yaw
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            + velocities.velocity_right_hip_cross_vz * poses.cos_right_hip_yaw) * qd[7];
+        let wrench_right_hip_bracket_mx_8 = (velocities.velocity_right_hip_cross_vx
+            * poses.sin_right_hip_yaw
+            - velocities.velocity_right_hip_cross_vy * poses.cos_right_hip_yaw
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_cross_my_16 * screws.minus_screw_right_hip_roll_vy
-                + forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_18 * screws.screw_right_hip_roll_vx))
             * qd[7];
         let wrench_outside_right_hip_cross_mx = articulated_right_hip_cross_jxx
@@ -34478,20 +34287,19 @@ mod forward_dynamics_itself {
                             .minus_articulated_right_hip_cross_hxx
                             * wrench_right_hip_bracket_mx_12)))
             + wrench_outside_right_hip_cross_mx * wrench_right_hip_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_bracket_mx_15
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_bracket_mx_17
                     * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_bracket_mx_19
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+                    * velocities.velocity_right_hip_bracket_vy
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_bracket_mx_21
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_right_hip_bracket_mx_22));
+                        * velocities.minus_velocity_pelvis_vz));
         let wrench_right_hip_bracket_my = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
             .wrench_right_hip_cross_my
             + (articulated_right_hip_cross_jyy * wrench_right_hip_bracket_mx_2
@@ -34503,20 +34311,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_hip_cross_hyz
                         * wrench_right_hip_bracket_mx_8))
             + wrench_outside_right_hip_cross_my * wrench_right_hip_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_bracket_mx_17
                 * forward_dynamics_itself.wrench_waist_bracket_my_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_bracket_my_17
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_right_hip_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_hip_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_right_hip_bracket_my_20
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_right_hip_bracket_my_21
-                        * forward_dynamics_itself.wrench_waist_bracket_mx_20));
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_bracket_my_19 * velocities.minus_velocity_pelvis_vz
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
+                        .wrench_right_hip_bracket_mx_19
+                        * velocities.velocity_right_hip_bracket_vx));
         let wrench_right_hip_bracket_mz = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
             .wrench_right_hip_cross_mz
             + (articulated_right_hip_cross_jyz * wrench_right_hip_bracket_mx_2
@@ -34528,20 +34334,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_hip_cross_hzz
                         * wrench_right_hip_bracket_mx_8))
             + wrench_outside_right_hip_cross_mz * wrench_right_hip_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_bracket_my_17
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_bracket_mx_15
                     * forward_dynamics_itself.wrench_waist_bracket_my_16
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_right_hip_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_right_hip_bracket_mx_22
-                    - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                        .wrench_right_hip_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_right_hip_bracket_my_20));
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_bracket_my_19
+                    * velocities.velocity_right_hip_bracket_vy
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
+                        .wrench_right_hip_bracket_mx_21
+                        * velocities.velocity_right_hip_bracket_vx));
         let wrench_right_hip_bracket_fx = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
             .wrench_right_hip_cross_fx
             + (forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
@@ -34554,32 +34358,32 @@ mod forward_dynamics_itself {
                     - minus_articulated_right_hip_cross_mxz
                         * wrench_right_hip_bracket_mx_8))
             + wrench_outside_right_hip_cross_fx * wrench_right_hip_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                .wrench_right_hip_bracket_mx_19
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_right_hip_cross_mx_16
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_hip_bracket_mx_21
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_18);
-        let wrench_right_hip_bracket_fy = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
-            .wrench_right_hip_cross_fy
-            + (articulated_right_hip_cross_hzy * wrench_right_hip_bracket_mx_6
-                - (articulated_right_hip_cross_hxy * wrench_right_hip_bracket_mx_4
-                    + minus_articulated_right_hip_cross_hyy
-                        * wrench_right_hip_bracket_mx_2)
-                + (articulated_right_hip_cross_myy * wrench_right_hip_bracket_mx_10
-                    - minus_articulated_right_hip_cross_mxy
-                        * wrench_right_hip_bracket_mx_12
-                    - minus_articulated_right_hip_cross_myz
-                        * wrench_right_hip_bracket_mx_8))
-            + wrench_outside_right_hip_cross_fy * wrench_right_hip_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_right_hip_bracket_mx_21
-                * forward_dynamics_itself.wrench_waist_bracket_my_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_right_hip_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_right_hip_cross_mx_16);
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_cross_mx_16
+                + forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_bracket_mx_19
+                    * forward_dynamics_itself.wrench_waist_bracket_mx_18);
+        let wrench_right_hip_bracket_fy = forward_dynamics_itself_from_wrench_left_shank_mx_18
+            .wrench_right_hip_bracket_mx_19
+            * forward_dynamics_itself.wrench_waist_bracket_my_16
+            + forward_dynamics_itself_from_wrench_left_shank_mx_18
+                .wrench_right_hip_bracket_my_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_cross_mx_16
+            + (forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
+                .wrench_right_hip_cross_fy
+                + (articulated_right_hip_cross_hzy * wrench_right_hip_bracket_mx_6
+                    - (articulated_right_hip_cross_hxy * wrench_right_hip_bracket_mx_4
+                        + minus_articulated_right_hip_cross_hyy
+                            * wrench_right_hip_bracket_mx_2)
+                    + (articulated_right_hip_cross_myy * wrench_right_hip_bracket_mx_10
+                        - minus_articulated_right_hip_cross_mxy
+                            * wrench_right_hip_bracket_mx_12
+                        - minus_articulated_right_hip_cross_myz
+                            * wrench_right_hip_bracket_mx_8))
+                + wrench_outside_right_hip_cross_fy * wrench_right_hip_bracket_mx_14);
         let wrench_right_hip_bracket_fz = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
             .wrench_right_hip_cross_fz
             + (articulated_right_hip_cross_mzz * wrench_right_hip_bracket_mx_8
@@ -34592,11 +34396,11 @@ mod forward_dynamics_itself {
                     + minus_articulated_right_hip_cross_hzz
                         * wrench_right_hip_bracket_mx_6))
             + wrench_outside_right_hip_cross_fz * wrench_right_hip_bracket_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_right_hip_bracket_my_21
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                .wrench_right_hip_bracket_my_19
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                - forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19
-                    .wrench_right_hip_bracket_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_right_hip_bracket_mx_21
                     * forward_dynamics_itself.wrench_waist_bracket_my_16);
         let minus_articulated_right_hip_bracket_hxx_1 = wrench_outside_right_hip_cross_mx
             * inverse_pivot_right_hip_roll_d;
@@ -34743,8 +34547,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
-        forward_dynamics_itself_from_wrench_left_thigh_mx_19: &ForwardDynamicsItselfFromWrenchLeftThighMx19,
+        forward_dynamics_itself_from_wrench_left_shank_mx_18: &ForwardDynamicsItselfFromWrenchLeftShankMx18,
         forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightHipCrossHyy,
     ) -> ForwardDynamicsItselfFromArticulatedRightHipBracketJyz {
         let articulated_right_hip_bracket_jyz = forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy
@@ -34835,14 +34640,12 @@ mod forward_dynamics_itself {
             * qd[6];
         let wrench_pelvis_mx_26 = forward_dynamics_itself.wrench_waist_bracket_my_16
             * qd[6];
-        let wrench_pelvis_mx_32 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_pelvis_mx_32 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_right_hip_cross_mx_16 * poses.origin_left_hip_bracket_x
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_right_hip_bracket_mx_22) * qd[6];
-        let wrench_pelvis_mx_30 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + velocities.velocity_right_hip_bracket_vy) * qd[6];
+        let wrench_pelvis_mx_30 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_right_hip_cross_mx_16 * poses.minus_origin_right_hip_bracket_y
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_right_hip_bracket_my_20) * qd[6];
+            + velocities.velocity_right_hip_bracket_vx) * qd[6];
         let wrench_pelvis_mx_28 = (forward_dynamics_itself.wrench_waist_bracket_mx_18
             * poses.minus_origin_right_hip_bracket_y - wrench_pelvis_mx_28_2) * qd[6];
         let wrench_outside_right_hip_bracket_mx = forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy
@@ -34911,50 +34714,44 @@ mod forward_dynamics_itself {
             * inverse_pivot_right_hip_yaw_d;
         let articulated_pelvis_myy_5 = wrench_outside_right_hip_bracket_fy
             * inverse_pivot_right_hip_yaw_d;
-        let wrench_left_ankle_cross_mx_1 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_ankle_cross_mx_1 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .minus_wrench_left_ankle_bracket_mx_3 * poses.rotation_left_ankle_cross_zx
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_mx_1
                 * poses.rotation_left_ankle_cross_yx) * qd[5];
-        let wrench_left_ankle_cross_mx_3 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_ankle_cross_mx_3 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .minus_wrench_left_ankle_bracket_mx_1 * poses.rotation_left_ankle_cross_xx
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_my_1
                 * poses.rotation_left_ankle_cross_zx) * qd[5];
-        let wrench_left_ankle_cross_mx_5 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_ankle_cross_mx_5 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .minus_wrench_left_ankle_bracket_my_1 * poses.rotation_left_ankle_cross_yx
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_mx_3
                 * poses.rotation_left_ankle_cross_xx) * qd[5];
-        let wrench_left_ankle_cross_my_7 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_ankle_cross_my_7 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .minus_wrench_left_ankle_bracket_mx_3 * screws.screw_left_ankle_roll_vz
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_mx_1 * screws.screw_left_ankle_roll_vy
-            + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .minus_wrench_left_ankle_bracket_mx_7
+            + (velocities.velocity_left_ankle_bracket_vy
                 * poses.rotation_left_ankle_cross_zx
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .minus_wrench_left_ankle_bracket_mx_5
+                - velocities.velocity_left_ankle_bracket_vz
                     * poses.rotation_left_ankle_cross_yx)) * qd[5];
-        let wrench_left_ankle_cross_mx_9 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_ankle_cross_mx_9 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .minus_wrench_left_ankle_bracket_mx_1 * screws.screw_left_ankle_roll_vx
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_my_1 * screws.screw_left_ankle_roll_vz
-            + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .minus_wrench_left_ankle_bracket_mx_5
+            + (velocities.velocity_left_ankle_bracket_vz
                 * poses.rotation_left_ankle_cross_xx
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .minus_wrench_left_ankle_bracket_my_5
+                - velocities.velocity_left_ankle_bracket_vx
                     * poses.rotation_left_ankle_cross_zx)) * qd[5];
-        let wrench_left_ankle_cross_mx_7 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_ankle_cross_mx_7 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .minus_wrench_left_ankle_bracket_my_1 * screws.screw_left_ankle_roll_vy
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_mx_3 * screws.screw_left_ankle_roll_vx
-            + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .minus_wrench_left_ankle_bracket_my_5
+            + (velocities.velocity_left_ankle_bracket_vx
                 * poses.rotation_left_ankle_cross_yx
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .minus_wrench_left_ankle_bracket_mx_7
+                - velocities.velocity_left_ankle_bracket_vy
                     * poses.rotation_left_ankle_cross_xx)) * qd[5];
         let inverse_pivot_left_ankle_roll_d = 1.0
             / (poses.rotation_left_ankle_cross_xx * screws.inside_left_ankle_roll_mx
@@ -34965,22 +34762,22 @@ mod forward_dynamics_itself {
                 + screws.screw_left_ankle_roll_vz * screws.inside_left_ankle_roll_fz);
         let wrench_left_ankle_cross_mx_12_0 = tau[5]
             + (poses.rotation_left_ankle_cross_xx
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .minus_wrench_left_ankle_bracket_mx
                 + poses.rotation_left_ankle_cross_yx
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .minus_wrench_left_ankle_bracket_my
                 + poses.rotation_left_ankle_cross_zx
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .minus_wrench_left_ankle_bracket_mz
                 + screws.screw_left_ankle_roll_vx
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .minus_wrench_left_ankle_bracket_fx
                 + screws.screw_left_ankle_roll_vy
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .minus_wrench_left_ankle_bracket_fy
                 + screws.screw_left_ankle_roll_vz
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .minus_wrench_left_ankle_bracket_fz);
         let wrench_left_ankle_cross_mx_12 = (wrench_left_ankle_cross_mx_12_0
             - (wrench_left_ankle_cross_mx_1 * screws.inside_left_ankle_roll_mx
@@ -35086,7 +34883,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_left_thigh_mx_19: &ForwardDynamicsItselfFromWrenchLeftThighMx19,
+        velocities: &Velocities,
+        forward_dynamics_itself_from_wrench_pelvis_my_15: &ForwardDynamicsItselfFromWrenchPelvisMy15,
+        forward_dynamics_itself_from_wrench_left_shank_mx_18: &ForwardDynamicsItselfFromWrenchLeftShankMx18,
         forward_dynamics_itself_from_articulated_right_hip_bracket_jyz: &ForwardDynamicsItselfFromArticulatedRightHipBracketJyz,
     ) -> ForwardDynamicsItselfFromWrenchLeftAnkleCrossMx {
         let wrench_left_ankle_cross_mx = inertias.inertia_left_ankle_bracket_xx
@@ -35104,27 +34903,25 @@ mod forward_dynamics_itself {
                 - inertias.inertia_left_ankle_bracket_hz
                     * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                         .wrench_left_ankle_cross_mx_9)
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_mx
             + screws.inside_left_ankle_roll_mx
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_mx_13
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_14
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_15
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_mx_16
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_ankle_cross_mx_18
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * velocities.velocity_left_ankle_cross_vz
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_left_ankle_cross_mx_20));
+                        * velocities.velocity_left_ankle_cross_vy));
         let wrench_left_ankle_cross_my = inertias.inertia_left_ankle_bracket_xy
             * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                 .wrench_left_ankle_cross_mx_1
@@ -35140,27 +34937,25 @@ mod forward_dynamics_itself {
                 - inertias.inertia_left_ankle_bracket_hx
                     * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                         .wrench_left_ankle_cross_mx_7)
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_my
             + screws.inside_left_ankle_roll_my
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_mx_15
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_my_14
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_my_15
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_mx_14
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_ankle_cross_my_18
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * velocities.velocity_left_ankle_cross_vx
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_my_19
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_left_ankle_cross_mx_18));
+                        * velocities.velocity_left_ankle_cross_vz));
         let wrench_left_ankle_cross_mz = inertias.inertia_left_ankle_bracket_xz
             * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                 .wrench_left_ankle_cross_mx_1
@@ -35176,27 +34971,25 @@ mod forward_dynamics_itself {
                 - inertias.inertia_left_ankle_bracket_hy
                     * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                         .wrench_left_ankle_cross_my_7)
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_mz
             + screws.inside_left_ankle_roll_mz
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_my_15
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_13
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_my_14
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_my_19
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_ankle_cross_mx_20
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * velocities.velocity_left_ankle_cross_vy
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_mx_17
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_left_ankle_cross_my_18));
+                        * velocities.velocity_left_ankle_cross_vx));
         let wrench_left_ankle_cross_fx = inertias.inertia_left_ankle_bracket_hz
             * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                 .wrench_left_ankle_cross_mx_3
@@ -35206,18 +34999,18 @@ mod forward_dynamics_itself {
             + 1.2999999999999998
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_my_7
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_fx
             + screws.inside_left_ankle_roll_fx
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_mx_17
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_14
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_mx_16);
         let wrench_left_ankle_cross_fy = inertias.inertia_left_ankle_bracket_hx
             * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
@@ -35228,18 +35021,18 @@ mod forward_dynamics_itself {
             + 1.2999999999999998
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_9
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_fy
             + screws.inside_left_ankle_roll_fy
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_mx_19
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_my_14
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_my_19
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_mx_14);
         let wrench_left_ankle_cross_fz = inertias.inertia_left_ankle_bracket_hy
             * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
@@ -35250,18 +35043,18 @@ mod forward_dynamics_itself {
             + 1.2999999999999998
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_7
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .minus_wrench_left_ankle_bracket_fz
             + screws.inside_left_ankle_roll_fz
                 * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                     .wrench_left_ankle_cross_mx_12
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_my_19
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_17
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_ankle_cross_my_14);
         let minus_articulated_left_ankle_cross_hxx_0 = screws.inside_left_ankle_roll_mx
             * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
@@ -35352,44 +35145,42 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
                         .inverse_pivot_left_ankle_roll_d
                     * screws.inside_left_ankle_roll_fz);
-        let wrench_left_shank_mx_2 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_shank_mx_2 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_ankle_cross_mx_16 * poses.sin_left_hip_roll
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_mx_14 * poses.rotation_left_hip_cross_yy)
             * qd[4];
-        let wrench_left_shank_mx_4 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_shank_mx_4 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_ankle_cross_mx_14 * poses.minus_rotation_left_hip_cross_xy
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_my_14 * poses.sin_left_hip_roll) * qd[4];
-        let wrench_left_shank_mx_6 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_shank_mx_6 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_ankle_cross_my_14 * poses.rotation_left_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_mx_16 * poses.minus_rotation_left_hip_cross_xy)
             * qd[4];
-        let wrench_left_shank_mx_12 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_shank_mx_12 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_ankle_cross_mx_16 * screws.screw_left_ankle_pitch_vz
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_mx_14 * screws.minus_screw_left_ankle_pitch_vy
-            + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_ankle_cross_mx_20 * poses.sin_left_hip_roll
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_ankle_cross_mx_18 * poses.rotation_left_hip_cross_yy))
-            * qd[4];
-        let wrench_left_shank_mx_10 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + (velocities.velocity_left_ankle_cross_vy * poses.sin_left_hip_roll
+                - velocities.velocity_left_ankle_cross_vz
+                    * poses.rotation_left_hip_cross_yy)) * qd[4];
+        let wrench_left_shank_mx_10 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_ankle_cross_mx_14 * screws.screw_left_ankle_pitch_vx
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_my_14 * screws.screw_left_ankle_pitch_vz
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_ankle_cross_mx_18 * poses.minus_rotation_left_hip_cross_xy
-                + forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_ankle_cross_my_18 * poses.sin_left_hip_roll)) * qd[4];
-        let wrench_left_shank_mx_8 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-            .wrench_left_ankle_cross_my_18 * poses.rotation_left_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_ankle_cross_mx_20 * poses.minus_rotation_left_hip_cross_xy
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (velocities.velocity_left_ankle_cross_vz
+                * poses.minus_rotation_left_hip_cross_xy
+                + velocities.velocity_left_ankle_cross_vx * poses.sin_left_hip_roll))
+            * qd[4];
+        let wrench_left_shank_mx_8 = (velocities.velocity_left_ankle_cross_vx
+            * poses.rotation_left_hip_cross_yy
+            + velocities.velocity_left_ankle_cross_vy
+                * poses.minus_rotation_left_hip_cross_xy
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_ankle_cross_my_14 * screws.minus_screw_left_ankle_pitch_vy
-                + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                + forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_ankle_cross_mx_16 * screws.screw_left_ankle_pitch_vx))
             * qd[4];
         let wrench_outside_left_ankle_cross_mx = articulated_left_ankle_cross_jxy
@@ -35478,22 +35269,18 @@ mod forward_dynamics_itself {
                         + minus_articulated_left_ankle_cross_hxx
                             * wrench_left_shank_mx_12)))
             + wrench_outside_left_ankle_cross_mx * wrench_left_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_mx_15
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_17
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_shank_mx_18
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_shank_mx_19
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_shank_mx_20
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_shank_mx_21
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_left_shank_mx_22));
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_left_shank_mx_19 * velocities.velocity_left_shank_vz
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
+                        .wrench_left_shank_mx_21 * velocities.velocity_left_shank_vy));
         let wrench_left_shank_my = wrench_left_ankle_cross_my
             + (articulated_left_ankle_cross_jxy * wrench_left_shank_mx_2
                 - articulated_left_ankle_cross_jyy * wrench_left_shank_mx_4
@@ -35502,22 +35289,18 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_ankle_cross_hyy * wrench_left_shank_mx_10
                     - minus_articulated_left_ankle_cross_hyz * wrench_left_shank_mx_8))
             + wrench_outside_left_ankle_cross_my * wrench_left_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_mx_17
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_shank_my_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_my_17
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_shank_mx_16
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_shank_mx_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_shank_my_20
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_shank_my_21
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_left_shank_mx_20));
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_left_shank_mx_21 * velocities.velocity_left_shank_vx
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
+                        .wrench_left_shank_my_21 * velocities.velocity_left_shank_vz));
         ForwardDynamicsItselfFromWrenchLeftAnkleCrossMx {
             wrench_left_ankle_cross_mz,
             wrench_left_ankle_cross_fx,
@@ -35619,8 +35402,9 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself_from_wrench_pelvis_my_15: &ForwardDynamicsItselfFromWrenchPelvisMy15,
-        forward_dynamics_itself_from_wrench_left_thigh_mx_19: &ForwardDynamicsItselfFromWrenchLeftThighMx19,
+        forward_dynamics_itself_from_wrench_left_shank_mx_18: &ForwardDynamicsItselfFromWrenchLeftShankMx18,
         forward_dynamics_itself_from_wrench_left_ankle_cross_mx: &ForwardDynamicsItselfFromWrenchLeftAnkleCrossMx,
     ) -> ForwardDynamicsItselfFromWrenchLeftShankMz {
         let wrench_left_shank_mz = forward_dynamics_itself_from_wrench_left_ankle_cross_mx
@@ -35653,22 +35437,18 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_ankle_cross_mz
                 * forward_dynamics_itself_from_wrench_left_ankle_cross_mx
                     .wrench_left_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_my_17
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_18
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_15
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_shank_my_16
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_shank_my_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_shank_mx_22
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_shank_mx_19
-                        * forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                            .wrench_left_shank_my_20));
+                + (forward_dynamics_itself_from_wrench_left_shank_mx_18
+                    .wrench_left_shank_my_21 * velocities.velocity_left_shank_vy
+                    - forward_dynamics_itself_from_wrench_left_shank_mx_18
+                        .wrench_left_shank_mx_19 * velocities.velocity_left_shank_vx));
         let wrench_left_shank_fx = forward_dynamics_itself_from_wrench_left_ankle_cross_mx
             .wrench_left_ankle_cross_fx
             + (forward_dynamics_itself_from_wrench_left_ankle_cross_mx
@@ -35699,13 +35479,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_ankle_cross_fx
                 * forward_dynamics_itself_from_wrench_left_ankle_cross_mx
                     .wrench_left_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_mx_19
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_shank_mx_18);
         let wrench_left_shank_fy = forward_dynamics_itself_from_wrench_left_ankle_cross_mx
             .wrench_left_ankle_cross_fy
@@ -35737,13 +35517,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_ankle_cross_fy
                 * forward_dynamics_itself_from_wrench_left_ankle_cross_mx
                     .wrench_left_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_mx_21
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_shank_my_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_my_21
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_left_shank_mx_18
                         .wrench_left_shank_mx_16);
         let wrench_left_shank_fz = forward_dynamics_itself_from_wrench_left_ankle_cross_mx
             .wrench_left_ankle_cross_fz
@@ -35775,13 +35555,13 @@ mod forward_dynamics_itself {
                 .wrench_outside_left_ankle_cross_fz
                 * forward_dynamics_itself_from_wrench_left_ankle_cross_mx
                     .wrench_left_shank_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_my_21
-                * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_18
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_19
-                    * forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                    * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_shank_my_16);
         let minus_articulated_left_shank_hxx_1 = forward_dynamics_itself_from_wrench_left_ankle_cross_mx
             .wrench_outside_left_ankle_cross_mx
@@ -35926,43 +35706,38 @@ mod forward_dynamics_itself {
                         .inverse_pivot_left_ankle_pitch_d
                     * forward_dynamics_itself_from_wrench_left_ankle_cross_mx
                         .wrench_outside_left_ankle_cross_fz);
-        let wrench_left_thigh_mx_2 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_thigh_mx_2 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_shank_mx_18 * poses.sin_left_hip_roll
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_mx_16 * poses.rotation_left_hip_cross_yy) * qd[3];
-        let wrench_left_thigh_mx_4 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_thigh_mx_4 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_shank_mx_16 * poses.minus_rotation_left_hip_cross_xy
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_shank_my_16 * poses.sin_left_hip_roll) * qd[3];
-        let wrench_left_thigh_mx_6 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_shank_my_16
+                * poses.sin_left_hip_roll) * qd[3];
+        let wrench_left_thigh_mx_6 = (forward_dynamics_itself_from_wrench_pelvis_my_15
             .wrench_left_shank_my_16 * poses.rotation_left_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_mx_18 * poses.minus_rotation_left_hip_cross_xy)
             * qd[3];
-        let wrench_left_thigh_mx_12 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_thigh_mx_12 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_shank_mx_18 * screws.screw_left_knee_vz
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            + forward_dynamics_itself_from_wrench_left_shank_mx_18
                 .wrench_left_shank_mx_16 * screws.minus_screw_left_knee_vy
-            + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_shank_mx_22 * poses.sin_left_hip_roll
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_shank_mx_20 * poses.rotation_left_hip_cross_yy))
+            + (velocities.velocity_left_shank_vy * poses.sin_left_hip_roll
+                - velocities.velocity_left_shank_vz * poses.rotation_left_hip_cross_yy))
             * qd[3];
-        let wrench_left_thigh_mx_10 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
+        let wrench_left_thigh_mx_10 = (forward_dynamics_itself_from_wrench_left_shank_mx_18
             .wrench_left_shank_mx_16 * screws.screw_left_knee_vx
-            - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_shank_my_16 * screws.screw_left_knee_vz
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_shank_mx_20 * poses.minus_rotation_left_hip_cross_xy
-                + forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_shank_my_20 * poses.sin_left_hip_roll)) * qd[3];
-        let wrench_left_thigh_mx_8 = (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-            .wrench_left_shank_my_20 * poses.rotation_left_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_shank_mx_22 * poses.minus_rotation_left_hip_cross_xy
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_shank_my_16 * screws.minus_screw_left_knee_vy
-                + forward_dynamics_itself_from_wrench_left_thigh_mx_19
+            - forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_shank_my_16
+                * screws.screw_left_knee_vz
+            - (velocities.velocity_left_shank_vz * poses.minus_rotation_left_hip_cross_xy
+                + velocities.velocity_left_shank_vx * poses.sin_left_hip_roll)) * qd[3];
+        let wrench_left_thigh_mx_8 = (velocities.velocity_left_shank_vx
+            * poses.rotation_left_hip_cross_yy
+            + velocities.velocity_left_shank_vy * poses.minus_rotation_left_hip_cross_xy
+            - (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_shank_my_16
+                * screws.minus_screw_left_knee_vy
+                + forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_left_shank_mx_18 * screws.screw_left_knee_vx)) * qd[3];
         let wrench_outside_left_shank_mx = articulated_left_shank_jxy
             * poses.rotation_left_hip_cross_yy
@@ -36048,14 +35823,10 @@ mod forward_dynamics_itself {
                     .wrench_left_thigh_mx_17
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_thigh_mx_18
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_thigh_mx_19
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_thigh_mx_20
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_thigh_mx_21
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_thigh_mx_22));
+                + (forward_dynamics_itself_from_wrench_pelvis_my_15
+                    .wrench_left_thigh_mx_19 * velocities.velocity_left_thigh_vz
+                    - forward_dynamics_itself_from_wrench_pelvis_my_15
+                        .wrench_left_thigh_mx_21 * velocities.velocity_left_thigh_vy));
         let wrench_left_thigh_my = forward_dynamics_itself_from_wrench_left_ankle_cross_mx
             .wrench_left_shank_my
             + (articulated_left_shank_jxy * wrench_left_thigh_mx_2
@@ -36072,14 +35843,10 @@ mod forward_dynamics_itself {
                     .wrench_left_thigh_my_17
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_thigh_mx_16
-                + (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                    .wrench_left_thigh_mx_21
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_thigh_my_20
+                + (forward_dynamics_itself_from_wrench_pelvis_my_15
+                    .wrench_left_thigh_mx_21 * velocities.velocity_left_thigh_vx
                     - forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_thigh_my_21
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_thigh_mx_20));
+                        .wrench_left_thigh_my_21 * velocities.velocity_left_thigh_vz));
         let wrench_left_thigh_mz = wrench_left_shank_mz
             + (articulated_left_shank_jxz * wrench_left_thigh_mx_2
                 - articulated_left_shank_jyz * wrench_left_thigh_mx_4
@@ -36096,13 +35863,9 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_thigh_my_16
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_thigh_my_21
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_thigh_mx_22
-                    - forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                        .wrench_left_thigh_mx_19
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_thigh_my_20));
+                    .wrench_left_thigh_my_21 * velocities.velocity_left_thigh_vy
+                    - forward_dynamics_itself_from_wrench_pelvis_my_15
+                        .wrench_left_thigh_mx_19 * velocities.velocity_left_thigh_vx));
         let wrench_left_thigh_fx = wrench_left_shank_fx
             + (articulated_left_shank_mxx * wrench_left_thigh_mx_12
                 - minus_articulated_left_shank_mxy * wrench_left_thigh_mx_10
@@ -36111,11 +35874,10 @@ mod forward_dynamics_itself {
                     + articulated_left_shank_hyx * wrench_left_thigh_mx_4
                     + minus_articulated_left_shank_hzx * wrench_left_thigh_mx_6))
             + wrench_outside_left_shank_fx * wrench_left_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_thigh_mx_19
+            - (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_mx_19
                 * forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_thigh_mx_16
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_thigh_mx_21
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_thigh_mx_18);
@@ -36127,8 +35889,7 @@ mod forward_dynamics_itself {
                     - minus_articulated_left_shank_mxy * wrench_left_thigh_mx_12
                     - minus_articulated_left_shank_myz * wrench_left_thigh_mx_8))
             + wrench_outside_left_shank_fy * wrench_left_thigh_mx_14
-            - (forward_dynamics_itself_from_wrench_left_thigh_mx_19
-                .wrench_left_thigh_mx_21
+            - (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_mx_21
                 * forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_thigh_my_16
                 - forward_dynamics_itself_from_wrench_pelvis_my_15
@@ -36146,7 +35907,7 @@ mod forward_dynamics_itself {
             - (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_my_21
                 * forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_thigh_mx_18
-                - forward_dynamics_itself_from_wrench_left_thigh_mx_19
+                - forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_thigh_mx_19
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_thigh_my_16);
@@ -36263,6 +36024,7 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself_from_wrench_pelvis_my_15: &ForwardDynamicsItselfFromWrenchPelvisMy15,
         forward_dynamics_itself_from_wrench_left_shank_mz: &ForwardDynamicsItselfFromWrenchLeftShankMz,
     ) -> ForwardDynamicsItselfFromMinusArticulatedLeftThighMyz1 {
@@ -36427,23 +36189,18 @@ mod forward_dynamics_itself {
             .wrench_left_thigh_mx_18 * screws.screw_left_hip_pitch_vz
             + forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_mx_16
                 * screws.minus_screw_left_hip_pitch_vy
-            + (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_mx_22
-                * poses.sin_left_hip_roll
-                - forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_thigh_mx_20 * poses.rotation_left_hip_cross_yy))
+            + (velocities.velocity_left_thigh_vy * poses.sin_left_hip_roll
+                - velocities.velocity_left_thigh_vz * poses.rotation_left_hip_cross_yy))
             * qd[2];
         let wrench_left_hip_cross_mx_10 = (forward_dynamics_itself_from_wrench_pelvis_my_15
             .wrench_left_thigh_mx_16 * screws.screw_left_hip_pitch_vx
             - forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_my_16
                 * screws.screw_left_hip_pitch_vz
-            - (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_mx_20
-                * poses.minus_rotation_left_hip_cross_xy
-                + forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_thigh_my_20 * poses.sin_left_hip_roll)) * qd[2];
-        let wrench_left_hip_cross_mx_8 = (forward_dynamics_itself_from_wrench_pelvis_my_15
-            .wrench_left_thigh_my_20 * poses.rotation_left_hip_cross_yy
-            + forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_mx_22
-                * poses.minus_rotation_left_hip_cross_xy
+            - (velocities.velocity_left_thigh_vz * poses.minus_rotation_left_hip_cross_xy
+                + velocities.velocity_left_thigh_vx * poses.sin_left_hip_roll)) * qd[2];
+        let wrench_left_hip_cross_mx_8 = (velocities.velocity_left_thigh_vx
+            * poses.rotation_left_hip_cross_yy
+            + velocities.velocity_left_thigh_vy * poses.minus_rotation_left_hip_cross_xy
             - (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_left_thigh_my_16
                 * screws.minus_screw_left_hip_pitch_vy
                 + forward_dynamics_itself_from_wrench_pelvis_my_15
@@ -36545,13 +36302,10 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_cross_mx_18
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_hip_cross_mx_19
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_hip_cross_mx_20
+                    .wrench_left_hip_cross_mx_19 * velocities.velocity_left_hip_cross_vz
                     - forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_cross_mx_21
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_hip_cross_mx_22));
+                        * velocities.velocity_left_hip_cross_vy));
         let wrench_left_hip_cross_my = forward_dynamics_itself_from_wrench_left_shank_mz
             .wrench_left_thigh_my
             + (articulated_left_thigh_jxy * wrench_left_hip_cross_mx_2
@@ -36570,13 +36324,10 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_cross_mx_16
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_hip_cross_mx_21
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_hip_cross_my_20
+                    .wrench_left_hip_cross_mx_21 * velocities.velocity_left_hip_cross_vx
                     - forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_cross_my_21
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_hip_cross_mx_20));
+                        * velocities.velocity_left_hip_cross_vz));
         let wrench_left_hip_cross_mz = forward_dynamics_itself_from_wrench_left_shank_mz
             .wrench_left_thigh_mz
             + (articulated_left_thigh_jxz * wrench_left_hip_cross_mx_2
@@ -36595,13 +36346,10 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_cross_my_16
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_hip_cross_my_21
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_hip_cross_mx_22
+                    .wrench_left_hip_cross_my_21 * velocities.velocity_left_hip_cross_vy
                     - forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_cross_mx_19
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_hip_cross_my_20));
+                        * velocities.velocity_left_hip_cross_vx));
         let wrench_left_hip_cross_fx = forward_dynamics_itself_from_wrench_left_shank_mz
             .wrench_left_thigh_fx
             + (articulated_left_thigh_mxx * wrench_left_hip_cross_mx_12
@@ -36772,6 +36520,7 @@ mod forward_dynamics_itself {
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
+        velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
         forward_dynamics_itself_from_wrench_pelvis_my_15: &ForwardDynamicsItselfFromWrenchPelvisMy15,
         forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1: &ForwardDynamicsItselfFromMinusArticulatedLeftThighMyz1,
@@ -36925,18 +36674,15 @@ mod forward_dynamics_itself {
             .wrench_left_hip_cross_mx_18 * screws.screw_left_hip_roll_vz
             + forward_dynamics_itself_from_wrench_pelvis_my_15
                 .wrench_left_hip_cross_mx_16 * screws.minus_screw_left_hip_roll_vy
-            - forward_dynamics_itself_from_wrench_pelvis_my_15
-                .wrench_left_hip_cross_mx_20 * poses.sin_left_hip_yaw) * qd[1];
+            - velocities.velocity_left_hip_cross_vz * poses.sin_left_hip_yaw) * qd[1];
         let wrench_left_hip_bracket_mx_10 = (forward_dynamics_itself_from_wrench_pelvis_my_15
             .wrench_left_hip_cross_mx_16 * screws.screw_left_hip_roll_vx
             - forward_dynamics_itself_from_wrench_pelvis_my_15
                 .wrench_left_hip_cross_my_16 * screws.screw_left_hip_roll_vz
-            + forward_dynamics_itself_from_wrench_pelvis_my_15
-                .wrench_left_hip_cross_mx_20 * poses.cos_left_hip_yaw) * qd[1];
-        let wrench_left_hip_bracket_mx_8 = (forward_dynamics_itself_from_wrench_pelvis_my_15
-            .wrench_left_hip_cross_my_20 * poses.sin_left_hip_yaw
-            - forward_dynamics_itself_from_wrench_pelvis_my_15
-                .wrench_left_hip_cross_mx_22 * poses.cos_left_hip_yaw
+            + velocities.velocity_left_hip_cross_vz * poses.cos_left_hip_yaw) * qd[1];
+        let wrench_left_hip_bracket_mx_8 = (velocities.velocity_left_hip_cross_vx
+            * poses.sin_left_hip_yaw
+            - velocities.velocity_left_hip_cross_vy * poses.cos_left_hip_yaw
             - (forward_dynamics_itself_from_wrench_pelvis_my_15
                 .wrench_left_hip_cross_my_16 * screws.minus_screw_left_hip_roll_vy
                 + forward_dynamics_itself_from_wrench_pelvis_my_15
@@ -37034,13 +36780,11 @@ mod forward_dynamics_itself {
                 - forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_hip_bracket_mx_17
                     * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                + (forward_dynamics_itself_from_wrench_pelvis_my_15
-                    .wrench_left_hip_bracket_mx_19
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_pelvis_my_15
+                - (forward_dynamics_itself_from_wrench_pelvis_my_15
+                    .wrench_left_hip_bracket_mx_19 * velocities.minus_velocity_pelvis_vz
+                    + forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_bracket_mx_21
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_hip_bracket_mx_22));
+                        * velocities.velocity_left_hip_bracket_vy));
         let wrench_left_hip_bracket_my = forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
             .wrench_left_hip_cross_my
             + (articulated_left_hip_cross_jyy * wrench_left_hip_bracket_mx_2
@@ -37061,11 +36805,10 @@ mod forward_dynamics_itself {
                         .wrench_left_hip_cross_mx_16
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_hip_bracket_mx_21
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_hip_bracket_my_20
-                    - forward_dynamics_itself_from_wrench_pelvis_my_15
+                    * velocities.velocity_left_hip_bracket_vx
+                    + forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_bracket_my_21
-                        * forward_dynamics_itself.wrench_waist_bracket_mx_20));
+                        * velocities.minus_velocity_pelvis_vz));
         let wrench_left_hip_bracket_mz = forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
             .wrench_left_hip_cross_mz
             + (articulated_left_hip_cross_jyz * wrench_left_hip_bracket_mx_2
@@ -37085,12 +36828,10 @@ mod forward_dynamics_itself {
                     * forward_dynamics_itself.wrench_waist_bracket_my_16
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15
                     .wrench_left_hip_bracket_my_21
-                    * forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_left_hip_bracket_mx_22
+                    * velocities.velocity_left_hip_bracket_vy
                     - forward_dynamics_itself_from_wrench_pelvis_my_15
                         .wrench_left_hip_bracket_mx_19
-                        * forward_dynamics_itself_from_wrench_pelvis_my_15
-                            .wrench_left_hip_bracket_my_20));
+                        * velocities.velocity_left_hip_bracket_vx));
         let wrench_left_hip_bracket_fx = forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
             .wrench_left_hip_cross_fx
             + (forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
@@ -37295,6 +37036,7 @@ mod forward_dynamics_itself {
         tau: &[f64; 30],
         poses: &Poses,
         inertias: &Inertias,
+        velocities: &Velocities,
         forward_dynamics_itself: &ForwardDynamicsItself,
         forward_dynamics_itself_from_wrench_pelvis_my_15: &ForwardDynamicsItselfFromWrenchPelvisMy15,
         forward_dynamics_itself_from_wrench_waist_cross_fx: &ForwardDynamicsItselfFromWrenchWaistCrossFx,
@@ -37388,12 +37130,10 @@ mod forward_dynamics_itself {
             * qd[0];
         let wrench_pelvis_mx_43 = (forward_dynamics_itself_from_wrench_pelvis_my_15
             .wrench_left_hip_cross_mx_16 * poses.origin_left_hip_bracket_x
-            + forward_dynamics_itself_from_wrench_pelvis_my_15
-                .wrench_left_hip_bracket_mx_22) * qd[0];
+            + velocities.velocity_left_hip_bracket_vy) * qd[0];
         let wrench_pelvis_mx_41 = (forward_dynamics_itself_from_wrench_pelvis_my_15
             .wrench_left_hip_cross_mx_16 * poses.origin_left_hip_bracket_y
-            - forward_dynamics_itself_from_wrench_pelvis_my_15
-                .wrench_left_hip_bracket_my_20) * qd[0];
+            - velocities.velocity_left_hip_bracket_vx) * qd[0];
         let wrench_pelvis_mx_45 = (forward_dynamics_itself_from_articulated_right_hip_bracket_jyz
             .wrench_pelvis_mx_28_2
             + forward_dynamics_itself.wrench_waist_bracket_mx_18
@@ -37477,11 +37217,10 @@ mod forward_dynamics_itself {
                 * forward_dynamics_itself.wrench_pelvis_mx_14
                 - forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_pelvis_mx_15
                     * forward_dynamics_itself.wrench_waist_bracket_mx_18
-                + (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_pelvis_mx_17
-                    * forward_dynamics_itself.wrench_waist_bracket_mx_20
-                    - forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_pelvis_mx_19
-                        * forward_dynamics_itself.wrench_pelvis_mx_20)
+                - (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_pelvis_mx_17
+                    * velocities.minus_velocity_pelvis_vz
+                    + forward_dynamics_itself_from_wrench_pelvis_my_15
+                        .wrench_pelvis_mx_19 * velocities.velocity_pelvis_vy)
                 + forward_dynamics_itself.wrench_pelvis_mx_21)
             + (forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy
                 .wrench_right_hip_bracket_mx
@@ -37551,10 +37290,9 @@ mod forward_dynamics_itself {
                 - forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_pelvis_my_15
                     * forward_dynamics_itself.wrench_pelvis_mx_14
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_pelvis_mx_19
-                    * forward_dynamics_itself.wrench_pelvis_my_18
-                    - forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_pelvis_my_19
-                        * forward_dynamics_itself.wrench_waist_bracket_mx_20)
+                    * velocities.velocity_pelvis_vx
+                    + forward_dynamics_itself_from_wrench_pelvis_my_15
+                        .wrench_pelvis_my_19 * velocities.minus_velocity_pelvis_vz)
                 + forward_dynamics_itself.wrench_pelvis_my_21)
             + (forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy
                 .wrench_right_hip_bracket_my
@@ -37624,10 +37362,9 @@ mod forward_dynamics_itself {
                 - forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_pelvis_mx_13
                     * forward_dynamics_itself.wrench_waist_bracket_my_16
                 + (forward_dynamics_itself_from_wrench_pelvis_my_15.wrench_pelvis_my_19
-                    * forward_dynamics_itself.wrench_pelvis_mx_20
+                    * velocities.velocity_pelvis_vy
                     - forward_dynamics_itself_from_wrench_pelvis_my_15
-                        .wrench_pelvis_mx_17
-                        * forward_dynamics_itself.wrench_pelvis_my_18)
+                        .wrench_pelvis_mx_17 * velocities.velocity_pelvis_vx)
                 + forward_dynamics_itself.wrench_pelvis_mz_21)
             + (forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy
                 .wrench_right_hip_bracket_mz
@@ -39430,10 +39167,10 @@ mod forward_dynamics_itself {
     pub(super) fn forward_dynamics_itself_from_twist_left_shoulder_bracket_vx_0(
         poses: &Poses,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_right_forearm_mx: &ForwardDynamicsItselfFromWrenchRightForearmMx,
-        forward_dynamics_itself_from_wrench_right_upper_arm_my: &ForwardDynamicsItselfFromWrenchRightUpperArmMy,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossMxy1,
-        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHyy,
+        forward_dynamics_itself_from_wrench_right_forearm_mz: &ForwardDynamicsItselfFromWrenchRightForearmMz,
+        forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1: &ForwardDynamicsItselfFromMinusArticulatedRightUpperArmMyz1,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderCrossHyy,
+        forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz: &ForwardDynamicsItselfFromMinusArticulatedRightShoulderBracketHzz,
         forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3: &ForwardDynamicsItselfFromWrenchLeftWristBracketMx3,
         forward_dynamics_itself_from_wrench_left_forearm_mx: &ForwardDynamicsItselfFromWrenchLeftForearmMx,
         forward_dynamics_itself_from_wrench_left_upper_arm_my: &ForwardDynamicsItselfFromWrenchLeftUpperArmMy,
@@ -39708,7 +39445,7 @@ mod forward_dynamics_itself {
         xi_dot[29] = (forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
             .wrench_left_wrist_bracket_mx_12_0
             - ((twist_left_wrist_bracket_wx
-                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_left_wrist_bracket_mx_1) * screws.inside_left_wrist_pitch_mx
                 + (twist_left_wrist_bracket_wy
                     + forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3
@@ -39734,49 +39471,49 @@ mod forward_dynamics_itself {
                 .inverse_pivot_left_wrist_pitch_d + 0.0;
         let twist_right_shoulder_bracket_wx_0 = forward_dynamics_itself_from_xi_dot_13
             .twist_torso_wx
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_torso_mx_2;
         let twist_right_shoulder_bracket_wy_0 = forward_dynamics_itself_from_xi_dot_13
             .twist_torso_wy
-            - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_torso_mx_4;
         let twist_right_shoulder_bracket_wz_0 = forward_dynamics_itself_from_xi_dot_13
             .twist_torso_wz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_torso_mx_6;
         let twist_right_shoulder_bracket_vx_0 = forward_dynamics_itself_from_xi_dot_13
             .twist_torso_vx
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_torso_mx_12;
         let twist_right_shoulder_bracket_vy_0 = forward_dynamics_itself_from_xi_dot_13
             .twist_torso_vy
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_torso_mx_10;
         let twist_right_shoulder_bracket_vz_0 = forward_dynamics_itself_from_xi_dot_13
             .twist_torso_vz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .wrench_torso_mx_8;
-        let twist_right_shoulder_bracket_wx_2 = (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+        let twist_right_shoulder_bracket_wx_2 = (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
             .wrench_torso_mx_14_0
             - (twist_right_shoulder_bracket_wx_0
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                     .wrench_outside_right_shoulder_bracket_mx
                 + twist_right_shoulder_bracket_wy_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_my
                 + twist_right_shoulder_bracket_wz_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_mz
                 + twist_right_shoulder_bracket_vx_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fx
                 + twist_right_shoulder_bracket_vy_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fy
                 + twist_right_shoulder_bracket_vz_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                         .wrench_outside_right_shoulder_bracket_fz))
-            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy
+            * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
                 .inverse_pivot_right_shoulder_pitch_d;
         xi_dot[30] = twist_right_shoulder_bracket_wx_2 + 0.0;
         let twist_right_shoulder_bracket_wx = twist_right_shoulder_bracket_wx_0
@@ -39796,44 +39533,44 @@ mod forward_dynamics_itself {
         let twist_right_shoulder_bracket_vz = twist_right_shoulder_bracket_vz_0
             + screws.screw_right_shoulder_pitch_vz * twist_right_shoulder_bracket_wx_2;
         let twist_right_shoulder_cross_wx_0 = twist_right_shoulder_bracket_wx
-            - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            - forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .wrench_right_shoulder_bracket_mx_4;
         let twist_right_shoulder_cross_wy_0 = twist_right_shoulder_bracket_wy
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .wrench_right_shoulder_bracket_mx_2;
         let twist_right_shoulder_cross_wz_0 = twist_right_shoulder_bracket_wz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .wrench_right_shoulder_bracket_mx_6;
         let twist_right_shoulder_cross_vx_0 = twist_right_shoulder_bracket_vx
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .wrench_right_shoulder_bracket_mx_12;
         let twist_right_shoulder_cross_vy_0 = twist_right_shoulder_bracket_vy
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .wrench_right_shoulder_bracket_mx_10;
         let twist_right_shoulder_cross_vz_0 = twist_right_shoulder_bracket_vz
-            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            + forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .wrench_right_shoulder_bracket_mx_8;
-        let twist_right_shoulder_cross_wx_2 = (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+        let twist_right_shoulder_cross_wx_2 = (forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
             .wrench_right_shoulder_bracket_mx_14_0
             - (twist_right_shoulder_cross_wx_0
-                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                     .wrench_outside_right_shoulder_cross_mx
                 + twist_right_shoulder_cross_wy_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_my
                 + twist_right_shoulder_cross_wz_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_mz
                 + twist_right_shoulder_cross_vx_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fx
                 + twist_right_shoulder_cross_vy_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fy
                 + twist_right_shoulder_cross_vz_0
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                         .wrench_outside_right_shoulder_cross_fz))
-            * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1
+            * forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy
                 .inverse_pivot_right_shoulder_roll_d;
         xi_dot[31] = twist_right_shoulder_cross_wx_2 + 0.0;
         let twist_right_shoulder_cross_wx = twist_right_shoulder_cross_wx_0
@@ -39851,44 +39588,44 @@ mod forward_dynamics_itself {
         let twist_right_shoulder_cross_vz = twist_right_shoulder_cross_vz_0
             + screws.screw_right_shoulder_roll_vz * twist_right_shoulder_cross_wx_2;
         let twist_right_upper_arm_wx_0 = twist_right_shoulder_cross_wx
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .wrench_right_shoulder_cross_mx_2;
         let twist_right_upper_arm_wy_0 = twist_right_shoulder_cross_wy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .wrench_right_shoulder_cross_mx_4;
         let twist_right_upper_arm_wz_0 = twist_right_shoulder_cross_wz
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .wrench_right_shoulder_cross_mx_6;
         let twist_right_upper_arm_vx_0 = twist_right_shoulder_cross_vx
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .wrench_right_shoulder_cross_mx_12;
         let twist_right_upper_arm_vy_0 = twist_right_shoulder_cross_vy
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .wrench_right_shoulder_cross_mx_10;
         let twist_right_upper_arm_vz_0 = twist_right_shoulder_cross_vz
-            + forward_dynamics_itself_from_wrench_right_upper_arm_my
+            + forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .wrench_right_shoulder_cross_mx_8;
-        let twist_right_upper_arm_wx_2 = (forward_dynamics_itself_from_wrench_right_upper_arm_my
+        let twist_right_upper_arm_wx_2 = (forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
             .wrench_right_shoulder_cross_mx_14_0
             - (twist_right_upper_arm_wx_0
-                * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                     .wrench_outside_right_upper_arm_mx
                 + twist_right_upper_arm_wy_0
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_my
                 + twist_right_upper_arm_wz_0
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_mz
                 + twist_right_upper_arm_vx_0
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fx
                 + twist_right_upper_arm_vy_0
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fy
                 + twist_right_upper_arm_vz_0
-                    * forward_dynamics_itself_from_wrench_right_upper_arm_my
+                    * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                         .wrench_outside_right_upper_arm_fz))
-            * forward_dynamics_itself_from_wrench_right_upper_arm_my
+            * forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1
                 .inverse_pivot_right_shoulder_yaw_d;
         xi_dot[32] = twist_right_upper_arm_wx_2 + 0.0;
         let twist_right_upper_arm_wx = twist_right_upper_arm_wx_0
@@ -39904,44 +39641,44 @@ mod forward_dynamics_itself {
         let twist_right_upper_arm_vz = twist_right_upper_arm_vz_0
             + screws.screw_right_shoulder_yaw_vz * twist_right_upper_arm_wx_2;
         let twist_right_forearm_wx_0 = twist_right_upper_arm_wx
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
                 .wrench_right_upper_arm_mx_2;
         let twist_right_forearm_wy_0 = twist_right_upper_arm_wy
-            - forward_dynamics_itself_from_wrench_right_forearm_mx
+            - forward_dynamics_itself_from_wrench_right_forearm_mz
                 .wrench_right_upper_arm_mx_4;
         let twist_right_forearm_wz_0 = twist_right_upper_arm_wz
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
                 .wrench_right_upper_arm_mx_6;
         let twist_right_forearm_vx_0 = twist_right_upper_arm_vx
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
                 .wrench_right_upper_arm_mx_12;
         let twist_right_forearm_vy_0 = twist_right_upper_arm_vy
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
                 .wrench_right_upper_arm_mx_10;
         let twist_right_forearm_vz_0 = twist_right_upper_arm_vz
-            + forward_dynamics_itself_from_wrench_right_forearm_mx
+            + forward_dynamics_itself_from_wrench_right_forearm_mz
                 .wrench_right_upper_arm_mx_8;
-        let twist_right_forearm_wx_2 = (forward_dynamics_itself_from_wrench_right_forearm_mx
+        let twist_right_forearm_wx_2 = (forward_dynamics_itself_from_wrench_right_forearm_mz
             .wrench_right_upper_arm_mx_14_0
             - (twist_right_forearm_wx_0
-                * forward_dynamics_itself_from_wrench_right_forearm_mx
+                * forward_dynamics_itself_from_wrench_right_forearm_mz
                     .wrench_outside_right_forearm_mx
                 + twist_right_forearm_wy_0
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_my
                 + twist_right_forearm_wz_0
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_mz
                 + twist_right_forearm_vx_0
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fx
                 + twist_right_forearm_vy_0
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fy
                 + twist_right_forearm_vz_0
-                    * forward_dynamics_itself_from_wrench_right_forearm_mx
+                    * forward_dynamics_itself_from_wrench_right_forearm_mz
                         .wrench_outside_right_forearm_fz))
-            * forward_dynamics_itself_from_wrench_right_forearm_mx
+            * forward_dynamics_itself_from_wrench_right_forearm_mz
                 .inverse_pivot_right_elbow_d;
         xi_dot[33] = twist_right_forearm_wx_2 + 0.0;
         let twist_right_forearm_wx = twist_right_forearm_wx_0
@@ -39961,8 +39698,8 @@ mod forward_dynamics_itself {
     pub(super) fn forward_dynamics_itself_from_twist_right_forearm_wy(
         poses: &Poses,
         screws: &Screws,
-        forward_dynamics_itself_from_wrench_right_upper_arm_mx_19: &ForwardDynamicsItselfFromWrenchRightUpperArmMx19,
-        forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3: &ForwardDynamicsItselfFromWrenchRightWristBracketMx3,
+        forward_dynamics_itself_from_wrench_right_forearm_mx_19: &ForwardDynamicsItselfFromWrenchRightForearmMx19,
+        forward_dynamics_itself_from_wrench_right_wrist_bracket_mx: &ForwardDynamicsItselfFromWrenchRightWristBracketMx,
         forward_dynamics_itself_from_twist_left_shoulder_bracket_vx_0: &ForwardDynamicsItselfFromTwistLeftShoulderBracketVx0,
         xi_dot: &mut [f64; 36],
     ) {
@@ -39993,44 +39730,44 @@ mod forward_dynamics_itself {
                     .twist_right_forearm_wx_2;
         let twist_right_wrist_bracket_wx_0 = forward_dynamics_itself_from_twist_left_shoulder_bracket_vx_0
             .twist_right_forearm_wx
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_right_forearm_mx_2;
         let twist_right_wrist_bracket_wy_0 = twist_right_forearm_wy
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_right_forearm_mx_4;
         let twist_right_wrist_bracket_wz_0 = twist_right_forearm_wz
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_right_forearm_mx_6;
         let twist_right_wrist_bracket_vx_0 = twist_right_forearm_vx
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_right_forearm_mx_12;
         let twist_right_wrist_bracket_vy_0 = twist_right_forearm_vy
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_right_forearm_mx_10;
         let twist_right_wrist_bracket_vz_0 = twist_right_forearm_vz
-            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .wrench_right_forearm_mx_8;
-        let twist_right_wrist_bracket_wx_2 = (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        let twist_right_wrist_bracket_wx_2 = (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
             .wrench_right_forearm_mx_14_0
             - (twist_right_wrist_bracket_wx_0
-                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                     .wrench_outside_right_wrist_bracket_mx
                 + twist_right_wrist_bracket_wy_0
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_my
                 + twist_right_wrist_bracket_wz_0
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_mz
                 + twist_right_wrist_bracket_vx_0
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fx
                 + twist_right_wrist_bracket_vy_0
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fy
                 + twist_right_wrist_bracket_vz_0
-                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                         .wrench_outside_right_wrist_bracket_fz))
-            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx
                 .inverse_pivot_right_wrist_yaw_d;
         // ξ\u{307} = [μ\u{307}; q\u{308}]
         xi_dot[34] = twist_right_wrist_bracket_wx_2 + 0.0;
@@ -40046,33 +39783,33 @@ mod forward_dynamics_itself {
             + screws.screw_right_wrist_yaw_vy * twist_right_wrist_bracket_wx_2;
         let twist_right_wrist_bracket_vz = twist_right_wrist_bracket_vz_0
             + screws.screw_right_wrist_yaw_vz * twist_right_wrist_bracket_wx_2;
-        xi_dot[35] = (forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+        xi_dot[35] = (forward_dynamics_itself_from_wrench_right_forearm_mx_19
             .wrench_right_wrist_bracket_mx_12_0
             - ((twist_right_wrist_bracket_wx
-                + forward_dynamics_itself_from_wrench_right_upper_arm_mx_19
+                + forward_dynamics_itself_from_wrench_right_forearm_mx_19
                     .wrench_right_wrist_bracket_mx_1)
                 * screws.inside_right_wrist_pitch_mx
                 + (twist_right_wrist_bracket_wy
-                    - forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    - forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_3)
                     * screws.inside_right_wrist_pitch_my
                 + (twist_right_wrist_bracket_wz
-                    + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    + forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_5)
                     * screws.inside_right_wrist_pitch_mz
                 + (twist_right_wrist_bracket_vx
-                    + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    + forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_my_7)
                     * screws.inside_right_wrist_pitch_fx
                 + (twist_right_wrist_bracket_vy
-                    + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    + forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_9)
                     * screws.inside_right_wrist_pitch_fy
                 + (twist_right_wrist_bracket_vz
-                    + forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+                    + forward_dynamics_itself_from_wrench_right_forearm_mx_19
                         .wrench_right_wrist_bracket_mx_7)
                     * screws.inside_right_wrist_pitch_fz))
-            * forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3
+            * forward_dynamics_itself_from_wrench_right_forearm_mx_19
                 .inverse_pivot_right_wrist_pitch_d + 0.0;
     }
 }
@@ -40083,7 +39820,7 @@ mod forward_dynamics_itself {
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×30, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (30×30, by columns; kg·m²)
 ///
-/// 12372 operations: 5755 + −, 6614 ×, 3 ÷; 30 sin cos; about 146.2 KiB of code.
+/// 12734 operations: 6022 + −, 6709 ×, 3 ÷; 30 sin cos; about 150.4 KiB of code.
 pub fn inertia(
     q: &[f64; 30],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -40410,7 +40147,7 @@ pub fn inertia(
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 3920 operations: 1822 + −, 2095 ×, 3 ÷; 30 sin cos; about 47.1 KiB of code.
+/// 4282 operations: 2089 + −, 2190 ×, 3 ÷; 30 sin cos; about 51.4 KiB of code.
 pub fn momentum(
     q: &[f64; 30],
     mu: &[f64; 6],
@@ -40427,16 +40164,16 @@ pub fn momentum(
         + (mu[2] * body_momentum_0_3_2 - mu[0] * body_momentum_0_3_4))
         * 60.35000000000001;
     let body_momentum_0_1 = (mu[5]
-        + (mu[0] * poses.minus_origin_waist_bracket_y - mu[1] * body_momentum_0_3_2))
+        + (mu[0] * poses.minus_origin_waist_bracket_y_0 - mu[1] * body_momentum_0_3_2))
         * 60.35000000000001;
     // Λ_b μ
     body_momentum[0] = body_momentum_0_0
-        + (body_momentum_0_1 * poses.minus_origin_waist_bracket_y
+        + (body_momentum_0_1 * poses.minus_origin_waist_bracket_y_0
             - body_momentum_0_3 * body_momentum_0_3_4) + 0.0;
     let body_momentum_1_0 = inertias.composite_pelvis_xy * mu[0]
         + inertias.composite_pelvis_yy * mu[1] + inertias.composite_pelvis_yz * mu[2];
     let body_momentum_1_1 = (mu[3]
-        + (mu[1] * body_momentum_0_3_4 - mu[2] * poses.minus_origin_waist_bracket_y))
+        + (mu[1] * body_momentum_0_3_4 - mu[2] * poses.minus_origin_waist_bracket_y_0))
         * 60.35000000000001;
     body_momentum[1] = body_momentum_1_0
         + (body_momentum_1_1 * body_momentum_0_3_4
@@ -40445,7 +40182,7 @@ pub fn momentum(
         + inertias.composite_pelvis_yz * mu[1] + inertias.composite_pelvis_zz * mu[2];
     body_momentum[2] = body_momentum_2_0
         + (body_momentum_0_3 * body_momentum_0_3_2
-            - body_momentum_1_1 * poses.minus_origin_waist_bracket_y) + 0.0;
+            - body_momentum_1_1 * poses.minus_origin_waist_bracket_y_0) + 0.0;
     body_momentum[3] = body_momentum_1_1 + 0.0;
     body_momentum[4] = body_momentum_0_3 + 0.0;
     body_momentum[5] = body_momentum_0_1 + 0.0;
@@ -40463,7 +40200,7 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 3920 operations: 1822 + −, 2095 ×, 3 ÷; 30 sin cos; about 47.1 KiB of code.
+/// 4282 operations: 2089 + −, 2190 ×, 3 ÷; 30 sin cos; about 51.4 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 30], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -40471,12 +40208,12 @@ pub fn velocity_of_momentum(q: &[f64; 30], body_momentum: &[f64; 6], mu: &mut [f
     let mu_0_3_3_8_6_2 = poses.com_z + 0.030267080745341613;
     let mu_0_3_3_8_6 = body_momentum[0]
         + (body_momentum[4] * mu_0_3_3_8_6_2
-            - body_momentum[5] * poses.minus_origin_waist_bracket_y);
+            - body_momentum[5] * poses.minus_origin_waist_bracket_y_0);
     let mu_0_3_3_8 = body_momentum[1]
         + (body_momentum[5] * mu_0_3_3_8_2 - body_momentum[3] * mu_0_3_3_8_6_2)
         - inertias.locked_inverse_pivot_y_2 * mu_0_3_3_8_6;
     let mu_0_3_3 = (body_momentum[2]
-        + (body_momentum[3] * poses.minus_origin_waist_bracket_y
+        + (body_momentum[3] * poses.minus_origin_waist_bracket_y_0
             - body_momentum[4] * mu_0_3_3_8_2)
         - inertias.locked_inverse_pivot_z_2 * mu_0_3_3_8_6
         - inertias.locked_inverse_pivot_z_4 * mu_0_3_3_8)
@@ -40491,12 +40228,12 @@ pub fn velocity_of_momentum(q: &[f64; 30], body_momentum: &[f64; 6], mu: &mut [f
     mu[1] = mu_0_3 + 0.0;
     mu[2] = mu_0_3_3 + 0.0;
     mu[3] = body_momentum[3] * 0.016570008285004136
-        + (mu_0_3_3 * poses.minus_origin_waist_bracket_y - mu_0_3 * mu_0_3_3_8_6_2)
+        + (mu_0_3_3 * poses.minus_origin_waist_bracket_y_0 - mu_0_3 * mu_0_3_3_8_6_2)
         + 0.0;
     mu[4] = body_momentum[4] * 0.016570008285004136
         + (mu_0 * mu_0_3_3_8_6_2 - mu_0_3_3 * mu_0_3_3_8_2) + 0.0;
     mu[5] = body_momentum[5] * 0.016570008285004136
-        + (mu_0_3 * mu_0_3_3_8_2 - mu_0 * poses.minus_origin_waist_bracket_y) + 0.0;
+        + (mu_0_3 * mu_0_3_3_8_2 - mu_0 * poses.minus_origin_waist_bracket_y_0) + 0.0;
 }
 /// V₁ = μ − A_l q̇, which reconstructs the pose of the base: ġ₁ = g₁ V₁^.
 ///
@@ -40505,7 +40242,7 @@ pub fn velocity_of_momentum(q: &[f64; 30], body_momentum: &[f64; 6], mu: &mut [f
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 6322 operations: 2899 + −, 3420 ×, 3 ÷; 30 sin cos; about 75.3 KiB of code.
+/// 6684 operations: 3166 + −, 3515 ×, 3 ÷; 30 sin cos; about 79.5 KiB of code.
 pub fn base_twist(
     q: &[f64; 30],
     qd: &[f64; 30],
@@ -40525,14 +40262,14 @@ pub fn base_twist(
         + (velocities.velocity_pelvis_vx
             + (velocities.minus_velocity_pelvis_wy * base_twist_3_3
                 - velocities.minus_velocity_pelvis_wz
-                    * poses.minus_origin_waist_bracket_y)) + 0.0;
+                    * poses.minus_origin_waist_bracket_y_0)) + 0.0;
     let base_twist_4_3 = poses.com_x - 0.010211180123890747;
     base_twist[4] = mu[4]
         + (velocities.velocity_pelvis_vy
             + (velocities.minus_velocity_pelvis_wz * base_twist_4_3
                 - velocities.minus_velocity_pelvis_wx * base_twist_3_3)) + 0.0;
     base_twist[5] = mu[5]
-        + (velocities.minus_velocity_pelvis_wx * poses.minus_origin_waist_bracket_y
+        + (velocities.minus_velocity_pelvis_wx * poses.minus_origin_waist_bracket_y_0
             - velocities.minus_velocity_pelvis_wy * base_twist_4_3
             - velocities.minus_velocity_pelvis_vz) + 0.0;
 }
@@ -40546,7 +40283,7 @@ pub fn base_twist(
 /// - `tau`: joint torques (30; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (36; rad/s², m/s²)
 ///
-/// 19510 operations: 9639 + −, 9832 ×, 39 ÷; 30 sin cos; about 229.8 KiB of code.
+/// 19782 operations: 9816 + −, 9927 ×, 39 ÷; 30 sin cos; about 233.0 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 30],
     qd: &[f64; 30],
@@ -40568,7 +40305,7 @@ pub fn forward_dynamics(
         &screws,
         &velocities,
     );
-    let forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1(
+    let forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20(
         qd,
         &poses,
         &inertias,
@@ -40581,14 +40318,14 @@ pub fn forward_dynamics(
         &inertias,
         &screws,
         &forward_dynamics_itself,
-        &forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1,
+        &forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20,
     );
     let forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_26_1 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_26_1(
         qd,
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_21_1,
+        &forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_20,
         &forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_49_1,
     );
     let forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_3_1 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_3_1(
@@ -40607,6 +40344,7 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself,
         &forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_0_49_1,
         &forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_26_1,
@@ -40619,103 +40357,105 @@ pub fn forward_dynamics(
         &velocities,
         &forward_dynamics_itself,
     );
-    let forward_dynamics_itself_from_wrench_left_thigh_mx_19 = forward_dynamics_itself_from_wrench_left_thigh_mx_19(
+    let forward_dynamics_itself_from_wrench_left_shank_mx_18 = forward_dynamics_itself_from_wrench_left_shank_mx_18(
         mu,
         &inertias,
         &velocities,
         &forward_dynamics_itself,
         &forward_dynamics_itself_from_wrench_pelvis_my_15,
     );
-    let forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19 = forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19(
+    let forward_dynamics_itself_from_wrench_right_hip_cross_mx_15 = forward_dynamics_itself_from_wrench_right_hip_cross_mx_15(
+        mu,
+        &inertias,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_left_shank_mx_18,
+    );
+    let forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0 = forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0(
         mu,
         &inertias,
         &velocities,
         &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_pelvis_my_15,
-        &forward_dynamics_itself_from_wrench_left_thigh_mx_19,
+        &forward_dynamics_itself_from_wrench_right_hip_cross_mx_15,
     );
-    let forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17 = forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17(
+    let forward_dynamics_itself_from_wrench_neck_bracket_mx_19 = forward_dynamics_itself_from_wrench_neck_bracket_mx_19(
         mu,
         &inertias,
         &velocities,
-        &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19,
+        &forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0,
     );
-    let forward_dynamics_itself_from_wrench_torso_mx_19 = forward_dynamics_itself_from_wrench_torso_mx_19(
+    let forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19 = forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19(
         mu,
         &inertias,
         &velocities,
-        &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17,
+        &forward_dynamics_itself_from_wrench_neck_bracket_mx_19,
     );
-    let forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19 = forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19(
+    let forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4 = forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4(
         mu,
         &inertias,
         &velocities,
-        &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_torso_mx_19,
+        &forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19,
     );
-    let forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17 = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17(
+    let forward_dynamics_itself_from_wrench_right_forearm_mx_19 = forward_dynamics_itself_from_wrench_right_forearm_mx_19(
         mu,
-        &inertias,
-        &velocities,
-        &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19,
-    );
-    let forward_dynamics_itself_from_wrench_right_upper_arm_mx_19 = forward_dynamics_itself_from_wrench_right_upper_arm_mx_19(
-        mu,
-        qd,
-        &poses,
-        &inertias,
-        &velocities,
-        &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17,
-    );
-    let forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3 = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3(
         qd,
         tau,
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_right_upper_arm_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4,
     );
-    let forward_dynamics_itself_from_wrench_right_forearm_mx = forward_dynamics_itself_from_wrench_right_forearm_mx(
+    let forward_dynamics_itself_from_wrench_right_wrist_bracket_mx = forward_dynamics_itself_from_wrench_right_wrist_bracket_mx(
         qd,
         tau,
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17,
-        &forward_dynamics_itself_from_wrench_right_upper_arm_mx_19,
-        &forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3,
+        &velocities,
+        &forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4,
+        &forward_dynamics_itself_from_wrench_right_forearm_mx_19,
     );
-    let forward_dynamics_itself_from_wrench_right_upper_arm_my = forward_dynamics_itself_from_wrench_right_upper_arm_my(
+    let forward_dynamics_itself_from_wrench_right_forearm_mz = forward_dynamics_itself_from_wrench_right_forearm_mz(
         qd,
         tau,
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17,
-        &forward_dynamics_itself_from_wrench_right_upper_arm_mx_19,
-        &forward_dynamics_itself_from_wrench_right_forearm_mx,
+        &velocities,
+        &forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4,
+        &forward_dynamics_itself_from_wrench_right_forearm_mx_19,
+        &forward_dynamics_itself_from_wrench_right_wrist_bracket_mx,
     );
-    let forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1 = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1(
+    let forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1 = forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1(
         qd,
         tau,
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17,
-        &forward_dynamics_itself_from_wrench_right_upper_arm_my,
+        &velocities,
+        &forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4,
+        &forward_dynamics_itself_from_wrench_right_forearm_mz,
     );
-    let forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy(
+    let forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy = forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy(
         qd,
         tau,
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1,
+        &velocities,
+        &forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4,
+        &forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1,
+    );
+    let forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz(
+        qd,
+        tau,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19,
+        &forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy,
     );
     let forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3 = forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3(
         qd,
@@ -40723,9 +40463,10 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19,
-        &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_17,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19,
+        &forward_dynamics_itself_from_minus_wrench_left_wrist_cross_mx_4,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz,
     );
     let forward_dynamics_itself_from_wrench_left_forearm_mx = forward_dynamics_itself_from_wrench_left_forearm_mx(
         qd,
@@ -40733,7 +40474,8 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19,
         &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3,
     );
     let forward_dynamics_itself_from_wrench_left_upper_arm_my = forward_dynamics_itself_from_wrench_left_upper_arm_my(
@@ -40742,7 +40484,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_neck_bracket_mx_19,
+        &forward_dynamics_itself_from_wrench_left_shoulder_cross_mx_19,
         &forward_dynamics_itself_from_wrench_left_forearm_mx,
     );
     let forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1 = forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1(
@@ -40751,8 +40495,8 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_torso_mx_19,
-        &forward_dynamics_itself_from_wrench_left_shoulder_bracket_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_neck_bracket_mx_19,
         &forward_dynamics_itself_from_wrench_left_upper_arm_my,
     );
     let forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy = forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy(
@@ -40761,7 +40505,8 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_torso_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_neck_bracket_mx_19,
         &forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1,
     );
     let forward_dynamics_itself_from_wrench_neck_cross_mx_3 = forward_dynamics_itself_from_wrench_neck_cross_mx_3(
@@ -40770,7 +40515,8 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_torso_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_neck_bracket_mx_19,
         &forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy,
     );
     let forward_dynamics_itself_from_wrench_neck_bracket_mx = forward_dynamics_itself_from_wrench_neck_bracket_mx(
@@ -40779,10 +40525,11 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17,
-        &forward_dynamics_itself_from_wrench_torso_mx_19,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy,
+        &velocities,
+        &forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0,
+        &forward_dynamics_itself_from_wrench_neck_bracket_mx_19,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz,
         &forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1,
         &forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy,
         &forward_dynamics_itself_from_wrench_neck_cross_mx_3,
@@ -40793,10 +40540,10 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17,
-        &forward_dynamics_itself_from_wrench_torso_mx_19,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy,
+        &velocities,
+        &forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz,
         &forward_dynamics_itself_from_minus_articulated_left_shoulder_cross_mxy_1,
         &forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy,
         &forward_dynamics_itself_from_wrench_neck_bracket_mx,
@@ -40807,8 +40554,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17,
+        &forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0,
         &forward_dynamics_itself_from_wrench_torso_my,
     );
     let forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy = forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy(
@@ -40817,8 +40565,10 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17,
+        &forward_dynamics_itself_from_wrench_right_hip_cross_mx_15,
+        &forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0,
         &forward_dynamics_itself_from_wrench_waist_cross_fx,
     );
     let forward_dynamics_itself_from_wrench_right_ankle_cross_mx = forward_dynamics_itself_from_wrench_right_ankle_cross_mx(
@@ -40827,8 +40577,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19,
-        &forward_dynamics_itself_from_wrench_right_ankle_cross_mx_17,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_right_hip_cross_mx_15,
+        &forward_dynamics_itself_from_minus_wrench_right_ankle_bracket_mx_0,
         &forward_dynamics_itself_from_minus_articulated_waist_bracket_mxy,
     );
     let forward_dynamics_itself_from_wrench_right_shank_mz = forward_dynamics_itself_from_wrench_right_shank_mz(
@@ -40837,7 +40588,8 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_right_hip_cross_mx_15,
         &forward_dynamics_itself_from_wrench_right_ankle_cross_mx,
     );
     let forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1 = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1(
@@ -40846,8 +40598,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_thigh_mx_19,
-        &forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_left_shank_mx_18,
+        &forward_dynamics_itself_from_wrench_right_hip_cross_mx_15,
         &forward_dynamics_itself_from_wrench_right_shank_mz,
     );
     let forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy = forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy(
@@ -40856,9 +40609,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_left_thigh_mx_19,
-        &forward_dynamics_itself_from_wrench_right_hip_bracket_mx_19,
+        &forward_dynamics_itself_from_wrench_left_shank_mx_18,
         &forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1,
     );
     let forward_dynamics_itself_from_articulated_right_hip_bracket_jyz = forward_dynamics_itself_from_articulated_right_hip_bracket_jyz(
@@ -40867,8 +40620,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself,
-        &forward_dynamics_itself_from_wrench_left_thigh_mx_19,
+        &forward_dynamics_itself_from_wrench_left_shank_mx_18,
         &forward_dynamics_itself_from_minus_articulated_right_hip_cross_hyy,
     );
     let forward_dynamics_itself_from_wrench_left_ankle_cross_mx = forward_dynamics_itself_from_wrench_left_ankle_cross_mx(
@@ -40877,7 +40631,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
-        &forward_dynamics_itself_from_wrench_left_thigh_mx_19,
+        &velocities,
+        &forward_dynamics_itself_from_wrench_pelvis_my_15,
+        &forward_dynamics_itself_from_wrench_left_shank_mx_18,
         &forward_dynamics_itself_from_articulated_right_hip_bracket_jyz,
     );
     let forward_dynamics_itself_from_wrench_left_shank_mz = forward_dynamics_itself_from_wrench_left_shank_mz(
@@ -40886,8 +40642,9 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself_from_wrench_pelvis_my_15,
-        &forward_dynamics_itself_from_wrench_left_thigh_mx_19,
+        &forward_dynamics_itself_from_wrench_left_shank_mx_18,
         &forward_dynamics_itself_from_wrench_left_ankle_cross_mx,
     );
     let forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1 = forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1(
@@ -40896,6 +40653,7 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself_from_wrench_pelvis_my_15,
         &forward_dynamics_itself_from_wrench_left_shank_mz,
     );
@@ -40905,6 +40663,7 @@ pub fn forward_dynamics(
         &poses,
         &inertias,
         &screws,
+        &velocities,
         &forward_dynamics_itself,
         &forward_dynamics_itself_from_wrench_pelvis_my_15,
         &forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1,
@@ -40915,6 +40674,7 @@ pub fn forward_dynamics(
         tau,
         &poses,
         &inertias,
+        &velocities,
         &forward_dynamics_itself,
         &forward_dynamics_itself_from_wrench_pelvis_my_15,
         &forward_dynamics_itself_from_wrench_waist_cross_fx,
@@ -40953,10 +40713,10 @@ pub fn forward_dynamics(
     let forward_dynamics_itself_from_twist_left_shoulder_bracket_vx_0 = forward_dynamics_itself_from_twist_left_shoulder_bracket_vx_0(
         &poses,
         &screws,
-        &forward_dynamics_itself_from_wrench_right_forearm_mx,
-        &forward_dynamics_itself_from_wrench_right_upper_arm_my,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_mxy_1,
-        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hyy,
+        &forward_dynamics_itself_from_wrench_right_forearm_mz,
+        &forward_dynamics_itself_from_minus_articulated_right_upper_arm_myz_1,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_cross_hyy,
+        &forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz,
         &forward_dynamics_itself_from_wrench_left_wrist_bracket_mx_3,
         &forward_dynamics_itself_from_wrench_left_forearm_mx,
         &forward_dynamics_itself_from_wrench_left_upper_arm_my,
@@ -40968,8 +40728,8 @@ pub fn forward_dynamics(
     forward_dynamics_itself_from_twist_right_forearm_wy(
         &poses,
         &screws,
-        &forward_dynamics_itself_from_wrench_right_upper_arm_mx_19,
-        &forward_dynamics_itself_from_wrench_right_wrist_bracket_mx_3,
+        &forward_dynamics_itself_from_wrench_right_forearm_mx_19,
+        &forward_dynamics_itself_from_wrench_right_wrist_bracket_mx,
         &forward_dynamics_itself_from_twist_left_shoulder_bracket_vx_0,
         xi_dot,
     );

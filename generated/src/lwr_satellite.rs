@@ -221,23 +221,30 @@ struct Poses {
     minus_rotation_link_7_xy: f64,
     rotation_link_7_yy: f64,
     minus_rotation_link_7_zy: f64,
-    com_x_2: f64,
-    com_y_0: f64,
-    com_x_0: f64,
-    com_y_2: f64,
-    com_z_1: f64,
-    com_x_4: f64,
-    com_y_4: f64,
-    com_z_3: f64,
-    com_x_6: f64,
-    com_y_6: f64,
-    com_z_5: f64,
-    com_x_8: f64,
-    com_y_8: f64,
-    com_z_7: f64,
     com_x: f64,
     com_y: f64,
     com_z: f64,
+    minus_origin_base_x_1_4: f64,
+    minus_origin_base_y_1_0: f64,
+    minus_origin_base_z_1_0: f64,
+    minus_origin_base_x_1_0: f64,
+    minus_origin_base_y_1_4: f64,
+    minus_origin_base_z_1_4: f64,
+    minus_origin_base_x_1_6: f64,
+    minus_origin_base_y_1_6: f64,
+    minus_origin_base_z_1_6: f64,
+    minus_origin_base_x_1_8: f64,
+    minus_origin_base_y_1_8: f64,
+    minus_origin_base_z_1_8: f64,
+    minus_origin_base_x_1_10: f64,
+    minus_origin_base_y_1_10: f64,
+    minus_origin_base_z_1_10: f64,
+    minus_origin_base_x_1: f64,
+    minus_origin_base_y_1: f64,
+    minus_origin_base_z_1: f64,
+    minus_origin_base_x: f64,
+    minus_origin_base_y: f64,
+    minus_origin_base_z: f64,
     origin_link_2_z: f64,
     minus_origin_link_3_x: f64,
     minus_origin_link_3_y: f64,
@@ -319,9 +326,9 @@ fn poses(q: &[f64; 7]) -> Poses {
     // link_6
     let rotation_link_6_zz = minus_rotation_link_3_zy * cos_joint_5
         + rotation_link_4_zx * sin_joint_5;
-    let minus_origin_link_6_x_0 = minus_origin_link_5_x_0 + rotation_link_4_xy * 0.19;
-    let minus_origin_link_6_y_0 = minus_origin_link_5_y_0 + rotation_link_4_yy * 0.19;
-    let origin_link_6_z_0 = origin_link_5_z_0 + rotation_link_5_zz * 0.19;
+    let com_x_10 = minus_origin_link_5_x_0 + rotation_link_4_xy * 0.19;
+    let com_y_10 = minus_origin_link_5_y_0 + rotation_link_4_yy * 0.19;
+    let com_z_9 = origin_link_5_z_0 + rotation_link_5_zz * 0.19;
     let (sin_joint_6, cos_joint_6) = q[5].sin_cos();
     let rotation_link_6_xx = rotation_link_5_xx * cos_joint_6
         - rotation_link_4_xy * sin_joint_6;
@@ -335,11 +342,9 @@ fn poses(q: &[f64; 7]) -> Poses {
         + rotation_link_5_yx * sin_joint_6;
     let rotation_link_6_zy = rotation_link_5_zz * cos_joint_6
         - rotation_link_5_zx * sin_joint_6;
-    let minus_origin_link_7_x_0 = minus_origin_link_6_x_0
-        + minus_rotation_link_6_xy * 0.078;
-    let minus_origin_link_7_y_0 = minus_origin_link_6_y_0
-        + minus_rotation_link_6_yy * 0.078;
-    let origin_link_7_z_0 = origin_link_6_z_0 + rotation_link_6_zy * 0.078;
+    let com_x_12 = com_x_10 + minus_rotation_link_6_xy * 0.078;
+    let com_y_12 = com_y_10 + minus_rotation_link_6_yy * 0.078;
+    let com_z_11 = com_z_9 + rotation_link_6_zy * 0.078;
     let (sin_joint_7, cos_joint_7) = q[6].sin_cos();
     // link_7
     let rotation_link_7_xx = rotation_link_6_xx * cos_joint_7
@@ -376,35 +381,72 @@ fn poses(q: &[f64; 7]) -> Poses {
     let com_z_7 = origin_link_5_z_0
         + (rotation_link_5_zz * 0.124 - rotation_link_6_zz * 0.02);
     let com_x = (com_x_0 * 2.0 - com_x_2 * 2.0 + com_x_4 * 2.0 - com_x_6 * 2.0
-        - com_x_8 * 2.0 - minus_origin_link_6_x_0 * 2.0 - minus_origin_link_7_x_0 * 2.0)
-        * 0.05714285714285714;
+        - com_x_8 * 2.0 - com_x_10 * 2.0 - com_x_12 * 2.0) * 0.05714285714285714;
     let com_y = (com_y_0 * 2.0 - com_y_2 * 2.0 - com_y_4 * 2.0 + com_y_6 * 2.0
-        + com_y_8 * 2.0 - minus_origin_link_6_y_0 * 2.0 - minus_origin_link_7_y_0 * 2.0)
-        * 0.05714285714285714;
+        + com_y_8 * 2.0 - com_y_10 * 2.0 - com_y_12 * 2.0) * 0.05714285714285714;
     let com_z = (0.48 + com_z_1 * 2.0 + com_z_3 * 2.0 + com_z_5 * 2.0 + com_z_7 * 2.0
+        + com_z_9 * 2.0 + com_z_11 * 2.0) * 0.05714285714285714;
+    let minus_origin_base_x_1_4 = com_x_2 + com_x;
+    let minus_origin_base_y_1_0 = com_y_0 - com_y;
+    let minus_origin_base_z_1_0 = 0.24 - com_z;
+    let minus_origin_base_x_1_0 = com_x_0 - com_x;
+    let minus_origin_base_y_1_4 = com_y_2 + com_y;
+    let minus_origin_base_z_1_4 = com_z_1 - com_z;
+    let minus_origin_base_x_1_6 = com_x_4 - com_x;
+    let minus_origin_base_y_1_6 = com_y_4 + com_y;
+    let minus_origin_base_z_1_6 = com_z_3 - com_z;
+    let minus_origin_base_x_1_8 = com_x_6 + com_x;
+    let minus_origin_base_y_1_8 = com_y_6 - com_y;
+    let minus_origin_base_z_1_8 = com_z_5 - com_z;
+    let minus_origin_base_x_1_10 = com_x_8 + com_x;
+    let minus_origin_base_y_1_10 = com_y_8 - com_y;
+    let minus_origin_base_z_1_10 = com_z_7 - com_z;
+    let minus_origin_link_6_x_0 = com_x_10 + com_x;
+    let minus_origin_link_6_y_0 = com_y_10 + com_y;
+    let origin_link_6_z_0 = com_z_9 - com_z;
+    let minus_origin_link_7_x_0 = com_x_12 + com_x;
+    let minus_origin_link_7_y_0 = com_y_12 + com_y;
+    let origin_link_7_z_0 = com_z_11 - com_z;
+    let minus_origin_base_x_1 = (minus_origin_base_x_1_0 * 2.0
+        - (com_x * 3.5 + minus_origin_base_x_1_4 * 2.0) + minus_origin_base_x_1_6 * 2.0
+        - minus_origin_base_x_1_8 * 2.0 - minus_origin_base_x_1_10 * 2.0
+        - minus_origin_link_6_x_0 * 2.0 - minus_origin_link_7_x_0 * 2.0)
+        * 0.05714285714285714;
+    let minus_origin_base_y_1 = (minus_origin_base_y_1_0 * 2.0 - com_y * 3.5
+        - minus_origin_base_y_1_4 * 2.0 - minus_origin_base_y_1_6 * 2.0
+        + minus_origin_base_y_1_8 * 2.0 + minus_origin_base_y_1_10 * 2.0
+        - minus_origin_link_6_y_0 * 2.0 - minus_origin_link_7_y_0 * 2.0)
+        * 0.05714285714285714;
+    let minus_origin_base_z_1 = (minus_origin_base_z_1_0 * 2.0 - com_z * 3.5
+        + minus_origin_base_z_1_4 * 2.0 + minus_origin_base_z_1_6 * 2.0
+        + minus_origin_base_z_1_8 * 2.0 + minus_origin_base_z_1_10 * 2.0
         + origin_link_6_z_0 * 2.0 + origin_link_7_z_0 * 2.0) * 0.05714285714285714;
+    // base
+    let minus_origin_base_x = com_x + minus_origin_base_x_1;
+    let minus_origin_base_y = com_y + minus_origin_base_y_1;
+    let minus_origin_base_z = com_z + minus_origin_base_z_1;
     // link_2
-    let origin_link_2_z = 0.31 - com_z;
+    let origin_link_2_z = 0.31 - com_z - minus_origin_base_z_1;
     // link_3
-    let minus_origin_link_3_x = minus_origin_link_3_x_0 + com_x;
-    let minus_origin_link_3_y = minus_origin_link_3_y_0 + com_y;
-    let origin_link_3_z = origin_link_3_z_0 - com_z;
+    let minus_origin_link_3_x = minus_origin_link_3_x_0 + com_x + minus_origin_base_x_1;
+    let minus_origin_link_3_y = minus_origin_link_3_y_0 + com_y + minus_origin_base_y_1;
+    let origin_link_3_z = origin_link_3_z_0 - com_z - minus_origin_base_z_1;
     // link_4
-    let minus_origin_link_4_x = minus_origin_link_4_x_0 + com_x;
-    let minus_origin_link_4_y = minus_origin_link_4_y_0 + com_y;
-    let origin_link_4_z = origin_link_4_z_0 - com_z;
+    let minus_origin_link_4_x = minus_origin_link_4_x_0 + com_x + minus_origin_base_x_1;
+    let minus_origin_link_4_y = minus_origin_link_4_y_0 + com_y + minus_origin_base_y_1;
+    let origin_link_4_z = origin_link_4_z_0 - com_z - minus_origin_base_z_1;
     // link_5
-    let minus_origin_link_5_x = minus_origin_link_5_x_0 + com_x;
-    let minus_origin_link_5_y = minus_origin_link_5_y_0 + com_y;
-    let origin_link_5_z = origin_link_5_z_0 - com_z;
+    let minus_origin_link_5_x = minus_origin_link_5_x_0 + com_x + minus_origin_base_x_1;
+    let minus_origin_link_5_y = minus_origin_link_5_y_0 + com_y + minus_origin_base_y_1;
+    let origin_link_5_z = origin_link_5_z_0 - com_z - minus_origin_base_z_1;
     // link_6
-    let minus_origin_link_6_x = minus_origin_link_6_x_0 + com_x;
-    let minus_origin_link_6_y = minus_origin_link_6_y_0 + com_y;
-    let origin_link_6_z = origin_link_6_z_0 - com_z;
+    let minus_origin_link_6_x = minus_origin_link_6_x_0 + minus_origin_base_x_1;
+    let minus_origin_link_6_y = minus_origin_link_6_y_0 + minus_origin_base_y_1;
+    let origin_link_6_z = origin_link_6_z_0 - minus_origin_base_z_1;
     // link_7
-    let minus_origin_link_7_x = minus_origin_link_7_x_0 + com_x;
-    let minus_origin_link_7_y = minus_origin_link_7_y_0 + com_y;
-    let origin_link_7_z = origin_link_7_z_0 - com_z;
+    let minus_origin_link_7_x = minus_origin_link_7_x_0 + minus_origin_base_x_1;
+    let minus_origin_link_7_y = minus_origin_link_7_y_0 + minus_origin_base_y_1;
+    let origin_link_7_z = origin_link_7_z_0 - minus_origin_base_z_1;
     Poses {
         sin_joint_1,
         cos_joint_1,
@@ -444,23 +486,30 @@ fn poses(q: &[f64; 7]) -> Poses {
         minus_rotation_link_7_xy,
         rotation_link_7_yy,
         minus_rotation_link_7_zy,
-        com_x_2,
-        com_y_0,
-        com_x_0,
-        com_y_2,
-        com_z_1,
-        com_x_4,
-        com_y_4,
-        com_z_3,
-        com_x_6,
-        com_y_6,
-        com_z_5,
-        com_x_8,
-        com_y_8,
-        com_z_7,
         com_x,
         com_y,
         com_z,
+        minus_origin_base_x_1_4,
+        minus_origin_base_y_1_0,
+        minus_origin_base_z_1_0,
+        minus_origin_base_x_1_0,
+        minus_origin_base_y_1_4,
+        minus_origin_base_z_1_4,
+        minus_origin_base_x_1_6,
+        minus_origin_base_y_1_6,
+        minus_origin_base_z_1_6,
+        minus_origin_base_x_1_8,
+        minus_origin_base_y_1_8,
+        minus_origin_base_z_1_8,
+        minus_origin_base_x_1_10,
+        minus_origin_base_y_1_10,
+        minus_origin_base_z_1_10,
+        minus_origin_base_x_1,
+        minus_origin_base_y_1,
+        minus_origin_base_z_1,
+        minus_origin_base_x,
+        minus_origin_base_y,
+        minus_origin_base_z,
         origin_link_2_z,
         minus_origin_link_3_x,
         minus_origin_link_3_y,
@@ -663,22 +712,25 @@ struct Inertias {
 #[inline(never)]
 fn inertias(poses: &Poses) -> Inertias {
     // base
-    let minus_inertia_base_hx = poses.com_x * 3.5;
-    let minus_inertia_base_hy = poses.com_y * 3.5;
-    let minus_inertia_base_hz = poses.com_z * 3.5;
-    let inertia_base_yy_1 = minus_inertia_base_hx * poses.com_x;
-    let inertia_base_xx_1 = minus_inertia_base_hy * poses.com_y;
-    let inertia_base_xx_2 = minus_inertia_base_hz * poses.com_z;
-    let minus_inertia_base_xy = minus_inertia_base_hx * poses.com_y;
-    let minus_inertia_base_xz = minus_inertia_base_hx * poses.com_z;
-    let minus_inertia_base_yz = minus_inertia_base_hy * poses.com_z;
+    let minus_inertia_base_hx = poses.minus_origin_base_x * 3.5;
+    let minus_inertia_base_hy = poses.minus_origin_base_y * 3.5;
+    let minus_inertia_base_hz = poses.minus_origin_base_z * 3.5;
+    let inertia_base_yy_1 = minus_inertia_base_hx * poses.minus_origin_base_x;
+    let inertia_base_xx_1 = minus_inertia_base_hy * poses.minus_origin_base_y;
+    let inertia_base_xx_2 = minus_inertia_base_hz * poses.minus_origin_base_z;
+    let minus_inertia_base_xy = minus_inertia_base_hx * poses.minus_origin_base_y;
+    let minus_inertia_base_xz = minus_inertia_base_hx * poses.minus_origin_base_z;
+    let minus_inertia_base_yz = minus_inertia_base_hy * poses.minus_origin_base_z;
     let inertia_base_zz_1 = inertia_base_yy_1 + inertia_base_xx_1;
     let inertia_base_xx = 0.12 + (inertia_base_xx_1 + inertia_base_xx_2);
     let inertia_base_yy = 0.14 + (inertia_base_yy_1 + inertia_base_xx_2);
     let inertia_base_zz = 0.12 + inertia_base_zz_1;
-    let minus_inertia_link_1_hx_0 = poses.com_x_2 + poses.com_x;
-    let inertia_link_1_hy_0 = poses.com_y_0 - poses.com_y;
-    let inertia_link_1_hz_0 = 0.24 - poses.com_z;
+    let minus_inertia_link_1_hx_0 = poses.minus_origin_base_x_1_4
+        + poses.minus_origin_base_x_1;
+    let inertia_link_1_hy_0 = poses.minus_origin_base_y_1_0
+        - poses.minus_origin_base_y_1;
+    let inertia_link_1_hz_0 = poses.minus_origin_base_z_1_0
+        - poses.minus_origin_base_z_1;
     let inertia_link_1_xx_0 = 0.0136666667 * poses.cos_joint_1;
     let inertia_link_1_xx_2_0 = 0.0118666667 * poses.sin_joint_1;
     let inertia_link_1_xx_2 = inertia_link_1_xx_2_0 * poses.sin_joint_1;
@@ -700,9 +752,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_yy = 0.0136666667 * poses.sin_joint_1 * poses.sin_joint_1
         + inertia_link_1_yy_3 + (inertia_link_1_yy_4 + inertia_link_1_xx_4);
     let inertia_link_1_zz = 0.003 + (inertia_link_1_yy_4 + inertia_link_1_xx_3);
-    let inertia_link_2_hx_0 = poses.com_x_0 - poses.com_x;
-    let minus_inertia_link_2_hy_0 = poses.com_y_2 + poses.com_y;
-    let inertia_link_2_hz_0 = poses.com_z_1 - poses.com_z;
+    let inertia_link_2_hx_0 = poses.minus_origin_base_x_1_0
+        - poses.minus_origin_base_x_1;
+    let minus_inertia_link_2_hy_0 = poses.minus_origin_base_y_1_4
+        + poses.minus_origin_base_y_1;
+    let inertia_link_2_hz_0 = poses.minus_origin_base_z_1_4
+        - poses.minus_origin_base_z_1;
     let inertia_link_2_xx_0 = 0.0136666667 * poses.rotation_link_2_xx;
     let inertia_link_2_xx_2_0 = 0.003 * poses.minus_rotation_link_2_xy;
     let inertia_link_2_yy_0 = 0.0136666667 * poses.rotation_link_2_yx;
@@ -735,9 +790,12 @@ fn inertias(poses: &Poses) -> Inertias {
         + minus_inertia_link_2_hy * inertia_link_2_hz_0;
     let inertia_link_2_zz = 0.0136666667 * poses.sin_joint_2 * poses.sin_joint_2
         + inertia_link_2_zz_3 + (inertia_link_2_yy_4 + inertia_link_2_xx_4);
-    let inertia_link_3_hx_0 = poses.com_x_4 - poses.com_x;
-    let minus_inertia_link_3_hy_0 = poses.com_y_4 + poses.com_y;
-    let inertia_link_3_hz_0 = poses.com_z_3 - poses.com_z;
+    let inertia_link_3_hx_0 = poses.minus_origin_base_x_1_6
+        - poses.minus_origin_base_x_1;
+    let minus_inertia_link_3_hy_0 = poses.minus_origin_base_y_1_6
+        + poses.minus_origin_base_y_1;
+    let inertia_link_3_hz_0 = poses.minus_origin_base_z_1_6
+        - poses.minus_origin_base_z_1;
     let inertia_link_3_xx_0 = 0.0136666667 * poses.rotation_link_3_xx;
     let inertia_link_3_xx_2_0 = 0.0118666667 * poses.minus_rotation_link_3_xy;
     let inertia_link_3_yy_0 = 0.0136666667 * poses.rotation_link_3_yx;
@@ -774,9 +832,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_3_zz = 0.0136666667 * poses.rotation_link_3_zx
         * poses.rotation_link_3_zx + inertia_link_3_zz_3 + inertia_link_2_zz_3
         + (inertia_link_3_yy_4 + inertia_link_3_xx_4);
-    let minus_inertia_link_4_hx_0 = poses.com_x_6 + poses.com_x;
-    let inertia_link_4_hy_0 = poses.com_y_6 - poses.com_y;
-    let inertia_link_4_hz_0 = poses.com_z_5 - poses.com_z;
+    let minus_inertia_link_4_hx_0 = poses.minus_origin_base_x_1_8
+        + poses.minus_origin_base_x_1;
+    let inertia_link_4_hy_0 = poses.minus_origin_base_y_1_8
+        - poses.minus_origin_base_y_1;
+    let inertia_link_4_hz_0 = poses.minus_origin_base_z_1_8
+        - poses.minus_origin_base_z_1;
     let inertia_link_4_xx_0 = 0.0136666667 * poses.rotation_link_4_xx;
     let inertia_link_4_xx_2_0 = 0.003 * poses.rotation_link_4_xy;
     let inertia_link_4_yy_0 = 0.0136666667 * poses.rotation_link_4_yx;
@@ -813,9 +874,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_4_zz = 0.0136666667 * poses.rotation_link_4_zx
         * poses.rotation_link_4_zx + inertia_link_4_zz_3 + inertia_link_3_zz_3
         + (inertia_link_4_yy_4 + inertia_link_4_xx_4);
-    let minus_inertia_link_5_hx_0 = poses.com_x_8 + poses.com_x;
-    let inertia_link_5_hy_0 = poses.com_y_8 - poses.com_y;
-    let inertia_link_5_hz_0 = poses.com_z_7 - poses.com_z;
+    let minus_inertia_link_5_hx_0 = poses.minus_origin_base_x_1_10
+        + poses.minus_origin_base_x_1;
+    let inertia_link_5_hy_0 = poses.minus_origin_base_y_1_10
+        - poses.minus_origin_base_y_1;
+    let inertia_link_5_hz_0 = poses.minus_origin_base_z_1_10
+        - poses.minus_origin_base_z_1;
     let inertia_link_5_xx_0 = 0.0126506667 * poses.rotation_link_5_xx;
     let inertia_link_5_xx_2 = 0.0108506667 * poses.rotation_link_6_xz;
     let inertia_link_5_yy_0 = 0.0126506667 * poses.rotation_link_5_yx;
@@ -1000,8 +1064,8 @@ fn inertias(poses: &Poses) -> Inertias {
     let locked_inverse_pivot_z = 1.0
         / (composite_base_zz - locked_inverse_pivot_z_2 * composite_base_xz
             - locked_inverse_pivot_z_4 * locked_inverse_pivot_z_5);
-    let inside_joint_1_mz_1_0 = composite_link_1_hx * poses.com_x;
-    let inside_joint_1_mz_1_1 = composite_link_1_hy * poses.com_y;
+    let inside_joint_1_mz_1_0 = composite_link_1_hx * poses.minus_origin_base_x;
+    let inside_joint_1_mz_1_1 = composite_link_1_hy * poses.minus_origin_base_y;
     let inside_joint_2_mx_0_1 = composite_link_2_xy * poses.cos_joint_1;
     let inside_joint_2_my_0_0 = composite_link_2_xy * poses.sin_joint_1;
     let inside_joint_2_mz_0_0 = composite_link_2_xz * poses.sin_joint_1;
@@ -1641,13 +1705,15 @@ struct Screws {
 fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Screws {
     // joint_1
     let inside_joint_1_mx = inertias.composite_link_1_xz
-        - inertias.composite_link_1_hz * poses.com_x;
+        - inertias.composite_link_1_hz * poses.minus_origin_base_x;
     let inside_joint_1_my = inertias.composite_link_1_yz
-        - inertias.composite_link_1_hz * poses.com_y;
+        - inertias.composite_link_1_hz * poses.minus_origin_base_y;
     let inside_joint_1_mz = inertias.composite_link_1_zz
         + (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
-    let minus_inside_joint_1_fx = poses.com_y * 14.0 + inertias.composite_link_1_hy;
-    let inside_joint_1_fy = poses.com_x * 14.0 + inertias.composite_link_1_hx;
+    let minus_inside_joint_1_fx = poses.minus_origin_base_y * 14.0
+        + inertias.composite_link_1_hy;
+    let inside_joint_1_fy = poses.minus_origin_base_x * 14.0
+        + inertias.composite_link_1_hx;
     let connection_joint_1_wz_4 = inside_joint_1_my
         - inertias.locked_inverse_pivot_y_2 * inside_joint_1_mx;
     let connection_joint_1_wz = (inside_joint_1_mz
@@ -1664,8 +1730,8 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
     // joint_2
     let screw_joint_2_vx = poses.origin_link_2_z * poses.cos_joint_1;
     let screw_joint_2_vy = poses.origin_link_2_z * poses.sin_joint_1;
-    let screw_joint_2_vz = poses.com_x * poses.cos_joint_1
-        + poses.com_y * poses.sin_joint_1;
+    let screw_joint_2_vz = poses.minus_origin_base_x * poses.cos_joint_1
+        + poses.minus_origin_base_y * poses.sin_joint_1;
     let inside_joint_2_mx_3 = inertias.composite_link_2_hy * screw_joint_2_vz;
     let inside_joint_2_mx_4 = inertias.composite_link_2_hz * screw_joint_2_vy;
     let inside_joint_2_my_3 = inertias.composite_link_2_hz * screw_joint_2_vx;
@@ -2176,9 +2242,9 @@ fn outside(
     screws: &Screws,
 ) -> Outside {
     // joint_1
-    let outside_joint_1_mx = inertias.minus_inertia_base_hz * poses.com_x
+    let outside_joint_1_mx = inertias.minus_inertia_base_hz * poses.minus_origin_base_x
         - inertias.minus_inertia_base_xz;
-    let outside_joint_1_my = inertias.minus_inertia_base_hz * poses.com_y
+    let outside_joint_1_my = inertias.minus_inertia_base_hz * poses.minus_origin_base_y
         - inertias.minus_inertia_base_yz;
     let outside_joint_1_mz = inertias.inertia_base_zz - inertias.inertia_base_zz_1;
     // joint_2
@@ -2624,8 +2690,8 @@ fn velocities(qd: &[f64; 7], poses: &Poses, screws: &Screws) -> Velocities {
         + screws.connection_joint_7_vz * qd[6];
     // link_1
     let velocity_link_1_wz = qd[0] - minus_velocity_base_wz;
-    let velocity_link_1_vx = velocity_base_vx - poses.com_y * qd[0];
-    let velocity_link_1_vy = poses.com_x * qd[0] - minus_velocity_base_vy;
+    let velocity_link_1_vx = velocity_base_vx - poses.minus_origin_base_y * qd[0];
+    let velocity_link_1_vy = poses.minus_origin_base_x * qd[0] - minus_velocity_base_vy;
     // link_2
     let velocity_link_2_wx = poses.sin_joint_1 * qd[1] - minus_velocity_base_wx;
     let minus_velocity_link_2_wy = minus_velocity_base_wy + poses.cos_joint_1 * qd[1];
@@ -3113,7 +3179,8 @@ fn common_d_mu_b2_curvature(
     complements: &Complements,
     screws: &Screws,
 ) -> CommonDMuB2Curvature {
-    let wrench_base_mx_1_0_0_0_3 = inertias.minus_inertia_base_hy * poses.com_x;
+    let wrench_base_mx_1_0_0_0_3 = inertias.minus_inertia_base_hy
+        * poses.minus_origin_base_x;
     let wrench_base_mx_1_0_0_0 = inertias.minus_inertia_base_xy
         + inertias.minus_inertia_base_xy
         - (wrench_base_mx_1_0_0_0_3 + wrench_base_mx_1_0_0_0_3);
@@ -3377,636 +3444,6 @@ fn common_d_mu_b2_curvature(
         wrench_link_5_my_1_0_1_0,
         wrench_link_5_my_1_1_0,
         wrench_link_5_mz_1_1_0,
-    }
-}
-/// What `d_qdot`, `d_qdot_xi`, `kinetic_energy` have in common.
-struct CommonDQdotDQdotXiKineticEnergy {
-    factor_outside_link_1_yz_0_1_0: f64,
-    factor_outside_link_1_yz_0_1_3: f64,
-    factor_outside_link_1_yz_0_1: f64,
-    factor_outside_link_1_xz_1_1_0: f64,
-    factor_outside_link_1_xz_1_1_3: f64,
-    factor_outside_link_1_xz_1_1: f64,
-    factor_outside_link_1_xy_1_1_0: f64,
-    factor_outside_link_1_xy_1_1_1: f64,
-    factor_outside_link_1_xy_1_1: f64,
-    factor_outside_link_1_xy_0_0: f64,
-    factor_outside_link_1_xz_0_1: f64,
-    factor_outside_link_1_yx_0_1: f64,
-    factor_outside_link_1_yz_1_1: f64,
-    factor_outside_link_1_zx_1_1: f64,
-    factor_outside_link_1_zy_0_1: f64,
-    factor_outside_link_1_px: f64,
-    factor_outside_link_1_py: f64,
-    factor_outside_link_1_pz: f64,
-    factor_link_1_yz_0_1_1_3: f64,
-    factor_link_1_yz_0_1_1_0: f64,
-    factor_link_1_yz_0_1_1: f64,
-    factor_link_1_xz_0_1_0_0: f64,
-    factor_link_1_xz_0_1_0_3: f64,
-    factor_link_1_xz_0_1_0: f64,
-    factor_link_1_xy_0_1_1_1: f64,
-    factor_link_1_xy_0_1_1_0: f64,
-    factor_link_1_xy_0_1_1: f64,
-    factor_link_1_xy_0_0_1: f64,
-    factor_link_1_xz_0_0_1: f64,
-    factor_link_1_yx_0_0_1: f64,
-    factor_link_1_yz_0_0_1: f64,
-    factor_link_1_zx_0_0_1: f64,
-    factor_link_1_zy_0_0_1: f64,
-    factor_link_1_px_0: f64,
-    factor_link_1_py_0: f64,
-    factor_link_1_pz_1: f64,
-    factor_link_2_yz_0_1_1_2: f64,
-    factor_link_2_yz_0_1_1_3: f64,
-    factor_link_2_yz_0_1_1: f64,
-    factor_link_2_xz_0_1_1_0: f64,
-    factor_link_2_xz_0_1_1_3: f64,
-    factor_link_2_xz_0_1_1: f64,
-    factor_link_2_xy_0_1_1_0: f64,
-    factor_link_2_xy_0_1_1_1: f64,
-    factor_link_2_xy_0_1_1: f64,
-    factor_link_2_xy_0_0_1: f64,
-    factor_link_2_xz_0_0_1: f64,
-    factor_link_2_yx_0_1_1: f64,
-    factor_link_2_yz_0_0_1: f64,
-    factor_link_2_zx_0_1_1: f64,
-    factor_link_2_zy_0_0_1: f64,
-    factor_link_2_px_0: f64,
-    factor_link_2_py_0: f64,
-    factor_link_2_pz_0: f64,
-    factor_link_3_yz_0_1_1_2: f64,
-    factor_link_3_yz_0_1_1_3: f64,
-    factor_link_3_yz_0_1_1: f64,
-    factor_link_3_xz_0_1_1_0: f64,
-    factor_link_3_xz_0_1_1_3: f64,
-    factor_link_3_xz_0_1_1: f64,
-    factor_link_3_xy_0_1_1_0: f64,
-    factor_link_3_xy_0_1_1_1: f64,
-    factor_link_3_xy_0_1_1: f64,
-    factor_link_3_xy_0_0_1: f64,
-    factor_link_3_xz_0_0_1: f64,
-    factor_link_3_yx_0_1_1: f64,
-    factor_link_3_yz_0_0_1: f64,
-    factor_link_3_zx_0_1_1: f64,
-    factor_link_3_zy_0_0_1: f64,
-    factor_link_3_px_0: f64,
-    factor_link_3_py_0: f64,
-    factor_link_3_pz_0: f64,
-    factor_link_4_yz_0_1_1_2: f64,
-    factor_link_4_yz_0_1_1_3: f64,
-    factor_link_4_yz_0_1_1: f64,
-    factor_link_4_xz_0_1_1_0: f64,
-    factor_link_4_xz_0_1_1_3: f64,
-    factor_link_4_xz_0_1_1: f64,
-    factor_link_4_xy_0_1_1_0: f64,
-    factor_link_4_xy_0_1_1_1: f64,
-    factor_link_4_xy_0_1_1: f64,
-    factor_link_4_xy_0_0_1: f64,
-    factor_link_4_xz_0_0_1: f64,
-    factor_link_4_yx_0_0_1: f64,
-    factor_link_4_yz_0_0_1: f64,
-    factor_link_4_zx_0_0_1: f64,
-    factor_link_4_zy_0_0_1: f64,
-    factor_link_4_px_0: f64,
-    factor_link_4_py_0: f64,
-    factor_link_4_pz_0: f64,
-    factor_link_5_yz_0_1_1_2: f64,
-    factor_link_5_yz_0_1_1_3: f64,
-    factor_link_5_yz_0_1_1: f64,
-    factor_link_5_xz_0_1_1_0: f64,
-    factor_link_5_xz_0_1_1_3: f64,
-    factor_link_5_xz_0_1_1: f64,
-    factor_link_5_xy_0_1_1_0: f64,
-    factor_link_5_xy_0_1_1_1: f64,
-    factor_link_5_xy_0_1_1: f64,
-    factor_link_5_xy_0_0_1: f64,
-    factor_link_5_xz_0_0_1: f64,
-    factor_link_5_yx_0_0_1: f64,
-    factor_link_5_yz_0_0_1: f64,
-    factor_link_5_zx_0_0_1: f64,
-    factor_link_5_zy_0_0_1: f64,
-    factor_link_5_px_0: f64,
-    factor_link_5_py_0: f64,
-    factor_link_5_pz_0: f64,
-    factor_link_6_yz_0_1_1_2: f64,
-    factor_link_6_yz_0_1_1_3: f64,
-    factor_link_6_yz_0_1_1: f64,
-    factor_link_6_xz_0_1_1_0: f64,
-    factor_link_6_xz_0_1_1_3: f64,
-    factor_link_6_xz_0_1_1: f64,
-    factor_link_6_xy_0_1_1_0: f64,
-    factor_link_6_xy_0_1_1_1: f64,
-    factor_link_6_xy_0_1_1: f64,
-    factor_link_6_xy_0_0_1: f64,
-    factor_link_6_xz_0_0_1: f64,
-    factor_link_6_yx_0_0_1: f64,
-    factor_link_6_yz_0_0_1: f64,
-    factor_link_6_zx_0_0_1: f64,
-    factor_link_6_zy_0_0_1: f64,
-    factor_link_6_px_0: f64,
-    factor_link_6_py_0: f64,
-    factor_link_6_pz_0: f64,
-    factor_link_7_yz_1_1_2: f64,
-    factor_link_7_yz_1_1_3: f64,
-    factor_link_7_yz_1_1: f64,
-    factor_link_7_xz_1_1_0: f64,
-    factor_link_7_xz_1_1_3: f64,
-    factor_link_7_xz_1_1: f64,
-    factor_link_7_xy_1_1_0: f64,
-    factor_link_7_xy_1_1_1: f64,
-    factor_link_7_xy_1_1: f64,
-    factor_link_7_xy_0_1: f64,
-    factor_link_7_xz_0_1: f64,
-    factor_link_7_yx_0_1: f64,
-    factor_link_7_yz_0_1: f64,
-    factor_link_7_zx_0_1: f64,
-    factor_link_7_zy_0_1: f64,
-    factor_link_7_px: f64,
-    factor_link_7_py: f64,
-    factor_link_7_pz: f64,
-}
-/// What `d_qdot`, `d_qdot_xi`, `kinetic_energy` have in common.
-#[inline(never)]
-fn common_d_qdot_d_qdot_xi_kinetic_energy(
-    inertias: &Inertias,
-    velocities: &Velocities,
-) -> CommonDQdotDQdotXiKineticEnergy {
-    let factor_outside_link_1_yz_0_1_0 = inertias.minus_inertia_base_xy
-        * velocities.minus_velocity_base_wy;
-    let factor_outside_link_1_yz_0_1_3 = inertias.minus_inertia_base_xz
-        * velocities.minus_velocity_base_wz;
-    let factor_outside_link_1_yz_0_1 = factor_outside_link_1_yz_0_1_0
-        - inertias.inertia_base_xx * velocities.minus_velocity_base_wx
-        + factor_outside_link_1_yz_0_1_3;
-    let factor_outside_link_1_xz_1_1_0 = inertias.minus_inertia_base_xy
-        * velocities.minus_velocity_base_wx;
-    let factor_outside_link_1_xz_1_1_3 = inertias.minus_inertia_base_yz
-        * velocities.minus_velocity_base_wz;
-    let factor_outside_link_1_xz_1_1 = factor_outside_link_1_xz_1_1_0
-        - inertias.inertia_base_yy * velocities.minus_velocity_base_wy
-        + factor_outside_link_1_xz_1_1_3;
-    let factor_outside_link_1_xy_1_1_0 = inertias.minus_inertia_base_xz
-        * velocities.minus_velocity_base_wx;
-    let factor_outside_link_1_xy_1_1_1 = inertias.minus_inertia_base_yz
-        * velocities.minus_velocity_base_wy;
-    let factor_outside_link_1_xy_1_1 = factor_outside_link_1_xy_1_1_0
-        + factor_outside_link_1_xy_1_1_1
-        - inertias.inertia_base_zz * velocities.minus_velocity_base_wz;
-    let factor_outside_link_1_xy_0_0 = velocities.velocity_base_vx
-        * inertias.minus_inertia_base_hy;
-    let factor_outside_link_1_xz_0_1 = velocities.velocity_base_vx
-        * inertias.minus_inertia_base_hz;
-    let factor_outside_link_1_yx_0_1 = velocities.minus_velocity_base_vy
-        * inertias.minus_inertia_base_hx;
-    let factor_outside_link_1_yz_1_1 = velocities.minus_velocity_base_vy
-        * inertias.minus_inertia_base_hz;
-    let factor_outside_link_1_zx_1_1 = velocities.minus_velocity_base_vz
-        * inertias.minus_inertia_base_hx;
-    let factor_outside_link_1_zy_0_1 = velocities.minus_velocity_base_vz
-        * inertias.minus_inertia_base_hy;
-    let factor_outside_link_1_px = velocities.velocity_base_vx * 3.5
-        + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
-            - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy);
-    let factor_outside_link_1_py = velocities.minus_velocity_base_wz
-        * inertias.minus_inertia_base_hx
-        - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz
-        - velocities.minus_velocity_base_vy * 3.5;
-    let factor_outside_link_1_pz = velocities.minus_velocity_base_wx
-        * inertias.minus_inertia_base_hy
-        - velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hx
-        - velocities.minus_velocity_base_vz * 3.5;
-    let factor_link_1_yz_0_1_1_3 = inertias.inertia_link_1_xy
-        * velocities.minus_velocity_base_wy;
-    let factor_link_1_yz_0_1_1_0 = inertias.inertia_link_1_xz
-        * velocities.velocity_link_1_wz;
-    let factor_link_1_yz_0_1_1 = factor_link_1_yz_0_1_1_0
-        - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
-            + factor_link_1_yz_0_1_1_3);
-    let factor_link_1_xz_0_1_0_0 = inertias.inertia_link_1_xy
-        * velocities.minus_velocity_base_wx;
-    let factor_link_1_xz_0_1_0_3 = inertias.minus_inertia_link_1_yz
-        * velocities.velocity_link_1_wz;
-    let factor_link_1_xz_0_1_0 = factor_link_1_xz_0_1_0_0
-        + inertias.inertia_link_1_yy * velocities.minus_velocity_base_wy
-        + factor_link_1_xz_0_1_0_3;
-    let factor_link_1_xy_0_1_1_1 = inertias.inertia_link_1_xz
-        * velocities.minus_velocity_base_wx;
-    let factor_link_1_xy_0_1_1_0 = inertias.minus_inertia_link_1_yz
-        * velocities.minus_velocity_base_wy;
-    let factor_link_1_xy_0_1_1 = factor_link_1_xy_0_1_1_0 - factor_link_1_xy_0_1_1_1
-        + inertias.inertia_link_1_zz * velocities.velocity_link_1_wz;
-    let factor_link_1_xy_0_0_1 = velocities.velocity_link_1_vx
-        * inertias.inertia_link_1_hy;
-    let factor_link_1_xz_0_0_1 = velocities.velocity_link_1_vx
-        * inertias.inertia_link_1_hz;
-    let factor_link_1_yx_0_0_1 = velocities.velocity_link_1_vy
-        * inertias.minus_inertia_link_1_hx;
-    let factor_link_1_yz_0_0_1 = velocities.velocity_link_1_vy
-        * inertias.inertia_link_1_hz;
-    let factor_link_1_zx_0_0_1 = velocities.minus_velocity_base_vz
-        * inertias.minus_inertia_link_1_hx;
-    let factor_link_1_zy_0_0_1 = velocities.minus_velocity_base_vz
-        * inertias.inertia_link_1_hy;
-    let factor_link_1_px_0 = velocities.velocity_link_1_vx * 2.0
-        - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
-            + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
-    let factor_link_1_py_0 = velocities.velocity_link_1_vy * 2.0
-        + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
-            - velocities.velocity_link_1_wz * inertias.minus_inertia_link_1_hx);
-    let factor_link_1_pz_1 = velocities.minus_velocity_base_vz * 2.0
-        + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
-            + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx);
-    let factor_link_2_yz_0_1_1_2 = inertias.inertia_link_2_xy
-        * velocities.minus_velocity_link_2_wy;
-    let factor_link_2_yz_0_1_1_3 = inertias.inertia_link_2_xz
-        * velocities.velocity_link_1_wz;
-    let factor_link_2_yz_0_1_1 = inertias.inertia_link_2_xx
-        * velocities.velocity_link_2_wx - factor_link_2_yz_0_1_1_2
-        + factor_link_2_yz_0_1_1_3;
-    let factor_link_2_xz_0_1_1_0 = inertias.inertia_link_2_xy
-        * velocities.velocity_link_2_wx;
-    let factor_link_2_xz_0_1_1_3 = inertias.inertia_link_2_yz
-        * velocities.velocity_link_1_wz;
-    let factor_link_2_xz_0_1_1 = factor_link_2_xz_0_1_1_0
-        - inertias.inertia_link_2_yy * velocities.minus_velocity_link_2_wy
-        + factor_link_2_xz_0_1_1_3;
-    let factor_link_2_xy_0_1_1_0 = inertias.inertia_link_2_xz
-        * velocities.velocity_link_2_wx;
-    let factor_link_2_xy_0_1_1_1 = inertias.inertia_link_2_yz
-        * velocities.minus_velocity_link_2_wy;
-    let factor_link_2_xy_0_1_1 = factor_link_2_xy_0_1_1_0 - factor_link_2_xy_0_1_1_1
-        + inertias.inertia_link_2_zz * velocities.velocity_link_1_wz;
-    let factor_link_2_xy_0_0_1 = velocities.velocity_link_2_vx
-        * inertias.minus_inertia_link_2_hy;
-    let factor_link_2_xz_0_0_1 = velocities.velocity_link_2_vx
-        * inertias.inertia_link_2_hz;
-    let factor_link_2_yx_0_1_1 = velocities.velocity_link_2_vy
-        * inertias.inertia_link_2_hx;
-    let factor_link_2_yz_0_0_1 = velocities.velocity_link_2_vy
-        * inertias.inertia_link_2_hz;
-    let factor_link_2_zx_0_1_1 = velocities.velocity_link_2_vz
-        * inertias.inertia_link_2_hx;
-    let factor_link_2_zy_0_0_1 = velocities.velocity_link_2_vz
-        * inertias.minus_inertia_link_2_hy;
-    let factor_link_2_px_0 = velocities.velocity_link_2_vx * 2.0
-        + (velocities.velocity_link_1_wz * inertias.minus_inertia_link_2_hy
-            - velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_hz);
-    let factor_link_2_py_0 = velocities.velocity_link_2_vy * 2.0
-        + (velocities.velocity_link_1_wz * inertias.inertia_link_2_hx
-            - velocities.velocity_link_2_wx * inertias.inertia_link_2_hz);
-    let factor_link_2_pz_0 = velocities.velocity_link_2_vz * 2.0
-        + (velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_hx
-            - velocities.velocity_link_2_wx * inertias.minus_inertia_link_2_hy);
-    let factor_link_3_yz_0_1_1_2 = inertias.inertia_link_3_xy
-        * velocities.minus_velocity_link_3_wy;
-    let factor_link_3_yz_0_1_1_3 = inertias.inertia_link_3_xz
-        * velocities.velocity_link_3_wz;
-    let factor_link_3_yz_0_1_1 = inertias.inertia_link_3_xx
-        * velocities.velocity_link_3_wx - factor_link_3_yz_0_1_1_2
-        + factor_link_3_yz_0_1_1_3;
-    let factor_link_3_xz_0_1_1_0 = inertias.inertia_link_3_xy
-        * velocities.velocity_link_3_wx;
-    let factor_link_3_xz_0_1_1_3 = inertias.inertia_link_3_yz
-        * velocities.velocity_link_3_wz;
-    let factor_link_3_xz_0_1_1 = factor_link_3_xz_0_1_1_0
-        - inertias.inertia_link_3_yy * velocities.minus_velocity_link_3_wy
-        + factor_link_3_xz_0_1_1_3;
-    let factor_link_3_xy_0_1_1_0 = inertias.inertia_link_3_xz
-        * velocities.velocity_link_3_wx;
-    let factor_link_3_xy_0_1_1_1 = inertias.inertia_link_3_yz
-        * velocities.minus_velocity_link_3_wy;
-    let factor_link_3_xy_0_1_1 = factor_link_3_xy_0_1_1_0 - factor_link_3_xy_0_1_1_1
-        + inertias.inertia_link_3_zz * velocities.velocity_link_3_wz;
-    let factor_link_3_xy_0_0_1 = velocities.velocity_link_3_vx
-        * inertias.minus_inertia_link_3_hy;
-    let factor_link_3_xz_0_0_1 = velocities.velocity_link_3_vx
-        * inertias.inertia_link_3_hz;
-    let factor_link_3_yx_0_1_1 = velocities.velocity_link_3_vy
-        * inertias.inertia_link_3_hx;
-    let factor_link_3_yz_0_0_1 = velocities.velocity_link_3_vy
-        * inertias.inertia_link_3_hz;
-    let factor_link_3_zx_0_1_1 = velocities.velocity_link_3_vz
-        * inertias.inertia_link_3_hx;
-    let factor_link_3_zy_0_0_1 = velocities.velocity_link_3_vz
-        * inertias.minus_inertia_link_3_hy;
-    let factor_link_3_px_0 = velocities.velocity_link_3_vx * 2.0
-        + (velocities.velocity_link_3_wz * inertias.minus_inertia_link_3_hy
-            - velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_hz);
-    let factor_link_3_py_0 = velocities.velocity_link_3_vy * 2.0
-        + (velocities.velocity_link_3_wz * inertias.inertia_link_3_hx
-            - velocities.velocity_link_3_wx * inertias.inertia_link_3_hz);
-    let factor_link_3_pz_0 = velocities.velocity_link_3_vz * 2.0
-        + (velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_hx
-            - velocities.velocity_link_3_wx * inertias.minus_inertia_link_3_hy);
-    let factor_link_4_yz_0_1_1_2 = inertias.inertia_link_4_xy
-        * velocities.velocity_link_4_wy;
-    let factor_link_4_yz_0_1_1_3 = inertias.inertia_link_4_xz
-        * velocities.velocity_link_4_wz;
-    let factor_link_4_yz_0_1_1 = inertias.inertia_link_4_xx
-        * velocities.velocity_link_4_wx + factor_link_4_yz_0_1_1_2
-        + factor_link_4_yz_0_1_1_3;
-    let factor_link_4_xz_0_1_1_0 = inertias.inertia_link_4_xy
-        * velocities.velocity_link_4_wx;
-    let factor_link_4_xz_0_1_1_3 = inertias.inertia_link_4_yz
-        * velocities.velocity_link_4_wz;
-    let factor_link_4_xz_0_1_1 = factor_link_4_xz_0_1_1_0
-        + inertias.inertia_link_4_yy * velocities.velocity_link_4_wy
-        + factor_link_4_xz_0_1_1_3;
-    let factor_link_4_xy_0_1_1_0 = inertias.inertia_link_4_xz
-        * velocities.velocity_link_4_wx;
-    let factor_link_4_xy_0_1_1_1 = inertias.inertia_link_4_yz
-        * velocities.velocity_link_4_wy;
-    let factor_link_4_xy_0_1_1 = factor_link_4_xy_0_1_1_0 + factor_link_4_xy_0_1_1_1
-        + inertias.inertia_link_4_zz * velocities.velocity_link_4_wz;
-    let factor_link_4_xy_0_0_1 = velocities.velocity_link_4_vx
-        * inertias.inertia_link_4_hy;
-    let factor_link_4_xz_0_0_1 = velocities.velocity_link_4_vx
-        * inertias.inertia_link_4_hz;
-    let factor_link_4_yx_0_0_1 = velocities.velocity_link_4_vy
-        * inertias.minus_inertia_link_4_hx;
-    let factor_link_4_yz_0_0_1 = velocities.velocity_link_4_vy
-        * inertias.inertia_link_4_hz;
-    let factor_link_4_zx_0_0_1 = velocities.velocity_link_4_vz
-        * inertias.minus_inertia_link_4_hx;
-    let factor_link_4_zy_0_0_1 = velocities.velocity_link_4_vz
-        * inertias.inertia_link_4_hy;
-    let factor_link_4_px_0 = velocities.velocity_link_4_vx * 2.0
-        + (velocities.velocity_link_4_wy * inertias.inertia_link_4_hz
-            - velocities.velocity_link_4_wz * inertias.inertia_link_4_hy);
-    let factor_link_4_py_0 = velocities.velocity_link_4_vy * 2.0
-        - (velocities.velocity_link_4_wz * inertias.minus_inertia_link_4_hx
-            + velocities.velocity_link_4_wx * inertias.inertia_link_4_hz);
-    let factor_link_4_pz_0 = velocities.velocity_link_4_vz * 2.0
-        + (velocities.velocity_link_4_wx * inertias.inertia_link_4_hy
-            + velocities.velocity_link_4_wy * inertias.minus_inertia_link_4_hx);
-    let factor_link_5_yz_0_1_1_2 = inertias.inertia_link_5_xy
-        * velocities.velocity_link_5_wy;
-    let factor_link_5_yz_0_1_1_3 = inertias.inertia_link_5_xz
-        * velocities.velocity_link_5_wz;
-    let factor_link_5_yz_0_1_1 = inertias.inertia_link_5_xx
-        * velocities.velocity_link_5_wx + factor_link_5_yz_0_1_1_2
-        + factor_link_5_yz_0_1_1_3;
-    let factor_link_5_xz_0_1_1_0 = inertias.inertia_link_5_xy
-        * velocities.velocity_link_5_wx;
-    let factor_link_5_xz_0_1_1_3 = inertias.inertia_link_5_yz
-        * velocities.velocity_link_5_wz;
-    let factor_link_5_xz_0_1_1 = factor_link_5_xz_0_1_1_0
-        + inertias.inertia_link_5_yy * velocities.velocity_link_5_wy
-        + factor_link_5_xz_0_1_1_3;
-    let factor_link_5_xy_0_1_1_0 = inertias.inertia_link_5_xz
-        * velocities.velocity_link_5_wx;
-    let factor_link_5_xy_0_1_1_1 = inertias.inertia_link_5_yz
-        * velocities.velocity_link_5_wy;
-    let factor_link_5_xy_0_1_1 = factor_link_5_xy_0_1_1_0 + factor_link_5_xy_0_1_1_1
-        + inertias.inertia_link_5_zz * velocities.velocity_link_5_wz;
-    let factor_link_5_xy_0_0_1 = velocities.velocity_link_5_vx
-        * inertias.inertia_link_5_hy;
-    let factor_link_5_xz_0_0_1 = velocities.velocity_link_5_vx
-        * inertias.inertia_link_5_hz;
-    let factor_link_5_yx_0_0_1 = velocities.velocity_link_5_vy
-        * inertias.minus_inertia_link_5_hx;
-    let factor_link_5_yz_0_0_1 = velocities.velocity_link_5_vy
-        * inertias.inertia_link_5_hz;
-    let factor_link_5_zx_0_0_1 = velocities.velocity_link_5_vz
-        * inertias.minus_inertia_link_5_hx;
-    let factor_link_5_zy_0_0_1 = velocities.velocity_link_5_vz
-        * inertias.inertia_link_5_hy;
-    let factor_link_5_px_0 = velocities.velocity_link_5_vx * 2.0
-        + (velocities.velocity_link_5_wy * inertias.inertia_link_5_hz
-            - velocities.velocity_link_5_wz * inertias.inertia_link_5_hy);
-    let factor_link_5_py_0 = velocities.velocity_link_5_vy * 2.0
-        - (velocities.velocity_link_5_wz * inertias.minus_inertia_link_5_hx
-            + velocities.velocity_link_5_wx * inertias.inertia_link_5_hz);
-    let factor_link_5_pz_0 = velocities.velocity_link_5_vz * 2.0
-        + (velocities.velocity_link_5_wx * inertias.inertia_link_5_hy
-            + velocities.velocity_link_5_wy * inertias.minus_inertia_link_5_hx);
-    let factor_link_6_yz_0_1_1_2 = inertias.inertia_link_6_xy
-        * velocities.velocity_link_6_wy;
-    let factor_link_6_yz_0_1_1_3 = inertias.inertia_link_6_xz
-        * velocities.velocity_link_6_wz;
-    let factor_link_6_yz_0_1_1 = inertias.inertia_link_6_xx
-        * velocities.velocity_link_6_wx + factor_link_6_yz_0_1_1_2
-        + factor_link_6_yz_0_1_1_3;
-    let factor_link_6_xz_0_1_1_0 = inertias.inertia_link_6_xy
-        * velocities.velocity_link_6_wx;
-    let factor_link_6_xz_0_1_1_3 = inertias.inertia_link_6_yz
-        * velocities.velocity_link_6_wz;
-    let factor_link_6_xz_0_1_1 = factor_link_6_xz_0_1_1_0
-        + inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
-        + factor_link_6_xz_0_1_1_3;
-    let factor_link_6_xy_0_1_1_0 = inertias.inertia_link_6_xz
-        * velocities.velocity_link_6_wx;
-    let factor_link_6_xy_0_1_1_1 = inertias.inertia_link_6_yz
-        * velocities.velocity_link_6_wy;
-    let factor_link_6_xy_0_1_1 = factor_link_6_xy_0_1_1_0 + factor_link_6_xy_0_1_1_1
-        + inertias.inertia_link_6_zz * velocities.velocity_link_6_wz;
-    let factor_link_6_xy_0_0_1 = velocities.velocity_link_6_vx
-        * inertias.minus_inertia_link_6_hy;
-    let factor_link_6_xz_0_0_1 = velocities.velocity_link_6_vx
-        * inertias.inertia_link_6_hz;
-    let factor_link_6_yx_0_0_1 = velocities.velocity_link_6_vy
-        * inertias.minus_inertia_link_6_hx;
-    let factor_link_6_yz_0_0_1 = velocities.velocity_link_6_vy
-        * inertias.inertia_link_6_hz;
-    let factor_link_6_zx_0_0_1 = velocities.velocity_link_6_vz
-        * inertias.minus_inertia_link_6_hx;
-    let factor_link_6_zy_0_0_1 = velocities.velocity_link_6_vz
-        * inertias.minus_inertia_link_6_hy;
-    let factor_link_6_px_0 = velocities.velocity_link_6_vx * 2.0
-        + (velocities.velocity_link_6_wy * inertias.inertia_link_6_hz
-            + velocities.velocity_link_6_wz * inertias.minus_inertia_link_6_hy);
-    let factor_link_6_py_0 = velocities.velocity_link_6_vy * 2.0
-        - (velocities.velocity_link_6_wz * inertias.minus_inertia_link_6_hx
-            + velocities.velocity_link_6_wx * inertias.inertia_link_6_hz);
-    let factor_link_6_pz_0 = velocities.velocity_link_6_vz * 2.0
-        + (velocities.velocity_link_6_wy * inertias.minus_inertia_link_6_hx
-            - velocities.velocity_link_6_wx * inertias.minus_inertia_link_6_hy);
-    let factor_link_7_yz_1_1_2 = inertias.inertia_link_7_xy
-        * velocities.velocity_link_7_wy;
-    let factor_link_7_yz_1_1_3 = inertias.inertia_link_7_xz
-        * velocities.velocity_link_7_wz;
-    let factor_link_7_yz_1_1 = inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
-        + factor_link_7_yz_1_1_2 + factor_link_7_yz_1_1_3;
-    let factor_link_7_xz_1_1_0 = inertias.inertia_link_7_xy
-        * velocities.velocity_link_7_wx;
-    let factor_link_7_xz_1_1_3 = inertias.inertia_link_7_yz
-        * velocities.velocity_link_7_wz;
-    let factor_link_7_xz_1_1 = factor_link_7_xz_1_1_0
-        + inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
-        + factor_link_7_xz_1_1_3;
-    let factor_link_7_xy_1_1_0 = inertias.inertia_link_7_xz
-        * velocities.velocity_link_7_wx;
-    let factor_link_7_xy_1_1_1 = inertias.inertia_link_7_yz
-        * velocities.velocity_link_7_wy;
-    let factor_link_7_xy_1_1 = factor_link_7_xy_1_1_0 + factor_link_7_xy_1_1_1
-        + inertias.inertia_link_7_zz * velocities.velocity_link_7_wz;
-    let factor_link_7_xy_0_1 = velocities.velocity_link_7_vx
-        * inertias.minus_inertia_link_7_hy;
-    let factor_link_7_xz_0_1 = velocities.velocity_link_7_vx
-        * inertias.inertia_link_7_hz;
-    let factor_link_7_yx_0_1 = velocities.velocity_link_7_vy
-        * inertias.minus_inertia_link_7_hx;
-    let factor_link_7_yz_0_1 = velocities.velocity_link_7_vy
-        * inertias.inertia_link_7_hz;
-    let factor_link_7_zx_0_1 = velocities.velocity_link_7_vz
-        * inertias.minus_inertia_link_7_hx;
-    let factor_link_7_zy_0_1 = velocities.velocity_link_7_vz
-        * inertias.minus_inertia_link_7_hy;
-    let factor_link_7_px = velocities.velocity_link_7_vx * 2.0
-        + (velocities.velocity_link_7_wy * inertias.inertia_link_7_hz
-            + velocities.velocity_link_7_wz * inertias.minus_inertia_link_7_hy);
-    let factor_link_7_py = velocities.velocity_link_7_vy * 2.0
-        - (velocities.velocity_link_7_wz * inertias.minus_inertia_link_7_hx
-            + velocities.velocity_link_7_wx * inertias.inertia_link_7_hz);
-    let factor_link_7_pz = velocities.velocity_link_7_vz * 2.0
-        + (velocities.velocity_link_7_wy * inertias.minus_inertia_link_7_hx
-            - velocities.velocity_link_7_wx * inertias.minus_inertia_link_7_hy);
-    CommonDQdotDQdotXiKineticEnergy {
-        factor_outside_link_1_yz_0_1_0,
-        factor_outside_link_1_yz_0_1_3,
-        factor_outside_link_1_yz_0_1,
-        factor_outside_link_1_xz_1_1_0,
-        factor_outside_link_1_xz_1_1_3,
-        factor_outside_link_1_xz_1_1,
-        factor_outside_link_1_xy_1_1_0,
-        factor_outside_link_1_xy_1_1_1,
-        factor_outside_link_1_xy_1_1,
-        factor_outside_link_1_xy_0_0,
-        factor_outside_link_1_xz_0_1,
-        factor_outside_link_1_yx_0_1,
-        factor_outside_link_1_yz_1_1,
-        factor_outside_link_1_zx_1_1,
-        factor_outside_link_1_zy_0_1,
-        factor_outside_link_1_px,
-        factor_outside_link_1_py,
-        factor_outside_link_1_pz,
-        factor_link_1_yz_0_1_1_3,
-        factor_link_1_yz_0_1_1_0,
-        factor_link_1_yz_0_1_1,
-        factor_link_1_xz_0_1_0_0,
-        factor_link_1_xz_0_1_0_3,
-        factor_link_1_xz_0_1_0,
-        factor_link_1_xy_0_1_1_1,
-        factor_link_1_xy_0_1_1_0,
-        factor_link_1_xy_0_1_1,
-        factor_link_1_xy_0_0_1,
-        factor_link_1_xz_0_0_1,
-        factor_link_1_yx_0_0_1,
-        factor_link_1_yz_0_0_1,
-        factor_link_1_zx_0_0_1,
-        factor_link_1_zy_0_0_1,
-        factor_link_1_px_0,
-        factor_link_1_py_0,
-        factor_link_1_pz_1,
-        factor_link_2_yz_0_1_1_2,
-        factor_link_2_yz_0_1_1_3,
-        factor_link_2_yz_0_1_1,
-        factor_link_2_xz_0_1_1_0,
-        factor_link_2_xz_0_1_1_3,
-        factor_link_2_xz_0_1_1,
-        factor_link_2_xy_0_1_1_0,
-        factor_link_2_xy_0_1_1_1,
-        factor_link_2_xy_0_1_1,
-        factor_link_2_xy_0_0_1,
-        factor_link_2_xz_0_0_1,
-        factor_link_2_yx_0_1_1,
-        factor_link_2_yz_0_0_1,
-        factor_link_2_zx_0_1_1,
-        factor_link_2_zy_0_0_1,
-        factor_link_2_px_0,
-        factor_link_2_py_0,
-        factor_link_2_pz_0,
-        factor_link_3_yz_0_1_1_2,
-        factor_link_3_yz_0_1_1_3,
-        factor_link_3_yz_0_1_1,
-        factor_link_3_xz_0_1_1_0,
-        factor_link_3_xz_0_1_1_3,
-        factor_link_3_xz_0_1_1,
-        factor_link_3_xy_0_1_1_0,
-        factor_link_3_xy_0_1_1_1,
-        factor_link_3_xy_0_1_1,
-        factor_link_3_xy_0_0_1,
-        factor_link_3_xz_0_0_1,
-        factor_link_3_yx_0_1_1,
-        factor_link_3_yz_0_0_1,
-        factor_link_3_zx_0_1_1,
-        factor_link_3_zy_0_0_1,
-        factor_link_3_px_0,
-        factor_link_3_py_0,
-        factor_link_3_pz_0,
-        factor_link_4_yz_0_1_1_2,
-        factor_link_4_yz_0_1_1_3,
-        factor_link_4_yz_0_1_1,
-        factor_link_4_xz_0_1_1_0,
-        factor_link_4_xz_0_1_1_3,
-        factor_link_4_xz_0_1_1,
-        factor_link_4_xy_0_1_1_0,
-        factor_link_4_xy_0_1_1_1,
-        factor_link_4_xy_0_1_1,
-        factor_link_4_xy_0_0_1,
-        factor_link_4_xz_0_0_1,
-        factor_link_4_yx_0_0_1,
-        factor_link_4_yz_0_0_1,
-        factor_link_4_zx_0_0_1,
-        factor_link_4_zy_0_0_1,
-        factor_link_4_px_0,
-        factor_link_4_py_0,
-        factor_link_4_pz_0,
-        factor_link_5_yz_0_1_1_2,
-        factor_link_5_yz_0_1_1_3,
-        factor_link_5_yz_0_1_1,
-        factor_link_5_xz_0_1_1_0,
-        factor_link_5_xz_0_1_1_3,
-        factor_link_5_xz_0_1_1,
-        factor_link_5_xy_0_1_1_0,
-        factor_link_5_xy_0_1_1_1,
-        factor_link_5_xy_0_1_1,
-        factor_link_5_xy_0_0_1,
-        factor_link_5_xz_0_0_1,
-        factor_link_5_yx_0_0_1,
-        factor_link_5_yz_0_0_1,
-        factor_link_5_zx_0_0_1,
-        factor_link_5_zy_0_0_1,
-        factor_link_5_px_0,
-        factor_link_5_py_0,
-        factor_link_5_pz_0,
-        factor_link_6_yz_0_1_1_2,
-        factor_link_6_yz_0_1_1_3,
-        factor_link_6_yz_0_1_1,
-        factor_link_6_xz_0_1_1_0,
-        factor_link_6_xz_0_1_1_3,
-        factor_link_6_xz_0_1_1,
-        factor_link_6_xy_0_1_1_0,
-        factor_link_6_xy_0_1_1_1,
-        factor_link_6_xy_0_1_1,
-        factor_link_6_xy_0_0_1,
-        factor_link_6_xz_0_0_1,
-        factor_link_6_yx_0_0_1,
-        factor_link_6_yz_0_0_1,
-        factor_link_6_zx_0_0_1,
-        factor_link_6_zy_0_0_1,
-        factor_link_6_px_0,
-        factor_link_6_py_0,
-        factor_link_6_pz_0,
-        factor_link_7_yz_1_1_2,
-        factor_link_7_yz_1_1_3,
-        factor_link_7_yz_1_1,
-        factor_link_7_xz_1_1_0,
-        factor_link_7_xz_1_1_3,
-        factor_link_7_xz_1_1,
-        factor_link_7_xy_1_1_0,
-        factor_link_7_xy_1_1_1,
-        factor_link_7_xy_1_1,
-        factor_link_7_xy_0_1,
-        factor_link_7_xz_0_1,
-        factor_link_7_yx_0_1,
-        factor_link_7_yz_0_1,
-        factor_link_7_zx_0_1,
-        factor_link_7_zy_0_1,
-        factor_link_7_px,
-        factor_link_7_py,
-        factor_link_7_pz,
     }
 }
 /// What `d_mu`, `b2` have in common.
@@ -4422,600 +3859,385 @@ fn common_d_mu_b2(
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
 struct CommonCouplingTorqueDMuXi {
-    coupling_torque_0_46_0: f64,
-    coupling_torque_0_48_0: f64,
-    coupling_torque_0_37_0: f64,
+    coupling_torque_0_26: f64,
+    coupling_torque_0_28: f64,
+    coupling_torque_0_21: f64,
     coupling_torque_0: f64,
     coupling_torque_1: f64,
     coupling_torque_2: f64,
     coupling_torque_3: f64,
     coupling_torque_4: f64,
     coupling_torque_5: f64,
-    coupling_torque_6_19_0: f64,
-    coupling_torque_6_21_0: f64,
-    coupling_torque_6_10_0: f64,
+    coupling_torque_6_11: f64,
+    coupling_torque_6_13: f64,
+    coupling_torque_6_6: f64,
     coupling_torque_6: f64,
 }
 /// What `coupling_torque`, `d_mu_xi` have in common.
 #[inline(never)]
 fn common_coupling_torque_d_mu_xi(
     mu: &[f64; 6],
-    poses: &Poses,
     inertias: &Inertias,
     complements: &Complements,
     screws: &Screws,
     reactions: &Reactions,
 ) -> CommonCouplingTorqueDMuXi {
-    let coupling_torque_0_21_7 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let coupling_torque_0_19_9 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let coupling_torque_0_19_7 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let coupling_torque_0_19 = inertias.composite_link_1_xx * mu[0]
-        + inertias.composite_link_1_xy * mu[1] + inertias.composite_link_1_xz * mu[2]
-        + (inertias.composite_link_1_hy * coupling_torque_0_19_7
-            - inertias.composite_link_1_hz * coupling_torque_0_19_9);
-    let coupling_torque_0_21 = inertias.composite_link_1_xy * mu[0]
-        + inertias.composite_link_1_yy * mu[1] + inertias.composite_link_1_yz * mu[2]
-        + (inertias.composite_link_1_hz * coupling_torque_0_21_7
-            - inertias.composite_link_1_hx * coupling_torque_0_19_7);
-    let coupling_torque_0_10 = inertias.composite_link_1_xz * mu[0]
-        + inertias.composite_link_1_yz * mu[1] + inertias.composite_link_1_zz * mu[2]
-        + (inertias.composite_link_1_hx * coupling_torque_0_19_9
-            - inertias.composite_link_1_hy * coupling_torque_0_21_7);
-    let coupling_torque_0_23 = coupling_torque_0_21_7 * 14.0
-        + (mu[1] * inertias.composite_link_1_hz - mu[2] * inertias.composite_link_1_hy);
-    let coupling_torque_0_25 = coupling_torque_0_19_9 * 14.0
-        + (mu[2] * inertias.composite_link_1_hx - mu[0] * inertias.composite_link_1_hz);
-    let coupling_torque_0_14 = coupling_torque_0_19_7 * 14.0
-        + (mu[0] * inertias.composite_link_1_hy - mu[1] * inertias.composite_link_1_hx);
-    let coupling_torque_0_46_0 = inertias.inertia_base_xx * mu[0]
+    let coupling_torque_0_11 = inertias.composite_link_1_xx * mu[0]
+        + inertias.composite_link_1_xy * mu[1] + inertias.composite_link_1_xz * mu[2];
+    let coupling_torque_0_13 = inertias.composite_link_1_xy * mu[0]
+        + inertias.composite_link_1_yy * mu[1] + inertias.composite_link_1_yz * mu[2];
+    let coupling_torque_0_6 = inertias.composite_link_1_xz * mu[0]
+        + inertias.composite_link_1_yz * mu[1] + inertias.composite_link_1_zz * mu[2];
+    let coupling_torque_0_26 = inertias.inertia_base_xx * mu[0]
         - inertias.minus_inertia_base_xy * mu[1]
         - inertias.minus_inertia_base_xz * mu[2];
-    let coupling_torque_0_48_0 = inertias.inertia_base_yy * mu[1]
+    let coupling_torque_0_28 = inertias.inertia_base_yy * mu[1]
         - inertias.minus_inertia_base_xy * mu[0]
         - inertias.minus_inertia_base_yz * mu[2];
-    let coupling_torque_0_37_0 = inertias.inertia_base_zz * mu[2]
+    let coupling_torque_0_21 = inertias.inertia_base_zz * mu[2]
         - (inertias.minus_inertia_base_xz * mu[0]
             + inertias.minus_inertia_base_yz * mu[1]);
-    let coupling_torque_0_46 = coupling_torque_0_46_0
-        + (inertias.minus_inertia_base_hz * coupling_torque_0_19_9
-            - inertias.minus_inertia_base_hy * coupling_torque_0_19_7);
-    let coupling_torque_0_48 = coupling_torque_0_48_0
-        + (inertias.minus_inertia_base_hx * coupling_torque_0_19_7
-            - inertias.minus_inertia_base_hz * coupling_torque_0_21_7);
-    let coupling_torque_0_37 = coupling_torque_0_37_0
-        + (inertias.minus_inertia_base_hy * coupling_torque_0_21_7
-            - inertias.minus_inertia_base_hx * coupling_torque_0_19_9);
-    let coupling_torque_0_62 = coupling_torque_0_21_7 * 3.5
-        + (mu[2] * inertias.minus_inertia_base_hy
-            - mu[1] * inertias.minus_inertia_base_hz);
-    let coupling_torque_0_55 = coupling_torque_0_19_9 * 3.5
-        + (mu[0] * inertias.minus_inertia_base_hz
-            - mu[2] * inertias.minus_inertia_base_hx);
-    let coupling_torque_0_60 = coupling_torque_0_19_7 * 3.5
-        + (mu[1] * inertias.minus_inertia_base_hx
-            - mu[0] * inertias.minus_inertia_base_hy);
+    let coupling_torque_0_39 = mu[1] * inertias.minus_inertia_base_hx
+        - mu[0] * inertias.minus_inertia_base_hy;
     let coupling_torque_0 = reactions.reaction_joint_1_wx
-        * (coupling_torque_0_21 * mu[2] - coupling_torque_0_10 * mu[1]
-            + (coupling_torque_0_25 * coupling_torque_0_19_7
-                - coupling_torque_0_14 * coupling_torque_0_19_9))
+        * (coupling_torque_0_13 * mu[2] - coupling_torque_0_6 * mu[1])
         + reactions.reaction_joint_1_wy
-            * (coupling_torque_0_10 * mu[0] - coupling_torque_0_19 * mu[2]
-                + (coupling_torque_0_14 * coupling_torque_0_21_7
-                    - coupling_torque_0_23 * coupling_torque_0_19_7))
+            * (coupling_torque_0_6 * mu[0] - coupling_torque_0_11 * mu[2])
         + reactions.reaction_joint_1_wz
-            * (coupling_torque_0_19 * mu[1] - coupling_torque_0_21 * mu[0]
-                + (coupling_torque_0_23 * coupling_torque_0_19_9
-                    - coupling_torque_0_25 * coupling_torque_0_21_7))
+            * (coupling_torque_0_11 * mu[1] - coupling_torque_0_13 * mu[0])
         - (screws.connection_joint_1_wx
-            * (coupling_torque_0_48 * mu[2] - coupling_torque_0_37 * mu[1]
-                + (coupling_torque_0_55 * coupling_torque_0_19_7
-                    - coupling_torque_0_60 * coupling_torque_0_19_9))
+            * (coupling_torque_0_28 * mu[2] - coupling_torque_0_21 * mu[1])
             + screws.connection_joint_1_wy
-                * (coupling_torque_0_37 * mu[0] - coupling_torque_0_46 * mu[2]
-                    + (coupling_torque_0_60 * coupling_torque_0_21_7
-                        - coupling_torque_0_62 * coupling_torque_0_19_7))
+                * (coupling_torque_0_21 * mu[0] - coupling_torque_0_26 * mu[2])
             + screws.connection_joint_1_wz
-                * (coupling_torque_0_46 * mu[1] - coupling_torque_0_48 * mu[0]
-                    + (coupling_torque_0_62 * coupling_torque_0_19_9
-                        - coupling_torque_0_55 * coupling_torque_0_21_7))
+                * (coupling_torque_0_26 * mu[1] - coupling_torque_0_28 * mu[0])
             - screws.minus_connection_joint_1_vx
-                * (coupling_torque_0_55 * mu[2] - coupling_torque_0_60 * mu[1])
+                * ((mu[0] * inertias.minus_inertia_base_hz
+                    - mu[2] * inertias.minus_inertia_base_hx) * mu[2]
+                    - coupling_torque_0_39 * mu[1])
             + screws.connection_joint_1_vy
-                * (coupling_torque_0_60 * mu[0] - coupling_torque_0_62 * mu[2]));
-    let coupling_torque_1_19 = inertias.composite_link_2_xx * mu[0]
-        + inertias.composite_link_2_xy * mu[1] + inertias.composite_link_2_xz * mu[2]
-        + (inertias.composite_link_2_hy * coupling_torque_0_19_7
-            - inertias.composite_link_2_hz * coupling_torque_0_19_9);
-    let coupling_torque_1_21 = inertias.composite_link_2_xy * mu[0]
-        + inertias.composite_link_2_yy * mu[1] + inertias.composite_link_2_yz * mu[2]
-        + (inertias.composite_link_2_hz * coupling_torque_0_21_7
-            - inertias.composite_link_2_hx * coupling_torque_0_19_7);
-    let coupling_torque_1_10 = inertias.composite_link_2_xz * mu[0]
-        + inertias.composite_link_2_yz * mu[1] + inertias.composite_link_2_zz * mu[2]
-        + (inertias.composite_link_2_hx * coupling_torque_0_19_9
-            - inertias.composite_link_2_hy * coupling_torque_0_21_7);
-    let coupling_torque_1_38 = coupling_torque_0_21_7 * 12.0
-        + (mu[1] * inertias.composite_link_2_hz - mu[2] * inertias.composite_link_2_hy);
-    let coupling_torque_1_40 = coupling_torque_0_19_9 * 12.0
-        + (mu[2] * inertias.composite_link_2_hx - mu[0] * inertias.composite_link_2_hz);
-    let coupling_torque_1_33 = coupling_torque_0_19_7 * 12.0
-        + (mu[0] * inertias.composite_link_2_hy - mu[1] * inertias.composite_link_2_hx);
-    let coupling_torque_1_61 = complements.complement_link_2_xx * mu[0]
+                * (coupling_torque_0_39 * mu[0]
+                    - (mu[2] * inertias.minus_inertia_base_hy
+                        - mu[1] * inertias.minus_inertia_base_hz) * mu[2]));
+    let coupling_torque_1_11 = inertias.composite_link_2_xx * mu[0]
+        + inertias.composite_link_2_xy * mu[1] + inertias.composite_link_2_xz * mu[2];
+    let coupling_torque_1_13 = inertias.composite_link_2_xy * mu[0]
+        + inertias.composite_link_2_yy * mu[1] + inertias.composite_link_2_yz * mu[2];
+    let coupling_torque_1_6 = inertias.composite_link_2_xz * mu[0]
+        + inertias.composite_link_2_yz * mu[1] + inertias.composite_link_2_zz * mu[2];
+    let coupling_torque_1_26 = mu[1] * inertias.composite_link_2_hz
+        - mu[2] * inertias.composite_link_2_hy;
+    let coupling_torque_1_28 = mu[2] * inertias.composite_link_2_hx
+        - mu[0] * inertias.composite_link_2_hz;
+    let coupling_torque_1_21 = mu[0] * inertias.composite_link_2_hy
+        - mu[1] * inertias.composite_link_2_hx;
+    let coupling_torque_1_41 = complements.complement_link_2_xx * mu[0]
         + complements.complement_link_2_xy * mu[1]
-        + complements.complement_link_2_xz * mu[2]
-        + (complements.complement_link_2_hy * coupling_torque_0_19_7
-            - complements.complement_link_2_hz * coupling_torque_0_19_9);
-    let coupling_torque_1_63 = complements.complement_link_2_xy * mu[0]
+        + complements.complement_link_2_xz * mu[2];
+    let coupling_torque_1_43 = complements.complement_link_2_xy * mu[0]
         + complements.complement_link_2_yy * mu[1]
-        - complements.minus_complement_link_2_yz * mu[2]
-        + (complements.complement_link_2_hz * coupling_torque_0_21_7
-            + complements.minus_complement_link_2_hx * coupling_torque_0_19_7);
-    let coupling_torque_1_52 = complements.complement_link_2_xz * mu[0]
+        - complements.minus_complement_link_2_yz * mu[2];
+    let coupling_torque_1_36 = complements.complement_link_2_xz * mu[0]
         - complements.minus_complement_link_2_yz * mu[1]
-        + complements.complement_link_2_zz * mu[2]
-        - (complements.minus_complement_link_2_hx * coupling_torque_0_19_9
-            + complements.complement_link_2_hy * coupling_torque_0_21_7);
-    let coupling_torque_1_80 = coupling_torque_0_21_7 * 5.5
-        + (mu[1] * complements.complement_link_2_hz
-            - mu[2] * complements.complement_link_2_hy);
-    let coupling_torque_1_82 = coupling_torque_0_19_9 * 5.5
-        - (mu[2] * complements.minus_complement_link_2_hx
-            + mu[0] * complements.complement_link_2_hz);
-    let coupling_torque_1_75 = coupling_torque_0_19_7 * 5.5
-        + (mu[0] * complements.complement_link_2_hy
-            + mu[1] * complements.minus_complement_link_2_hx);
+        + complements.complement_link_2_zz * mu[2];
+    let coupling_torque_1_56 = mu[1] * complements.complement_link_2_hz
+        - mu[2] * complements.complement_link_2_hy;
+    let coupling_torque_1_58 = mu[2] * complements.minus_complement_link_2_hx
+        + mu[0] * complements.complement_link_2_hz;
+    let coupling_torque_1_51 = mu[0] * complements.complement_link_2_hy
+        + mu[1] * complements.minus_complement_link_2_hx;
     let coupling_torque_1 = reactions.reaction_joint_2_wx
-        * (coupling_torque_1_21 * mu[2] - coupling_torque_1_10 * mu[1]
-            + (coupling_torque_1_40 * coupling_torque_0_19_7
-                - coupling_torque_1_33 * coupling_torque_0_19_9))
+        * (coupling_torque_1_13 * mu[2] - coupling_torque_1_6 * mu[1])
         + reactions.reaction_joint_2_wy
-            * (coupling_torque_1_10 * mu[0] - coupling_torque_1_19 * mu[2]
-                + (coupling_torque_1_33 * coupling_torque_0_21_7
-                    - coupling_torque_1_38 * coupling_torque_0_19_7))
+            * (coupling_torque_1_6 * mu[0] - coupling_torque_1_11 * mu[2])
         + reactions.reaction_joint_2_wz
-            * (coupling_torque_1_19 * mu[1] - coupling_torque_1_21 * mu[0]
-                + (coupling_torque_1_38 * coupling_torque_0_19_9
-                    - coupling_torque_1_40 * coupling_torque_0_21_7))
+            * (coupling_torque_1_11 * mu[1] - coupling_torque_1_13 * mu[0])
         + reactions.reaction_joint_2_vx
-            * (coupling_torque_1_40 * mu[2] - coupling_torque_1_33 * mu[1])
+            * (coupling_torque_1_28 * mu[2] - coupling_torque_1_21 * mu[1])
         + reactions.reaction_joint_2_vy
-            * (coupling_torque_1_33 * mu[0] - coupling_torque_1_38 * mu[2])
+            * (coupling_torque_1_21 * mu[0] - coupling_torque_1_26 * mu[2])
         + reactions.reaction_joint_2_vz
-            * (coupling_torque_1_38 * mu[1] - coupling_torque_1_40 * mu[0])
+            * (coupling_torque_1_26 * mu[1] - coupling_torque_1_28 * mu[0])
         - (screws.connection_joint_2_wx
-            * (coupling_torque_1_63 * mu[2] - coupling_torque_1_52 * mu[1]
-                + (coupling_torque_1_82 * coupling_torque_0_19_7
-                    - coupling_torque_1_75 * coupling_torque_0_19_9))
+            * (coupling_torque_1_43 * mu[2] - coupling_torque_1_36 * mu[1])
             + screws.connection_joint_2_wy
-                * (coupling_torque_1_52 * mu[0] - coupling_torque_1_61 * mu[2]
-                    + (coupling_torque_1_75 * coupling_torque_0_21_7
-                        - coupling_torque_1_80 * coupling_torque_0_19_7))
+                * (coupling_torque_1_36 * mu[0] - coupling_torque_1_41 * mu[2])
             + screws.connection_joint_2_wz
-                * (coupling_torque_1_61 * mu[1] - coupling_torque_1_63 * mu[0]
-                    + (coupling_torque_1_80 * coupling_torque_0_19_9
-                        - coupling_torque_1_82 * coupling_torque_0_21_7))
-            + screws.connection_joint_2_vx
-                * (coupling_torque_1_82 * mu[2] - coupling_torque_1_75 * mu[1])
+                * (coupling_torque_1_41 * mu[1] - coupling_torque_1_43 * mu[0])
+            - screws.connection_joint_2_vx
+                * (coupling_torque_1_58 * mu[2] + coupling_torque_1_51 * mu[1])
             + screws.connection_joint_2_vy
-                * (coupling_torque_1_75 * mu[0] - coupling_torque_1_80 * mu[2])
+                * (coupling_torque_1_51 * mu[0] - coupling_torque_1_56 * mu[2])
             + screws.connection_joint_2_vz
-                * (coupling_torque_1_80 * mu[1] - coupling_torque_1_82 * mu[0]));
-    let coupling_torque_2_19 = inertias.composite_link_3_xx * mu[0]
-        + inertias.composite_link_3_xy * mu[1] + inertias.composite_link_3_xz * mu[2]
-        + (inertias.composite_link_3_hy * coupling_torque_0_19_7
-            - inertias.composite_link_3_hz * coupling_torque_0_19_9);
-    let coupling_torque_2_21 = inertias.composite_link_3_xy * mu[0]
-        + inertias.composite_link_3_yy * mu[1] + inertias.composite_link_3_yz * mu[2]
-        + (inertias.composite_link_3_hz * coupling_torque_0_21_7
-            - inertias.composite_link_3_hx * coupling_torque_0_19_7);
-    let coupling_torque_2_10 = inertias.composite_link_3_xz * mu[0]
-        + inertias.composite_link_3_yz * mu[1] + inertias.composite_link_3_zz * mu[2]
-        + (inertias.composite_link_3_hx * coupling_torque_0_19_9
-            - inertias.composite_link_3_hy * coupling_torque_0_21_7);
-    let coupling_torque_2_38 = coupling_torque_0_21_7 * 10.0
-        + (mu[1] * inertias.composite_link_3_hz - mu[2] * inertias.composite_link_3_hy);
-    let coupling_torque_2_40 = coupling_torque_0_19_9 * 10.0
-        + (mu[2] * inertias.composite_link_3_hx - mu[0] * inertias.composite_link_3_hz);
-    let coupling_torque_2_33 = coupling_torque_0_19_7 * 10.0
-        + (mu[0] * inertias.composite_link_3_hy - mu[1] * inertias.composite_link_3_hx);
-    let coupling_torque_2_61 = complements.complement_link_3_xx * mu[0]
+                * (coupling_torque_1_56 * mu[1] + coupling_torque_1_58 * mu[0]));
+    let coupling_torque_2_11 = inertias.composite_link_3_xx * mu[0]
+        + inertias.composite_link_3_xy * mu[1] + inertias.composite_link_3_xz * mu[2];
+    let coupling_torque_2_13 = inertias.composite_link_3_xy * mu[0]
+        + inertias.composite_link_3_yy * mu[1] + inertias.composite_link_3_yz * mu[2];
+    let coupling_torque_2_6 = inertias.composite_link_3_xz * mu[0]
+        + inertias.composite_link_3_yz * mu[1] + inertias.composite_link_3_zz * mu[2];
+    let coupling_torque_2_26 = mu[1] * inertias.composite_link_3_hz
+        - mu[2] * inertias.composite_link_3_hy;
+    let coupling_torque_2_28 = mu[2] * inertias.composite_link_3_hx
+        - mu[0] * inertias.composite_link_3_hz;
+    let coupling_torque_2_21 = mu[0] * inertias.composite_link_3_hy
+        - mu[1] * inertias.composite_link_3_hx;
+    let coupling_torque_2_41 = complements.complement_link_3_xx * mu[0]
         + complements.complement_link_3_xy * mu[1]
-        + complements.complement_link_3_xz * mu[2]
-        + (complements.complement_link_3_hy * coupling_torque_0_19_7
-            - complements.complement_link_3_hz * coupling_torque_0_19_9);
-    let coupling_torque_2_63 = complements.complement_link_3_xy * mu[0]
+        + complements.complement_link_3_xz * mu[2];
+    let coupling_torque_2_43 = complements.complement_link_3_xy * mu[0]
         + complements.complement_link_3_yy * mu[1]
-        + complements.complement_link_3_yz * mu[2]
-        + (complements.complement_link_3_hz * coupling_torque_0_21_7
-            - complements.complement_link_3_hx * coupling_torque_0_19_7);
-    let coupling_torque_2_52 = complements.complement_link_3_xz * mu[0]
+        + complements.complement_link_3_yz * mu[2];
+    let coupling_torque_2_36 = complements.complement_link_3_xz * mu[0]
         + complements.complement_link_3_yz * mu[1]
-        + complements.complement_link_3_zz * mu[2]
-        + (complements.complement_link_3_hx * coupling_torque_0_19_9
-            - complements.complement_link_3_hy * coupling_torque_0_21_7);
-    let coupling_torque_2_80 = coupling_torque_0_21_7 * 7.5
-        + (mu[1] * complements.complement_link_3_hz
-            - mu[2] * complements.complement_link_3_hy);
-    let coupling_torque_2_82 = coupling_torque_0_19_9 * 7.5
-        + (mu[2] * complements.complement_link_3_hx
-            - mu[0] * complements.complement_link_3_hz);
-    let coupling_torque_2_75 = coupling_torque_0_19_7 * 7.5
-        + (mu[0] * complements.complement_link_3_hy
-            - mu[1] * complements.complement_link_3_hx);
+        + complements.complement_link_3_zz * mu[2];
+    let coupling_torque_2_56 = mu[1] * complements.complement_link_3_hz
+        - mu[2] * complements.complement_link_3_hy;
+    let coupling_torque_2_58 = mu[2] * complements.complement_link_3_hx
+        - mu[0] * complements.complement_link_3_hz;
+    let coupling_torque_2_51 = mu[0] * complements.complement_link_3_hy
+        - mu[1] * complements.complement_link_3_hx;
     let coupling_torque_2 = reactions.reaction_joint_3_wx
-        * (coupling_torque_2_21 * mu[2] - coupling_torque_2_10 * mu[1]
-            + (coupling_torque_2_40 * coupling_torque_0_19_7
-                - coupling_torque_2_33 * coupling_torque_0_19_9))
+        * (coupling_torque_2_13 * mu[2] - coupling_torque_2_6 * mu[1])
         + reactions.reaction_joint_3_wy
-            * (coupling_torque_2_10 * mu[0] - coupling_torque_2_19 * mu[2]
-                + (coupling_torque_2_33 * coupling_torque_0_21_7
-                    - coupling_torque_2_38 * coupling_torque_0_19_7))
+            * (coupling_torque_2_6 * mu[0] - coupling_torque_2_11 * mu[2])
         + reactions.reaction_joint_3_wz
-            * (coupling_torque_2_19 * mu[1] - coupling_torque_2_21 * mu[0]
-                + (coupling_torque_2_38 * coupling_torque_0_19_9
-                    - coupling_torque_2_40 * coupling_torque_0_21_7))
+            * (coupling_torque_2_11 * mu[1] - coupling_torque_2_13 * mu[0])
         + reactions.reaction_joint_3_vx
-            * (coupling_torque_2_40 * mu[2] - coupling_torque_2_33 * mu[1])
+            * (coupling_torque_2_28 * mu[2] - coupling_torque_2_21 * mu[1])
         + reactions.reaction_joint_3_vy
-            * (coupling_torque_2_33 * mu[0] - coupling_torque_2_38 * mu[2])
+            * (coupling_torque_2_21 * mu[0] - coupling_torque_2_26 * mu[2])
         + reactions.reaction_joint_3_vz
-            * (coupling_torque_2_38 * mu[1] - coupling_torque_2_40 * mu[0])
+            * (coupling_torque_2_26 * mu[1] - coupling_torque_2_28 * mu[0])
         - (screws.connection_joint_3_wx
-            * (coupling_torque_2_63 * mu[2] - coupling_torque_2_52 * mu[1]
-                + (coupling_torque_2_82 * coupling_torque_0_19_7
-                    - coupling_torque_2_75 * coupling_torque_0_19_9))
+            * (coupling_torque_2_43 * mu[2] - coupling_torque_2_36 * mu[1])
             + screws.connection_joint_3_wy
-                * (coupling_torque_2_52 * mu[0] - coupling_torque_2_61 * mu[2]
-                    + (coupling_torque_2_75 * coupling_torque_0_21_7
-                        - coupling_torque_2_80 * coupling_torque_0_19_7))
+                * (coupling_torque_2_36 * mu[0] - coupling_torque_2_41 * mu[2])
             + screws.connection_joint_3_wz
-                * (coupling_torque_2_61 * mu[1] - coupling_torque_2_63 * mu[0]
-                    + (coupling_torque_2_80 * coupling_torque_0_19_9
-                        - coupling_torque_2_82 * coupling_torque_0_21_7))
+                * (coupling_torque_2_41 * mu[1] - coupling_torque_2_43 * mu[0])
             + screws.connection_joint_3_vx
-                * (coupling_torque_2_82 * mu[2] - coupling_torque_2_75 * mu[1])
+                * (coupling_torque_2_58 * mu[2] - coupling_torque_2_51 * mu[1])
             + screws.connection_joint_3_vy
-                * (coupling_torque_2_75 * mu[0] - coupling_torque_2_80 * mu[2])
+                * (coupling_torque_2_51 * mu[0] - coupling_torque_2_56 * mu[2])
             + screws.connection_joint_3_vz
-                * (coupling_torque_2_80 * mu[1] - coupling_torque_2_82 * mu[0]));
-    let coupling_torque_3_19 = inertias.composite_link_4_xx * mu[0]
-        + inertias.composite_link_4_xy * mu[1] + inertias.composite_link_4_xz * mu[2]
-        + (inertias.composite_link_4_hy * coupling_torque_0_19_7
-            - inertias.composite_link_4_hz * coupling_torque_0_19_9);
-    let coupling_torque_3_21 = inertias.composite_link_4_xy * mu[0]
-        + inertias.composite_link_4_yy * mu[1] + inertias.composite_link_4_yz * mu[2]
-        + (inertias.composite_link_4_hz * coupling_torque_0_21_7
-            + inertias.minus_composite_link_4_hx * coupling_torque_0_19_7);
-    let coupling_torque_3_10 = inertias.composite_link_4_xz * mu[0]
-        + inertias.composite_link_4_yz * mu[1] + inertias.composite_link_4_zz * mu[2]
-        - (inertias.minus_composite_link_4_hx * coupling_torque_0_19_9
-            + inertias.composite_link_4_hy * coupling_torque_0_21_7);
-    let coupling_torque_3_38 = coupling_torque_0_21_7 * 8.0
-        + (mu[1] * inertias.composite_link_4_hz - mu[2] * inertias.composite_link_4_hy);
-    let coupling_torque_3_40 = coupling_torque_0_19_9 * 8.0
-        - (mu[2] * inertias.minus_composite_link_4_hx
-            + mu[0] * inertias.composite_link_4_hz);
-    let coupling_torque_3_33 = coupling_torque_0_19_7 * 8.0
-        + (mu[0] * inertias.composite_link_4_hy
-            + mu[1] * inertias.minus_composite_link_4_hx);
-    let coupling_torque_3_61 = complements.complement_link_4_xx * mu[0]
+                * (coupling_torque_2_56 * mu[1] - coupling_torque_2_58 * mu[0]));
+    let coupling_torque_3_11 = inertias.composite_link_4_xx * mu[0]
+        + inertias.composite_link_4_xy * mu[1] + inertias.composite_link_4_xz * mu[2];
+    let coupling_torque_3_13 = inertias.composite_link_4_xy * mu[0]
+        + inertias.composite_link_4_yy * mu[1] + inertias.composite_link_4_yz * mu[2];
+    let coupling_torque_3_6 = inertias.composite_link_4_xz * mu[0]
+        + inertias.composite_link_4_yz * mu[1] + inertias.composite_link_4_zz * mu[2];
+    let coupling_torque_3_26 = mu[1] * inertias.composite_link_4_hz
+        - mu[2] * inertias.composite_link_4_hy;
+    let coupling_torque_3_28 = mu[2] * inertias.minus_composite_link_4_hx
+        + mu[0] * inertias.composite_link_4_hz;
+    let coupling_torque_3_21 = mu[0] * inertias.composite_link_4_hy
+        + mu[1] * inertias.minus_composite_link_4_hx;
+    let coupling_torque_3_41 = complements.complement_link_4_xx * mu[0]
         + complements.complement_link_4_xy * mu[1]
-        + complements.complement_link_4_xz * mu[2]
-        + (complements.complement_link_4_hy * coupling_torque_0_19_7
-            - complements.complement_link_4_hz * coupling_torque_0_19_9);
-    let coupling_torque_3_63 = complements.complement_link_4_xy * mu[0]
+        + complements.complement_link_4_xz * mu[2];
+    let coupling_torque_3_43 = complements.complement_link_4_xy * mu[0]
         + complements.complement_link_4_yy * mu[1]
-        + complements.complement_link_4_yz * mu[2]
-        + (complements.complement_link_4_hz * coupling_torque_0_21_7
-            - complements.complement_link_4_hx * coupling_torque_0_19_7);
-    let coupling_torque_3_52 = complements.complement_link_4_xz * mu[0]
+        + complements.complement_link_4_yz * mu[2];
+    let coupling_torque_3_36 = complements.complement_link_4_xz * mu[0]
         + complements.complement_link_4_yz * mu[1]
-        + complements.complement_link_4_zz * mu[2]
-        + (complements.complement_link_4_hx * coupling_torque_0_19_9
-            - complements.complement_link_4_hy * coupling_torque_0_21_7);
-    let coupling_torque_3_80 = coupling_torque_0_21_7 * 9.5
-        + (mu[1] * complements.complement_link_4_hz
-            - mu[2] * complements.complement_link_4_hy);
-    let coupling_torque_3_82 = coupling_torque_0_19_9 * 9.5
-        + (mu[2] * complements.complement_link_4_hx
-            - mu[0] * complements.complement_link_4_hz);
-    let coupling_torque_3_75 = coupling_torque_0_19_7 * 9.5
-        + (mu[0] * complements.complement_link_4_hy
-            - mu[1] * complements.complement_link_4_hx);
+        + complements.complement_link_4_zz * mu[2];
+    let coupling_torque_3_56 = mu[1] * complements.complement_link_4_hz
+        - mu[2] * complements.complement_link_4_hy;
+    let coupling_torque_3_58 = mu[2] * complements.complement_link_4_hx
+        - mu[0] * complements.complement_link_4_hz;
+    let coupling_torque_3_51 = mu[0] * complements.complement_link_4_hy
+        - mu[1] * complements.complement_link_4_hx;
     let coupling_torque_3 = reactions.reaction_joint_4_wx
-        * (coupling_torque_3_21 * mu[2] - coupling_torque_3_10 * mu[1]
-            + (coupling_torque_3_40 * coupling_torque_0_19_7
-                - coupling_torque_3_33 * coupling_torque_0_19_9))
+        * (coupling_torque_3_13 * mu[2] - coupling_torque_3_6 * mu[1])
         + reactions.reaction_joint_4_wy
-            * (coupling_torque_3_10 * mu[0] - coupling_torque_3_19 * mu[2]
-                + (coupling_torque_3_33 * coupling_torque_0_21_7
-                    - coupling_torque_3_38 * coupling_torque_0_19_7))
+            * (coupling_torque_3_6 * mu[0] - coupling_torque_3_11 * mu[2])
         + reactions.reaction_joint_4_wz
-            * (coupling_torque_3_19 * mu[1] - coupling_torque_3_21 * mu[0]
-                + (coupling_torque_3_38 * coupling_torque_0_19_9
-                    - coupling_torque_3_40 * coupling_torque_0_21_7))
-        + reactions.reaction_joint_4_vx
-            * (coupling_torque_3_40 * mu[2] - coupling_torque_3_33 * mu[1])
+            * (coupling_torque_3_11 * mu[1] - coupling_torque_3_13 * mu[0])
+        - reactions.reaction_joint_4_vx
+            * (coupling_torque_3_28 * mu[2] + coupling_torque_3_21 * mu[1])
         + reactions.reaction_joint_4_vy
-            * (coupling_torque_3_33 * mu[0] - coupling_torque_3_38 * mu[2])
+            * (coupling_torque_3_21 * mu[0] - coupling_torque_3_26 * mu[2])
         - reactions.minus_reaction_joint_4_vz
-            * (coupling_torque_3_38 * mu[1] - coupling_torque_3_40 * mu[0])
+            * (coupling_torque_3_26 * mu[1] + coupling_torque_3_28 * mu[0])
         - (screws.connection_joint_4_wx
-            * (coupling_torque_3_63 * mu[2] - coupling_torque_3_52 * mu[1]
-                + (coupling_torque_3_82 * coupling_torque_0_19_7
-                    - coupling_torque_3_75 * coupling_torque_0_19_9))
+            * (coupling_torque_3_43 * mu[2] - coupling_torque_3_36 * mu[1])
             + screws.connection_joint_4_wy
-                * (coupling_torque_3_52 * mu[0] - coupling_torque_3_61 * mu[2]
-                    + (coupling_torque_3_75 * coupling_torque_0_21_7
-                        - coupling_torque_3_80 * coupling_torque_0_19_7))
+                * (coupling_torque_3_36 * mu[0] - coupling_torque_3_41 * mu[2])
             + screws.connection_joint_4_wz
-                * (coupling_torque_3_61 * mu[1] - coupling_torque_3_63 * mu[0]
-                    + (coupling_torque_3_80 * coupling_torque_0_19_9
-                        - coupling_torque_3_82 * coupling_torque_0_21_7))
+                * (coupling_torque_3_41 * mu[1] - coupling_torque_3_43 * mu[0])
             + screws.connection_joint_4_vx
-                * (coupling_torque_3_82 * mu[2] - coupling_torque_3_75 * mu[1])
+                * (coupling_torque_3_58 * mu[2] - coupling_torque_3_51 * mu[1])
             + screws.connection_joint_4_vy
-                * (coupling_torque_3_75 * mu[0] - coupling_torque_3_80 * mu[2])
+                * (coupling_torque_3_51 * mu[0] - coupling_torque_3_56 * mu[2])
             + screws.connection_joint_4_vz
-                * (coupling_torque_3_80 * mu[1] - coupling_torque_3_82 * mu[0]));
-    let coupling_torque_4_19 = inertias.composite_link_5_xx * mu[0]
-        + inertias.composite_link_5_xy * mu[1] + inertias.composite_link_5_xz * mu[2]
-        + (inertias.composite_link_5_hy * coupling_torque_0_19_7
-            - inertias.composite_link_5_hz * coupling_torque_0_19_9);
-    let coupling_torque_4_21 = inertias.composite_link_5_xy * mu[0]
-        + inertias.composite_link_5_yy * mu[1] + inertias.composite_link_5_yz * mu[2]
-        + (inertias.composite_link_5_hz * coupling_torque_0_21_7
-            + inertias.minus_composite_link_5_hx * coupling_torque_0_19_7);
-    let coupling_torque_4_10 = inertias.composite_link_5_xz * mu[0]
-        + inertias.composite_link_5_yz * mu[1] + inertias.composite_link_5_zz * mu[2]
-        - (inertias.minus_composite_link_5_hx * coupling_torque_0_19_9
-            + inertias.composite_link_5_hy * coupling_torque_0_21_7);
-    let coupling_torque_4_38 = coupling_torque_0_21_7 * 6.0
-        + (mu[1] * inertias.composite_link_5_hz - mu[2] * inertias.composite_link_5_hy);
-    let coupling_torque_4_40 = coupling_torque_0_19_9 * 6.0
-        - (mu[2] * inertias.minus_composite_link_5_hx
-            + mu[0] * inertias.composite_link_5_hz);
-    let coupling_torque_4_33 = coupling_torque_0_19_7 * 6.0
-        + (mu[0] * inertias.composite_link_5_hy
-            + mu[1] * inertias.minus_composite_link_5_hx);
-    let coupling_torque_4_61 = complements.complement_link_5_xx * mu[0]
+                * (coupling_torque_3_56 * mu[1] - coupling_torque_3_58 * mu[0]));
+    let coupling_torque_4_11 = inertias.composite_link_5_xx * mu[0]
+        + inertias.composite_link_5_xy * mu[1] + inertias.composite_link_5_xz * mu[2];
+    let coupling_torque_4_13 = inertias.composite_link_5_xy * mu[0]
+        + inertias.composite_link_5_yy * mu[1] + inertias.composite_link_5_yz * mu[2];
+    let coupling_torque_4_6 = inertias.composite_link_5_xz * mu[0]
+        + inertias.composite_link_5_yz * mu[1] + inertias.composite_link_5_zz * mu[2];
+    let coupling_torque_4_26 = mu[1] * inertias.composite_link_5_hz
+        - mu[2] * inertias.composite_link_5_hy;
+    let coupling_torque_4_28 = mu[2] * inertias.minus_composite_link_5_hx
+        + mu[0] * inertias.composite_link_5_hz;
+    let coupling_torque_4_21 = mu[0] * inertias.composite_link_5_hy
+        + mu[1] * inertias.minus_composite_link_5_hx;
+    let coupling_torque_4_41 = complements.complement_link_5_xx * mu[0]
         + complements.complement_link_5_xy * mu[1]
-        + complements.complement_link_5_xz * mu[2]
-        + (complements.complement_link_5_hy * coupling_torque_0_19_7
-            - complements.complement_link_5_hz * coupling_torque_0_19_9);
-    let coupling_torque_4_63 = complements.complement_link_5_xy * mu[0]
+        + complements.complement_link_5_xz * mu[2];
+    let coupling_torque_4_43 = complements.complement_link_5_xy * mu[0]
         + complements.complement_link_5_yy * mu[1]
-        + complements.complement_link_5_yz * mu[2]
-        + (complements.complement_link_5_hz * coupling_torque_0_21_7
-            - complements.complement_link_5_hx * coupling_torque_0_19_7);
-    let coupling_torque_4_52 = complements.complement_link_5_xz * mu[0]
+        + complements.complement_link_5_yz * mu[2];
+    let coupling_torque_4_36 = complements.complement_link_5_xz * mu[0]
         + complements.complement_link_5_yz * mu[1]
-        + complements.complement_link_5_zz * mu[2]
-        + (complements.complement_link_5_hx * coupling_torque_0_19_9
-            - complements.complement_link_5_hy * coupling_torque_0_21_7);
-    let coupling_torque_4_80 = coupling_torque_0_21_7 * 11.5
-        + (mu[1] * complements.complement_link_5_hz
-            - mu[2] * complements.complement_link_5_hy);
-    let coupling_torque_4_82 = coupling_torque_0_19_9 * 11.5
-        + (mu[2] * complements.complement_link_5_hx
-            - mu[0] * complements.complement_link_5_hz);
-    let coupling_torque_4_75 = coupling_torque_0_19_7 * 11.5
-        + (mu[0] * complements.complement_link_5_hy
-            - mu[1] * complements.complement_link_5_hx);
+        + complements.complement_link_5_zz * mu[2];
+    let coupling_torque_4_56 = mu[1] * complements.complement_link_5_hz
+        - mu[2] * complements.complement_link_5_hy;
+    let coupling_torque_4_58 = mu[2] * complements.complement_link_5_hx
+        - mu[0] * complements.complement_link_5_hz;
+    let coupling_torque_4_51 = mu[0] * complements.complement_link_5_hy
+        - mu[1] * complements.complement_link_5_hx;
     let coupling_torque_4 = reactions.reaction_joint_5_wx
-        * (coupling_torque_4_21 * mu[2] - coupling_torque_4_10 * mu[1]
-            + (coupling_torque_4_40 * coupling_torque_0_19_7
-                - coupling_torque_4_33 * coupling_torque_0_19_9))
+        * (coupling_torque_4_13 * mu[2] - coupling_torque_4_6 * mu[1])
         + reactions.reaction_joint_5_wy
-            * (coupling_torque_4_10 * mu[0] - coupling_torque_4_19 * mu[2]
-                + (coupling_torque_4_33 * coupling_torque_0_21_7
-                    - coupling_torque_4_38 * coupling_torque_0_19_7))
+            * (coupling_torque_4_6 * mu[0] - coupling_torque_4_11 * mu[2])
         + reactions.reaction_joint_5_wz
-            * (coupling_torque_4_19 * mu[1] - coupling_torque_4_21 * mu[0]
-                + (coupling_torque_4_38 * coupling_torque_0_19_9
-                    - coupling_torque_4_40 * coupling_torque_0_21_7))
-        + reactions.reaction_joint_5_vx
-            * (coupling_torque_4_40 * mu[2] - coupling_torque_4_33 * mu[1])
+            * (coupling_torque_4_11 * mu[1] - coupling_torque_4_13 * mu[0])
+        - reactions.reaction_joint_5_vx
+            * (coupling_torque_4_28 * mu[2] + coupling_torque_4_21 * mu[1])
         + reactions.reaction_joint_5_vy
-            * (coupling_torque_4_33 * mu[0] - coupling_torque_4_38 * mu[2])
+            * (coupling_torque_4_21 * mu[0] - coupling_torque_4_26 * mu[2])
         + reactions.reaction_joint_5_vz
-            * (coupling_torque_4_38 * mu[1] - coupling_torque_4_40 * mu[0])
+            * (coupling_torque_4_26 * mu[1] + coupling_torque_4_28 * mu[0])
         - (screws.connection_joint_5_wx
-            * (coupling_torque_4_63 * mu[2] - coupling_torque_4_52 * mu[1]
-                + (coupling_torque_4_82 * coupling_torque_0_19_7
-                    - coupling_torque_4_75 * coupling_torque_0_19_9))
+            * (coupling_torque_4_43 * mu[2] - coupling_torque_4_36 * mu[1])
             + screws.connection_joint_5_wy
-                * (coupling_torque_4_52 * mu[0] - coupling_torque_4_61 * mu[2]
-                    + (coupling_torque_4_75 * coupling_torque_0_21_7
-                        - coupling_torque_4_80 * coupling_torque_0_19_7))
+                * (coupling_torque_4_36 * mu[0] - coupling_torque_4_41 * mu[2])
             + screws.connection_joint_5_wz
-                * (coupling_torque_4_61 * mu[1] - coupling_torque_4_63 * mu[0]
-                    + (coupling_torque_4_80 * coupling_torque_0_19_9
-                        - coupling_torque_4_82 * coupling_torque_0_21_7))
+                * (coupling_torque_4_41 * mu[1] - coupling_torque_4_43 * mu[0])
             + screws.connection_joint_5_vx
-                * (coupling_torque_4_82 * mu[2] - coupling_torque_4_75 * mu[1])
+                * (coupling_torque_4_58 * mu[2] - coupling_torque_4_51 * mu[1])
             + screws.connection_joint_5_vy
-                * (coupling_torque_4_75 * mu[0] - coupling_torque_4_80 * mu[2])
+                * (coupling_torque_4_51 * mu[0] - coupling_torque_4_56 * mu[2])
             + screws.connection_joint_5_vz
-                * (coupling_torque_4_80 * mu[1] - coupling_torque_4_82 * mu[0]));
-    let coupling_torque_5_19 = inertias.composite_link_6_xx * mu[0]
-        + inertias.composite_link_6_xy * mu[1] + inertias.composite_link_6_xz * mu[2]
-        - (inertias.minus_composite_link_6_hy * coupling_torque_0_19_7
-            + inertias.composite_link_6_hz * coupling_torque_0_19_9);
-    let coupling_torque_5_21 = inertias.composite_link_6_xy * mu[0]
-        + inertias.composite_link_6_yy * mu[1] + inertias.composite_link_6_yz * mu[2]
-        + (inertias.composite_link_6_hz * coupling_torque_0_21_7
-            + inertias.minus_composite_link_6_hx * coupling_torque_0_19_7);
-    let coupling_torque_5_10 = inertias.composite_link_6_xz * mu[0]
-        + inertias.composite_link_6_yz * mu[1] + inertias.composite_link_6_zz * mu[2]
-        + (inertias.minus_composite_link_6_hy * coupling_torque_0_21_7
-            - inertias.minus_composite_link_6_hx * coupling_torque_0_19_9);
-    let coupling_torque_5_38 = coupling_torque_0_21_7 * 4.0
-        + (mu[1] * inertias.composite_link_6_hz
-            + mu[2] * inertias.minus_composite_link_6_hy);
-    let coupling_torque_5_40 = coupling_torque_0_19_9 * 4.0
-        - (mu[2] * inertias.minus_composite_link_6_hx
-            + mu[0] * inertias.composite_link_6_hz);
-    let coupling_torque_5_33 = coupling_torque_0_19_7 * 4.0
-        + (mu[1] * inertias.minus_composite_link_6_hx
-            - mu[0] * inertias.minus_composite_link_6_hy);
-    let coupling_torque_5_61 = complements.complement_link_6_xx * mu[0]
+                * (coupling_torque_4_56 * mu[1] - coupling_torque_4_58 * mu[0]));
+    let coupling_torque_5_11 = inertias.composite_link_6_xx * mu[0]
+        + inertias.composite_link_6_xy * mu[1] + inertias.composite_link_6_xz * mu[2];
+    let coupling_torque_5_13 = inertias.composite_link_6_xy * mu[0]
+        + inertias.composite_link_6_yy * mu[1] + inertias.composite_link_6_yz * mu[2];
+    let coupling_torque_5_6 = inertias.composite_link_6_xz * mu[0]
+        + inertias.composite_link_6_yz * mu[1] + inertias.composite_link_6_zz * mu[2];
+    let coupling_torque_5_26 = mu[1] * inertias.composite_link_6_hz
+        + mu[2] * inertias.minus_composite_link_6_hy;
+    let coupling_torque_5_28 = mu[2] * inertias.minus_composite_link_6_hx
+        + mu[0] * inertias.composite_link_6_hz;
+    let coupling_torque_5_21 = mu[1] * inertias.minus_composite_link_6_hx
+        - mu[0] * inertias.minus_composite_link_6_hy;
+    let coupling_torque_5_41 = complements.complement_link_6_xx * mu[0]
         + complements.complement_link_6_xy * mu[1]
-        + complements.complement_link_6_xz * mu[2]
-        + (complements.complement_link_6_hy * coupling_torque_0_19_7
-            - complements.complement_link_6_hz * coupling_torque_0_19_9);
-    let coupling_torque_5_63 = complements.complement_link_6_xy * mu[0]
+        + complements.complement_link_6_xz * mu[2];
+    let coupling_torque_5_43 = complements.complement_link_6_xy * mu[0]
         + complements.complement_link_6_yy * mu[1]
-        + complements.complement_link_6_yz * mu[2]
-        + (complements.complement_link_6_hz * coupling_torque_0_21_7
-            - complements.complement_link_6_hx * coupling_torque_0_19_7);
-    let coupling_torque_5_52 = complements.complement_link_6_xz * mu[0]
+        + complements.complement_link_6_yz * mu[2];
+    let coupling_torque_5_36 = complements.complement_link_6_xz * mu[0]
         + complements.complement_link_6_yz * mu[1]
-        + complements.complement_link_6_zz * mu[2]
-        + (complements.complement_link_6_hx * coupling_torque_0_19_9
-            - complements.complement_link_6_hy * coupling_torque_0_21_7);
-    let coupling_torque_5_80 = coupling_torque_0_21_7 * 13.5
-        + (mu[1] * complements.complement_link_6_hz
-            - mu[2] * complements.complement_link_6_hy);
-    let coupling_torque_5_82 = coupling_torque_0_19_9 * 13.5
-        + (mu[2] * complements.complement_link_6_hx
-            - mu[0] * complements.complement_link_6_hz);
-    let coupling_torque_5_75 = coupling_torque_0_19_7 * 13.5
-        + (mu[0] * complements.complement_link_6_hy
-            - mu[1] * complements.complement_link_6_hx);
+        + complements.complement_link_6_zz * mu[2];
+    let coupling_torque_5_56 = mu[1] * complements.complement_link_6_hz
+        - mu[2] * complements.complement_link_6_hy;
+    let coupling_torque_5_58 = mu[2] * complements.complement_link_6_hx
+        - mu[0] * complements.complement_link_6_hz;
+    let coupling_torque_5_51 = mu[0] * complements.complement_link_6_hy
+        - mu[1] * complements.complement_link_6_hx;
     let coupling_torque_5 = reactions.reaction_joint_6_wx
-        * (coupling_torque_5_21 * mu[2] - coupling_torque_5_10 * mu[1]
-            + (coupling_torque_5_40 * coupling_torque_0_19_7
-                - coupling_torque_5_33 * coupling_torque_0_19_9))
+        * (coupling_torque_5_13 * mu[2] - coupling_torque_5_6 * mu[1])
         + reactions.reaction_joint_6_wy
-            * (coupling_torque_5_10 * mu[0] - coupling_torque_5_19 * mu[2]
-                + (coupling_torque_5_33 * coupling_torque_0_21_7
-                    - coupling_torque_5_38 * coupling_torque_0_19_7))
+            * (coupling_torque_5_6 * mu[0] - coupling_torque_5_11 * mu[2])
         + reactions.reaction_joint_6_wz
-            * (coupling_torque_5_19 * mu[1] - coupling_torque_5_21 * mu[0]
-                + (coupling_torque_5_38 * coupling_torque_0_19_9
-                    - coupling_torque_5_40 * coupling_torque_0_21_7))
-        + reactions.reaction_joint_6_vx
-            * (coupling_torque_5_40 * mu[2] - coupling_torque_5_33 * mu[1])
+            * (coupling_torque_5_11 * mu[1] - coupling_torque_5_13 * mu[0])
+        - reactions.reaction_joint_6_vx
+            * (coupling_torque_5_28 * mu[2] + coupling_torque_5_21 * mu[1])
         + reactions.reaction_joint_6_vy
-            * (coupling_torque_5_33 * mu[0] - coupling_torque_5_38 * mu[2])
+            * (coupling_torque_5_21 * mu[0] - coupling_torque_5_26 * mu[2])
         + reactions.reaction_joint_6_vz
-            * (coupling_torque_5_38 * mu[1] - coupling_torque_5_40 * mu[0])
+            * (coupling_torque_5_26 * mu[1] + coupling_torque_5_28 * mu[0])
         - (screws.connection_joint_6_wx
-            * (coupling_torque_5_63 * mu[2] - coupling_torque_5_52 * mu[1]
-                + (coupling_torque_5_82 * coupling_torque_0_19_7
-                    - coupling_torque_5_75 * coupling_torque_0_19_9))
+            * (coupling_torque_5_43 * mu[2] - coupling_torque_5_36 * mu[1])
             + screws.connection_joint_6_wy
-                * (coupling_torque_5_52 * mu[0] - coupling_torque_5_61 * mu[2]
-                    + (coupling_torque_5_75 * coupling_torque_0_21_7
-                        - coupling_torque_5_80 * coupling_torque_0_19_7))
+                * (coupling_torque_5_36 * mu[0] - coupling_torque_5_41 * mu[2])
             + screws.connection_joint_6_wz
-                * (coupling_torque_5_61 * mu[1] - coupling_torque_5_63 * mu[0]
-                    + (coupling_torque_5_80 * coupling_torque_0_19_9
-                        - coupling_torque_5_82 * coupling_torque_0_21_7))
+                * (coupling_torque_5_41 * mu[1] - coupling_torque_5_43 * mu[0])
             + screws.connection_joint_6_vx
-                * (coupling_torque_5_82 * mu[2] - coupling_torque_5_75 * mu[1])
+                * (coupling_torque_5_58 * mu[2] - coupling_torque_5_51 * mu[1])
             + screws.connection_joint_6_vy
-                * (coupling_torque_5_75 * mu[0] - coupling_torque_5_80 * mu[2])
+                * (coupling_torque_5_51 * mu[0] - coupling_torque_5_56 * mu[2])
             + screws.connection_joint_6_vz
-                * (coupling_torque_5_80 * mu[1] - coupling_torque_5_82 * mu[0]));
-    let coupling_torque_6_19_0 = inertias.inertia_link_7_xx * mu[0]
+                * (coupling_torque_5_56 * mu[1] - coupling_torque_5_58 * mu[0]));
+    let coupling_torque_6_11 = inertias.inertia_link_7_xx * mu[0]
         + inertias.inertia_link_7_xy * mu[1] + inertias.inertia_link_7_xz * mu[2];
-    let coupling_torque_6_21_0 = inertias.inertia_link_7_xy * mu[0]
+    let coupling_torque_6_13 = inertias.inertia_link_7_xy * mu[0]
         + inertias.inertia_link_7_yy * mu[1] + inertias.inertia_link_7_yz * mu[2];
-    let coupling_torque_6_10_0 = inertias.inertia_link_7_xz * mu[0]
+    let coupling_torque_6_6 = inertias.inertia_link_7_xz * mu[0]
         + inertias.inertia_link_7_yz * mu[1] + inertias.inertia_link_7_zz * mu[2];
-    let coupling_torque_6_19 = coupling_torque_6_19_0
-        - (inertias.minus_inertia_link_7_hy * coupling_torque_0_19_7
-            + inertias.inertia_link_7_hz * coupling_torque_0_19_9);
-    let coupling_torque_6_21 = coupling_torque_6_21_0
-        + (inertias.inertia_link_7_hz * coupling_torque_0_21_7
-            + inertias.minus_inertia_link_7_hx * coupling_torque_0_19_7);
-    let coupling_torque_6_10 = coupling_torque_6_10_0
-        + (inertias.minus_inertia_link_7_hy * coupling_torque_0_21_7
-            - inertias.minus_inertia_link_7_hx * coupling_torque_0_19_9);
-    let coupling_torque_6_38 = coupling_torque_0_21_7 * 2.0
-        + (mu[1] * inertias.inertia_link_7_hz
-            + mu[2] * inertias.minus_inertia_link_7_hy);
-    let coupling_torque_6_40 = coupling_torque_0_19_9 * 2.0
-        - (mu[2] * inertias.minus_inertia_link_7_hx
-            + mu[0] * inertias.inertia_link_7_hz);
-    let coupling_torque_6_33 = coupling_torque_0_19_7 * 2.0
-        + (mu[1] * inertias.minus_inertia_link_7_hx
-            - mu[0] * inertias.minus_inertia_link_7_hy);
-    let coupling_torque_6_61 = complements.complement_link_7_xx * mu[0]
+    let coupling_torque_6_26 = mu[1] * inertias.inertia_link_7_hz
+        + mu[2] * inertias.minus_inertia_link_7_hy;
+    let coupling_torque_6_28 = mu[2] * inertias.minus_inertia_link_7_hx
+        + mu[0] * inertias.inertia_link_7_hz;
+    let coupling_torque_6_21 = mu[1] * inertias.minus_inertia_link_7_hx
+        - mu[0] * inertias.minus_inertia_link_7_hy;
+    let coupling_torque_6_41 = complements.complement_link_7_xx * mu[0]
         + complements.complement_link_7_xy * mu[1]
-        + complements.complement_link_7_xz * mu[2]
-        + (complements.complement_link_7_hy * coupling_torque_0_19_7
-            - complements.complement_link_7_hz * coupling_torque_0_19_9);
-    let coupling_torque_6_63 = complements.complement_link_7_xy * mu[0]
+        + complements.complement_link_7_xz * mu[2];
+    let coupling_torque_6_43 = complements.complement_link_7_xy * mu[0]
         + complements.complement_link_7_yy * mu[1]
-        + complements.complement_link_7_yz * mu[2]
-        + (complements.complement_link_7_hz * coupling_torque_0_21_7
-            - complements.complement_link_7_hx * coupling_torque_0_19_7);
-    let coupling_torque_6_52 = complements.complement_link_7_xz * mu[0]
+        + complements.complement_link_7_yz * mu[2];
+    let coupling_torque_6_36 = complements.complement_link_7_xz * mu[0]
         + complements.complement_link_7_yz * mu[1]
-        + complements.complement_link_7_zz * mu[2]
-        + (complements.complement_link_7_hx * coupling_torque_0_19_9
-            - complements.complement_link_7_hy * coupling_torque_0_21_7);
-    let coupling_torque_6_80 = coupling_torque_0_21_7 * 15.5
-        + (mu[1] * complements.complement_link_7_hz
-            - mu[2] * complements.complement_link_7_hy);
-    let coupling_torque_6_82 = coupling_torque_0_19_9 * 15.5
-        + (mu[2] * complements.complement_link_7_hx
-            - mu[0] * complements.complement_link_7_hz);
-    let coupling_torque_6_75 = coupling_torque_0_19_7 * 15.5
-        + (mu[0] * complements.complement_link_7_hy
-            - mu[1] * complements.complement_link_7_hx);
+        + complements.complement_link_7_zz * mu[2];
+    let coupling_torque_6_56 = mu[1] * complements.complement_link_7_hz
+        - mu[2] * complements.complement_link_7_hy;
+    let coupling_torque_6_58 = mu[2] * complements.complement_link_7_hx
+        - mu[0] * complements.complement_link_7_hz;
+    let coupling_torque_6_51 = mu[0] * complements.complement_link_7_hy
+        - mu[1] * complements.complement_link_7_hx;
     let coupling_torque_6 = reactions.reaction_joint_7_wx
-        * (coupling_torque_6_21 * mu[2] - coupling_torque_6_10 * mu[1]
-            + (coupling_torque_6_40 * coupling_torque_0_19_7
-                - coupling_torque_6_33 * coupling_torque_0_19_9))
+        * (coupling_torque_6_13 * mu[2] - coupling_torque_6_6 * mu[1])
         + reactions.reaction_joint_7_wy
-            * (coupling_torque_6_10 * mu[0] - coupling_torque_6_19 * mu[2]
-                + (coupling_torque_6_33 * coupling_torque_0_21_7
-                    - coupling_torque_6_38 * coupling_torque_0_19_7))
+            * (coupling_torque_6_6 * mu[0] - coupling_torque_6_11 * mu[2])
         + reactions.reaction_joint_7_wz
-            * (coupling_torque_6_19 * mu[1] - coupling_torque_6_21 * mu[0]
-                + (coupling_torque_6_38 * coupling_torque_0_19_9
-                    - coupling_torque_6_40 * coupling_torque_0_21_7))
-        + reactions.reaction_joint_7_vx
-            * (coupling_torque_6_40 * mu[2] - coupling_torque_6_33 * mu[1])
+            * (coupling_torque_6_11 * mu[1] - coupling_torque_6_13 * mu[0])
+        - reactions.reaction_joint_7_vx
+            * (coupling_torque_6_28 * mu[2] + coupling_torque_6_21 * mu[1])
         + reactions.reaction_joint_7_vy
-            * (coupling_torque_6_33 * mu[0] - coupling_torque_6_38 * mu[2])
+            * (coupling_torque_6_21 * mu[0] - coupling_torque_6_26 * mu[2])
         + reactions.reaction_joint_7_vz
-            * (coupling_torque_6_38 * mu[1] - coupling_torque_6_40 * mu[0])
+            * (coupling_torque_6_26 * mu[1] + coupling_torque_6_28 * mu[0])
         - (screws.connection_joint_7_wx
-            * (coupling_torque_6_63 * mu[2] - coupling_torque_6_52 * mu[1]
-                + (coupling_torque_6_82 * coupling_torque_0_19_7
-                    - coupling_torque_6_75 * coupling_torque_0_19_9))
+            * (coupling_torque_6_43 * mu[2] - coupling_torque_6_36 * mu[1])
             + screws.connection_joint_7_wy
-                * (coupling_torque_6_52 * mu[0] - coupling_torque_6_61 * mu[2]
-                    + (coupling_torque_6_75 * coupling_torque_0_21_7
-                        - coupling_torque_6_80 * coupling_torque_0_19_7))
+                * (coupling_torque_6_36 * mu[0] - coupling_torque_6_41 * mu[2])
             + screws.connection_joint_7_wz
-                * (coupling_torque_6_61 * mu[1] - coupling_torque_6_63 * mu[0]
-                    + (coupling_torque_6_80 * coupling_torque_0_19_9
-                        - coupling_torque_6_82 * coupling_torque_0_21_7))
+                * (coupling_torque_6_41 * mu[1] - coupling_torque_6_43 * mu[0])
             + screws.connection_joint_7_vx
-                * (coupling_torque_6_82 * mu[2] - coupling_torque_6_75 * mu[1])
+                * (coupling_torque_6_58 * mu[2] - coupling_torque_6_51 * mu[1])
             + screws.connection_joint_7_vy
-                * (coupling_torque_6_75 * mu[0] - coupling_torque_6_80 * mu[2])
+                * (coupling_torque_6_51 * mu[0] - coupling_torque_6_56 * mu[2])
             + screws.connection_joint_7_vz
-                * (coupling_torque_6_80 * mu[1] - coupling_torque_6_82 * mu[0]));
+                * (coupling_torque_6_56 * mu[1] - coupling_torque_6_58 * mu[0]));
     CommonCouplingTorqueDMuXi {
-        coupling_torque_0_46_0,
-        coupling_torque_0_48_0,
-        coupling_torque_0_37_0,
+        coupling_torque_0_26,
+        coupling_torque_0_28,
+        coupling_torque_0_21,
         coupling_torque_0,
         coupling_torque_1,
         coupling_torque_2,
         coupling_torque_3,
         coupling_torque_4,
         coupling_torque_5,
-        coupling_torque_6_19_0,
-        coupling_torque_6_21_0,
-        coupling_torque_6_10_0,
+        coupling_torque_6_11,
+        coupling_torque_6_13,
+        coupling_torque_6_6,
         coupling_torque_6,
     }
 }
@@ -5121,100 +4343,88 @@ fn common_forward_dynamics_inverse_dynamics(
     screws: &Screws,
     velocities: &Velocities,
 ) -> CommonForwardDynamicsInverseDynamics {
-    let wrench_base_mx_1_0_0_9_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let wrench_base_my_1_0_2_7_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let wrench_base_my_1_0_2_9_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
     let wrench_base_my_1_0_2_1 = mu[0] - velocities.minus_velocity_base_wx;
     let wrench_base_my_1_0_2_3 = mu[1] - velocities.minus_velocity_base_wy;
     let wrench_base_my_1_0_2_5 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_mx_1_0_0_9 = wrench_base_mx_1_0_0_9_0 + velocities.velocity_base_vx;
-    let wrench_base_my_1_0_2_7 = wrench_base_my_1_0_2_7_0
-        - velocities.minus_velocity_base_vy;
-    let wrench_base_my_1_0_2_9 = wrench_base_my_1_0_2_9_0
-        - velocities.minus_velocity_base_vz;
     let wrench_base_my_1_0_2 = inertias.inertia_base_xx * wrench_base_my_1_0_2_1
         - inertias.minus_inertia_base_xy * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_5
-        + (inertias.minus_inertia_base_hz * wrench_base_my_1_0_2_7
-            - inertias.minus_inertia_base_hy * wrench_base_my_1_0_2_9);
+        + (velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hy
+            - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
     let wrench_base_mx_1_0_0 = inertias.inertia_base_yy * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_base_xy * wrench_base_my_1_0_2_1
         - inertias.minus_inertia_base_yz * wrench_base_my_1_0_2_5
-        + (inertias.minus_inertia_base_hx * wrench_base_my_1_0_2_9
-            - inertias.minus_inertia_base_hz * wrench_base_mx_1_0_0_9);
+        - (velocities.velocity_base_vx * inertias.minus_inertia_base_hz
+            + velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
     let wrench_base_mx_1_0_2 = inertias.inertia_base_zz * wrench_base_my_1_0_2_5
         - (inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_1
             + inertias.minus_inertia_base_yz * wrench_base_my_1_0_2_3)
-        + (inertias.minus_inertia_base_hy * wrench_base_mx_1_0_0_9
-            - inertias.minus_inertia_base_hx * wrench_base_my_1_0_2_7);
-    let wrench_base_my_1_0_6 = wrench_base_mx_1_0_0_9 * 3.5
+        + (velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
+            + velocities.velocity_base_vx * inertias.minus_inertia_base_hy);
+    let wrench_base_my_1_0_6 = velocities.velocity_base_vx * 3.5
         + (wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hy
             - wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hz);
-    let wrench_base_mx_1_0_4 = wrench_base_my_1_0_2_7 * 3.5
-        + (wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hz
-            - wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hx);
-    let wrench_base_mx_1_0_6 = wrench_base_my_1_0_2_9 * 3.5
-        + (wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx
-            - wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hy);
+    let wrench_base_mx_1_0_6 = wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hz
+        - wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hx
+        - velocities.minus_velocity_base_vy * 3.5;
+    let wrench_base_mx_1_0_4 = wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx
+        - wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hy
+        - velocities.minus_velocity_base_vz * 3.5;
     let wrench_base_mx_1_0 = wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_5
         - wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_3
-        + (wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_9
-            - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_7);
+        + (wrench_base_mx_1_0_4 * velocities.minus_velocity_base_vy
+            - wrench_base_mx_1_0_6 * velocities.minus_velocity_base_vz);
     let wrench_base_my_1_0 = wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_1
         - wrench_base_my_1_0_2 * wrench_base_my_1_0_2_5
-        + (wrench_base_mx_1_0_6 * wrench_base_mx_1_0_0_9
-            - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_9);
+        + (wrench_base_mx_1_0_4 * velocities.velocity_base_vx
+            + wrench_base_my_1_0_6 * velocities.minus_velocity_base_vz);
     let wrench_base_mz_1_0 = wrench_base_my_1_0_2 * wrench_base_my_1_0_2_3
         - wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_1
-        + (wrench_base_my_1_0_6 * wrench_base_my_1_0_2_7
-            - wrench_base_mx_1_0_4 * wrench_base_mx_1_0_0_9);
-    let wrench_base_fx_1_0 = wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_5
-        - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_3;
-    let wrench_base_fy_1_0 = wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1
+        - (wrench_base_my_1_0_6 * velocities.minus_velocity_base_vy
+            + wrench_base_mx_1_0_6 * velocities.velocity_base_vx);
+    let wrench_base_fx_1_0 = wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_5
+        - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_3;
+    let wrench_base_fy_1_0 = wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1
         - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_5;
     let wrench_base_fz_1_0 = wrench_base_my_1_0_6 * wrench_base_my_1_0_2_3
-        - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1;
+        - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1;
     let wrench_link_1_my_1_2_5 = velocities.velocity_link_1_wz + mu[2];
-    let wrench_link_1_mx_1_0_7 = velocities.velocity_link_1_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_1_my_1_2_9 = velocities.velocity_link_1_vy
-        + wrench_base_my_1_0_2_7_0;
     let wrench_link_1_my_1_2 = inertias.inertia_link_1_xx * wrench_base_my_1_0_2_1
         + inertias.inertia_link_1_xy * wrench_base_my_1_0_2_3
         + inertias.inertia_link_1_xz * wrench_link_1_my_1_2_5
-        + (inertias.inertia_link_1_hy * wrench_base_my_1_0_2_9
-            - inertias.inertia_link_1_hz * wrench_link_1_my_1_2_9);
+        - (velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
+            + velocities.velocity_link_1_vy * inertias.inertia_link_1_hz);
     let wrench_link_1_mx_1_0 = inertias.inertia_link_1_xy * wrench_base_my_1_0_2_1
         + inertias.inertia_link_1_yy * wrench_base_my_1_0_2_3
         - inertias.minus_inertia_link_1_yz * wrench_link_1_my_1_2_5
-        + (inertias.inertia_link_1_hz * wrench_link_1_mx_1_0_7
-            + inertias.minus_inertia_link_1_hx * wrench_base_my_1_0_2_9);
+        + (velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
+            - velocities.minus_velocity_base_vz * inertias.minus_inertia_link_1_hx);
     let wrench_link_1_mx_1_2 = inertias.inertia_link_1_xz * wrench_base_my_1_0_2_1
         - inertias.minus_inertia_link_1_yz * wrench_base_my_1_0_2_3
         + inertias.inertia_link_1_zz * wrench_link_1_my_1_2_5
-        - (inertias.minus_inertia_link_1_hx * wrench_link_1_my_1_2_9
-            + inertias.inertia_link_1_hy * wrench_link_1_mx_1_0_7);
-    let wrench_link_1_my_1_6 = wrench_link_1_mx_1_0_7 * 2.0
+        - (velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
+            + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy);
+    let wrench_link_1_my_1_6 = velocities.velocity_link_1_vx * 2.0
         + (wrench_base_my_1_0_2_3 * inertias.inertia_link_1_hz
             - wrench_link_1_my_1_2_5 * inertias.inertia_link_1_hy);
-    let wrench_link_1_mx_1_4 = wrench_link_1_my_1_2_9 * 2.0
+    let wrench_link_1_mx_1_4 = velocities.velocity_link_1_vy * 2.0
         - (wrench_link_1_my_1_2_5 * inertias.minus_inertia_link_1_hx
             + wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hz);
-    let wrench_link_1_mx_1_6 = wrench_base_my_1_0_2_9 * 2.0
-        + (wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hy
-            + wrench_base_my_1_0_2_3 * inertias.minus_inertia_link_1_hx);
+    let wrench_link_1_mx_1_6 = wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hy
+        + wrench_base_my_1_0_2_3 * inertias.minus_inertia_link_1_hx
+        - velocities.minus_velocity_base_vz * 2.0;
     let wrench_link_1_mx_1 = wrench_link_1_mx_1_0 * wrench_link_1_my_1_2_5
         - wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_3
-        + (wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_9
-            - wrench_link_1_mx_1_6 * wrench_link_1_my_1_2_9);
+        - (wrench_link_1_mx_1_4 * velocities.minus_velocity_base_vz
+            + wrench_link_1_mx_1_6 * velocities.velocity_link_1_vy);
     let wrench_link_1_my_1 = wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_1
         - wrench_link_1_my_1_2 * wrench_link_1_my_1_2_5
-        + (wrench_link_1_mx_1_6 * wrench_link_1_mx_1_0_7
-            - wrench_link_1_my_1_6 * wrench_base_my_1_0_2_9);
+        + (wrench_link_1_mx_1_6 * velocities.velocity_link_1_vx
+            + wrench_link_1_my_1_6 * velocities.minus_velocity_base_vz);
     let wrench_link_1_mz_1 = wrench_link_1_my_1_2 * wrench_base_my_1_0_2_3
         - wrench_link_1_mx_1_0 * wrench_base_my_1_0_2_1
-        + (wrench_link_1_my_1_6 * wrench_link_1_my_1_2_9
-            - wrench_link_1_mx_1_4 * wrench_link_1_mx_1_0_7);
+        + (wrench_link_1_my_1_6 * velocities.velocity_link_1_vy
+            - wrench_link_1_mx_1_4 * velocities.velocity_link_1_vx);
     let wrench_link_1_fx_1 = wrench_link_1_mx_1_4 * wrench_link_1_my_1_2_5
         - wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_3;
     let wrench_link_1_fy_1 = wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_1
@@ -5223,48 +4433,42 @@ fn common_forward_dynamics_inverse_dynamics(
         - wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_1;
     let wrench_link_2_my_1_2_1 = velocities.velocity_link_2_wx + mu[0];
     let wrench_link_2_my_1_2_3 = mu[1] - velocities.minus_velocity_link_2_wy;
-    let wrench_link_2_mx_1_0_7 = velocities.velocity_link_2_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_2_my_1_2_9 = velocities.velocity_link_2_vy
-        + wrench_base_my_1_0_2_7_0;
-    let wrench_link_2_my_1_2_7 = velocities.velocity_link_2_vz
-        + wrench_base_my_1_0_2_9_0;
     let wrench_link_2_my_1_2 = inertias.inertia_link_2_xx * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_xy * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_xz * wrench_link_1_my_1_2_5
-        - (inertias.minus_inertia_link_2_hy * wrench_link_2_my_1_2_7
-            + inertias.inertia_link_2_hz * wrench_link_2_my_1_2_9);
+        - (velocities.velocity_link_2_vz * inertias.minus_inertia_link_2_hy
+            + velocities.velocity_link_2_vy * inertias.inertia_link_2_hz);
     let wrench_link_2_mx_1_0 = inertias.inertia_link_2_xy * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_yy * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_yz * wrench_link_1_my_1_2_5
-        + (inertias.inertia_link_2_hz * wrench_link_2_mx_1_0_7
-            - inertias.inertia_link_2_hx * wrench_link_2_my_1_2_7);
+        + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
+            - velocities.velocity_link_2_vz * inertias.inertia_link_2_hx);
     let wrench_link_2_mx_1_2 = inertias.inertia_link_2_xz * wrench_link_2_my_1_2_1
         + inertias.inertia_link_2_yz * wrench_link_2_my_1_2_3
         + inertias.inertia_link_2_zz * wrench_link_1_my_1_2_5
-        + (inertias.inertia_link_2_hx * wrench_link_2_my_1_2_9
-            + inertias.minus_inertia_link_2_hy * wrench_link_2_mx_1_0_7);
-    let wrench_link_2_my_1_6 = wrench_link_2_mx_1_0_7 * 2.0
+        + (velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
+            + velocities.velocity_link_2_vx * inertias.minus_inertia_link_2_hy);
+    let wrench_link_2_my_1_6 = velocities.velocity_link_2_vx * 2.0
         + (wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hz
             + wrench_link_1_my_1_2_5 * inertias.minus_inertia_link_2_hy);
-    let wrench_link_2_mx_1_4 = wrench_link_2_my_1_2_9 * 2.0
+    let wrench_link_2_mx_1_4 = velocities.velocity_link_2_vy * 2.0
         + (wrench_link_1_my_1_2_5 * inertias.inertia_link_2_hx
             - wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_1_6 = wrench_link_2_my_1_2_7 * 2.0
+    let wrench_link_2_mx_1_6 = velocities.velocity_link_2_vz * 2.0
         - (wrench_link_2_my_1_2_1 * inertias.minus_inertia_link_2_hy
             + wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hx);
     let wrench_link_2_mx_1 = wrench_link_2_mx_1_0 * wrench_link_1_my_1_2_5
         - wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_3
-        + (wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_7
-            - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_9);
+        + (wrench_link_2_mx_1_4 * velocities.velocity_link_2_vz
+            - wrench_link_2_mx_1_6 * velocities.velocity_link_2_vy);
     let wrench_link_2_my_1 = wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_1
         - wrench_link_2_my_1_2 * wrench_link_1_my_1_2_5
-        + (wrench_link_2_mx_1_6 * wrench_link_2_mx_1_0_7
-            - wrench_link_2_my_1_6 * wrench_link_2_my_1_2_7);
+        + (wrench_link_2_mx_1_6 * velocities.velocity_link_2_vx
+            - wrench_link_2_my_1_6 * velocities.velocity_link_2_vz);
     let wrench_link_2_mz_1 = wrench_link_2_my_1_2 * wrench_link_2_my_1_2_3
         - wrench_link_2_mx_1_0 * wrench_link_2_my_1_2_1
-        + (wrench_link_2_my_1_6 * wrench_link_2_my_1_2_9
-            - wrench_link_2_mx_1_4 * wrench_link_2_mx_1_0_7);
+        + (wrench_link_2_my_1_6 * velocities.velocity_link_2_vy
+            - wrench_link_2_mx_1_4 * velocities.velocity_link_2_vx);
     let wrench_link_2_fx_1 = wrench_link_2_mx_1_4 * wrench_link_1_my_1_2_5
         - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_3;
     let wrench_link_2_fy_1 = wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_1
@@ -5274,48 +4478,42 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_link_3_my_1_2_1 = velocities.velocity_link_3_wx + mu[0];
     let wrench_link_3_my_1_2_3 = mu[1] - velocities.minus_velocity_link_3_wy;
     let wrench_link_3_my_1_2_5 = velocities.velocity_link_3_wz + mu[2];
-    let wrench_link_3_mx_1_0_7 = velocities.velocity_link_3_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_3_my_1_2_9 = velocities.velocity_link_3_vy
-        + wrench_base_my_1_0_2_7_0;
-    let wrench_link_3_my_1_2_7 = velocities.velocity_link_3_vz
-        + wrench_base_my_1_0_2_9_0;
     let wrench_link_3_my_1_2 = inertias.inertia_link_3_xx * wrench_link_3_my_1_2_1
         + inertias.inertia_link_3_xy * wrench_link_3_my_1_2_3
         + inertias.inertia_link_3_xz * wrench_link_3_my_1_2_5
-        - (inertias.minus_inertia_link_3_hy * wrench_link_3_my_1_2_7
-            + inertias.inertia_link_3_hz * wrench_link_3_my_1_2_9);
+        - (velocities.velocity_link_3_vz * inertias.minus_inertia_link_3_hy
+            + velocities.velocity_link_3_vy * inertias.inertia_link_3_hz);
     let wrench_link_3_mx_1_0 = inertias.inertia_link_3_xy * wrench_link_3_my_1_2_1
         + inertias.inertia_link_3_yy * wrench_link_3_my_1_2_3
         + inertias.inertia_link_3_yz * wrench_link_3_my_1_2_5
-        + (inertias.inertia_link_3_hz * wrench_link_3_mx_1_0_7
-            - inertias.inertia_link_3_hx * wrench_link_3_my_1_2_7);
+        + (velocities.velocity_link_3_vx * inertias.inertia_link_3_hz
+            - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx);
     let wrench_link_3_mx_1_2 = inertias.inertia_link_3_xz * wrench_link_3_my_1_2_1
         + inertias.inertia_link_3_yz * wrench_link_3_my_1_2_3
         + inertias.inertia_link_3_zz * wrench_link_3_my_1_2_5
-        + (inertias.inertia_link_3_hx * wrench_link_3_my_1_2_9
-            + inertias.minus_inertia_link_3_hy * wrench_link_3_mx_1_0_7);
-    let wrench_link_3_my_1_6 = wrench_link_3_mx_1_0_7 * 2.0
+        + (velocities.velocity_link_3_vy * inertias.inertia_link_3_hx
+            + velocities.velocity_link_3_vx * inertias.minus_inertia_link_3_hy);
+    let wrench_link_3_my_1_6 = velocities.velocity_link_3_vx * 2.0
         + (wrench_link_3_my_1_2_3 * inertias.inertia_link_3_hz
             + wrench_link_3_my_1_2_5 * inertias.minus_inertia_link_3_hy);
-    let wrench_link_3_mx_1_4 = wrench_link_3_my_1_2_9 * 2.0
+    let wrench_link_3_mx_1_4 = velocities.velocity_link_3_vy * 2.0
         + (wrench_link_3_my_1_2_5 * inertias.inertia_link_3_hx
             - wrench_link_3_my_1_2_1 * inertias.inertia_link_3_hz);
-    let wrench_link_3_mx_1_6 = wrench_link_3_my_1_2_7 * 2.0
+    let wrench_link_3_mx_1_6 = velocities.velocity_link_3_vz * 2.0
         - (wrench_link_3_my_1_2_1 * inertias.minus_inertia_link_3_hy
             + wrench_link_3_my_1_2_3 * inertias.inertia_link_3_hx);
     let wrench_link_3_mx_1 = wrench_link_3_mx_1_0 * wrench_link_3_my_1_2_5
         - wrench_link_3_mx_1_2 * wrench_link_3_my_1_2_3
-        + (wrench_link_3_mx_1_4 * wrench_link_3_my_1_2_7
-            - wrench_link_3_mx_1_6 * wrench_link_3_my_1_2_9);
+        + (wrench_link_3_mx_1_4 * velocities.velocity_link_3_vz
+            - wrench_link_3_mx_1_6 * velocities.velocity_link_3_vy);
     let wrench_link_3_my_1 = wrench_link_3_mx_1_2 * wrench_link_3_my_1_2_1
         - wrench_link_3_my_1_2 * wrench_link_3_my_1_2_5
-        + (wrench_link_3_mx_1_6 * wrench_link_3_mx_1_0_7
-            - wrench_link_3_my_1_6 * wrench_link_3_my_1_2_7);
+        + (wrench_link_3_mx_1_6 * velocities.velocity_link_3_vx
+            - wrench_link_3_my_1_6 * velocities.velocity_link_3_vz);
     let wrench_link_3_mz_1 = wrench_link_3_my_1_2 * wrench_link_3_my_1_2_3
         - wrench_link_3_mx_1_0 * wrench_link_3_my_1_2_1
-        + (wrench_link_3_my_1_6 * wrench_link_3_my_1_2_9
-            - wrench_link_3_mx_1_4 * wrench_link_3_mx_1_0_7);
+        + (wrench_link_3_my_1_6 * velocities.velocity_link_3_vy
+            - wrench_link_3_mx_1_4 * velocities.velocity_link_3_vx);
     let wrench_link_3_fx_1 = wrench_link_3_mx_1_4 * wrench_link_3_my_1_2_5
         - wrench_link_3_mx_1_6 * wrench_link_3_my_1_2_3;
     let wrench_link_3_fy_1 = wrench_link_3_mx_1_6 * wrench_link_3_my_1_2_1
@@ -5325,48 +4523,42 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_link_4_my_1_2_1 = velocities.velocity_link_4_wx + mu[0];
     let wrench_link_4_my_1_2_3 = velocities.velocity_link_4_wy + mu[1];
     let wrench_link_4_my_1_2_5 = velocities.velocity_link_4_wz + mu[2];
-    let wrench_link_4_mx_1_0_7 = velocities.velocity_link_4_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_4_my_1_2_9 = velocities.velocity_link_4_vy
-        + wrench_base_my_1_0_2_7_0;
-    let wrench_link_4_my_1_2_7 = velocities.velocity_link_4_vz
-        + wrench_base_my_1_0_2_9_0;
     let wrench_link_4_my_1_2 = inertias.inertia_link_4_xx * wrench_link_4_my_1_2_1
         + inertias.inertia_link_4_xy * wrench_link_4_my_1_2_3
         + inertias.inertia_link_4_xz * wrench_link_4_my_1_2_5
-        + (inertias.inertia_link_4_hy * wrench_link_4_my_1_2_7
-            - inertias.inertia_link_4_hz * wrench_link_4_my_1_2_9);
+        + (velocities.velocity_link_4_vz * inertias.inertia_link_4_hy
+            - velocities.velocity_link_4_vy * inertias.inertia_link_4_hz);
     let wrench_link_4_mx_1_0 = inertias.inertia_link_4_xy * wrench_link_4_my_1_2_1
         + inertias.inertia_link_4_yy * wrench_link_4_my_1_2_3
         + inertias.inertia_link_4_yz * wrench_link_4_my_1_2_5
-        + (inertias.inertia_link_4_hz * wrench_link_4_mx_1_0_7
-            + inertias.minus_inertia_link_4_hx * wrench_link_4_my_1_2_7);
+        + (velocities.velocity_link_4_vx * inertias.inertia_link_4_hz
+            + velocities.velocity_link_4_vz * inertias.minus_inertia_link_4_hx);
     let wrench_link_4_mx_1_2 = inertias.inertia_link_4_xz * wrench_link_4_my_1_2_1
         + inertias.inertia_link_4_yz * wrench_link_4_my_1_2_3
         + inertias.inertia_link_4_zz * wrench_link_4_my_1_2_5
-        - (inertias.minus_inertia_link_4_hx * wrench_link_4_my_1_2_9
-            + inertias.inertia_link_4_hy * wrench_link_4_mx_1_0_7);
-    let wrench_link_4_my_1_6 = wrench_link_4_mx_1_0_7 * 2.0
+        - (velocities.velocity_link_4_vy * inertias.minus_inertia_link_4_hx
+            + velocities.velocity_link_4_vx * inertias.inertia_link_4_hy);
+    let wrench_link_4_my_1_6 = velocities.velocity_link_4_vx * 2.0
         + (wrench_link_4_my_1_2_3 * inertias.inertia_link_4_hz
             - wrench_link_4_my_1_2_5 * inertias.inertia_link_4_hy);
-    let wrench_link_4_mx_1_4 = wrench_link_4_my_1_2_9 * 2.0
+    let wrench_link_4_mx_1_4 = velocities.velocity_link_4_vy * 2.0
         - (wrench_link_4_my_1_2_5 * inertias.minus_inertia_link_4_hx
             + wrench_link_4_my_1_2_1 * inertias.inertia_link_4_hz);
-    let wrench_link_4_mx_1_6 = wrench_link_4_my_1_2_7 * 2.0
+    let wrench_link_4_mx_1_6 = velocities.velocity_link_4_vz * 2.0
         + (wrench_link_4_my_1_2_1 * inertias.inertia_link_4_hy
             + wrench_link_4_my_1_2_3 * inertias.minus_inertia_link_4_hx);
     let wrench_link_4_mx_1 = wrench_link_4_mx_1_0 * wrench_link_4_my_1_2_5
         - wrench_link_4_mx_1_2 * wrench_link_4_my_1_2_3
-        + (wrench_link_4_mx_1_4 * wrench_link_4_my_1_2_7
-            - wrench_link_4_mx_1_6 * wrench_link_4_my_1_2_9);
+        + (wrench_link_4_mx_1_4 * velocities.velocity_link_4_vz
+            - wrench_link_4_mx_1_6 * velocities.velocity_link_4_vy);
     let wrench_link_4_my_1 = wrench_link_4_mx_1_2 * wrench_link_4_my_1_2_1
         - wrench_link_4_my_1_2 * wrench_link_4_my_1_2_5
-        + (wrench_link_4_mx_1_6 * wrench_link_4_mx_1_0_7
-            - wrench_link_4_my_1_6 * wrench_link_4_my_1_2_7);
+        + (wrench_link_4_mx_1_6 * velocities.velocity_link_4_vx
+            - wrench_link_4_my_1_6 * velocities.velocity_link_4_vz);
     let wrench_link_4_mz_1 = wrench_link_4_my_1_2 * wrench_link_4_my_1_2_3
         - wrench_link_4_mx_1_0 * wrench_link_4_my_1_2_1
-        + (wrench_link_4_my_1_6 * wrench_link_4_my_1_2_9
-            - wrench_link_4_mx_1_4 * wrench_link_4_mx_1_0_7);
+        + (wrench_link_4_my_1_6 * velocities.velocity_link_4_vy
+            - wrench_link_4_mx_1_4 * velocities.velocity_link_4_vx);
     let wrench_link_4_fx_1 = wrench_link_4_mx_1_4 * wrench_link_4_my_1_2_5
         - wrench_link_4_mx_1_6 * wrench_link_4_my_1_2_3;
     let wrench_link_4_fy_1 = wrench_link_4_mx_1_6 * wrench_link_4_my_1_2_1
@@ -5376,48 +4568,42 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_link_5_my_1_2_1 = velocities.velocity_link_5_wx + mu[0];
     let wrench_link_5_my_1_2_3 = velocities.velocity_link_5_wy + mu[1];
     let wrench_link_5_my_1_2_5 = velocities.velocity_link_5_wz + mu[2];
-    let wrench_link_5_mx_1_0_7 = velocities.velocity_link_5_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_5_my_1_2_9 = velocities.velocity_link_5_vy
-        + wrench_base_my_1_0_2_7_0;
-    let wrench_link_5_my_1_2_7 = velocities.velocity_link_5_vz
-        + wrench_base_my_1_0_2_9_0;
     let wrench_link_5_my_1_2 = inertias.inertia_link_5_xx * wrench_link_5_my_1_2_1
         + inertias.inertia_link_5_xy * wrench_link_5_my_1_2_3
         + inertias.inertia_link_5_xz * wrench_link_5_my_1_2_5
-        + (inertias.inertia_link_5_hy * wrench_link_5_my_1_2_7
-            - inertias.inertia_link_5_hz * wrench_link_5_my_1_2_9);
+        + (velocities.velocity_link_5_vz * inertias.inertia_link_5_hy
+            - velocities.velocity_link_5_vy * inertias.inertia_link_5_hz);
     let wrench_link_5_mx_1_0 = inertias.inertia_link_5_xy * wrench_link_5_my_1_2_1
         + inertias.inertia_link_5_yy * wrench_link_5_my_1_2_3
         + inertias.inertia_link_5_yz * wrench_link_5_my_1_2_5
-        + (inertias.inertia_link_5_hz * wrench_link_5_mx_1_0_7
-            + inertias.minus_inertia_link_5_hx * wrench_link_5_my_1_2_7);
+        + (velocities.velocity_link_5_vx * inertias.inertia_link_5_hz
+            + velocities.velocity_link_5_vz * inertias.minus_inertia_link_5_hx);
     let wrench_link_5_mx_1_2 = inertias.inertia_link_5_xz * wrench_link_5_my_1_2_1
         + inertias.inertia_link_5_yz * wrench_link_5_my_1_2_3
         + inertias.inertia_link_5_zz * wrench_link_5_my_1_2_5
-        - (inertias.minus_inertia_link_5_hx * wrench_link_5_my_1_2_9
-            + inertias.inertia_link_5_hy * wrench_link_5_mx_1_0_7);
-    let wrench_link_5_my_1_6 = wrench_link_5_mx_1_0_7 * 2.0
+        - (velocities.velocity_link_5_vy * inertias.minus_inertia_link_5_hx
+            + velocities.velocity_link_5_vx * inertias.inertia_link_5_hy);
+    let wrench_link_5_my_1_6 = velocities.velocity_link_5_vx * 2.0
         + (wrench_link_5_my_1_2_3 * inertias.inertia_link_5_hz
             - wrench_link_5_my_1_2_5 * inertias.inertia_link_5_hy);
-    let wrench_link_5_mx_1_4 = wrench_link_5_my_1_2_9 * 2.0
+    let wrench_link_5_mx_1_4 = velocities.velocity_link_5_vy * 2.0
         - (wrench_link_5_my_1_2_5 * inertias.minus_inertia_link_5_hx
             + wrench_link_5_my_1_2_1 * inertias.inertia_link_5_hz);
-    let wrench_link_5_mx_1_6 = wrench_link_5_my_1_2_7 * 2.0
+    let wrench_link_5_mx_1_6 = velocities.velocity_link_5_vz * 2.0
         + (wrench_link_5_my_1_2_1 * inertias.inertia_link_5_hy
             + wrench_link_5_my_1_2_3 * inertias.minus_inertia_link_5_hx);
     let wrench_link_5_mx_1 = wrench_link_5_mx_1_0 * wrench_link_5_my_1_2_5
         - wrench_link_5_mx_1_2 * wrench_link_5_my_1_2_3
-        + (wrench_link_5_mx_1_4 * wrench_link_5_my_1_2_7
-            - wrench_link_5_mx_1_6 * wrench_link_5_my_1_2_9);
+        + (wrench_link_5_mx_1_4 * velocities.velocity_link_5_vz
+            - wrench_link_5_mx_1_6 * velocities.velocity_link_5_vy);
     let wrench_link_5_my_1 = wrench_link_5_mx_1_2 * wrench_link_5_my_1_2_1
         - wrench_link_5_my_1_2 * wrench_link_5_my_1_2_5
-        + (wrench_link_5_mx_1_6 * wrench_link_5_mx_1_0_7
-            - wrench_link_5_my_1_6 * wrench_link_5_my_1_2_7);
+        + (wrench_link_5_mx_1_6 * velocities.velocity_link_5_vx
+            - wrench_link_5_my_1_6 * velocities.velocity_link_5_vz);
     let wrench_link_5_mz_1 = wrench_link_5_my_1_2 * wrench_link_5_my_1_2_3
         - wrench_link_5_mx_1_0 * wrench_link_5_my_1_2_1
-        + (wrench_link_5_my_1_6 * wrench_link_5_my_1_2_9
-            - wrench_link_5_mx_1_4 * wrench_link_5_mx_1_0_7);
+        + (wrench_link_5_my_1_6 * velocities.velocity_link_5_vy
+            - wrench_link_5_mx_1_4 * velocities.velocity_link_5_vx);
     let wrench_link_5_fx_1 = wrench_link_5_mx_1_4 * wrench_link_5_my_1_2_5
         - wrench_link_5_mx_1_6 * wrench_link_5_my_1_2_3;
     let wrench_link_5_fy_1 = wrench_link_5_mx_1_6 * wrench_link_5_my_1_2_1
@@ -5427,48 +4613,42 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_link_6_my_1_2_1 = velocities.velocity_link_6_wx + mu[0];
     let wrench_link_6_my_1_2_3 = velocities.velocity_link_6_wy + mu[1];
     let wrench_link_6_my_1_2_5 = velocities.velocity_link_6_wz + mu[2];
-    let wrench_link_6_mx_1_0_7 = velocities.velocity_link_6_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let wrench_link_6_my_1_2_9 = velocities.velocity_link_6_vy
-        + wrench_base_my_1_0_2_7_0;
-    let wrench_link_6_my_1_2_7 = velocities.velocity_link_6_vz
-        + wrench_base_my_1_0_2_9_0;
     let wrench_link_6_my_1_2 = inertias.inertia_link_6_xx * wrench_link_6_my_1_2_1
         + inertias.inertia_link_6_xy * wrench_link_6_my_1_2_3
         + inertias.inertia_link_6_xz * wrench_link_6_my_1_2_5
-        - (inertias.minus_inertia_link_6_hy * wrench_link_6_my_1_2_7
-            + inertias.inertia_link_6_hz * wrench_link_6_my_1_2_9);
+        - (velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
+            + velocities.velocity_link_6_vy * inertias.inertia_link_6_hz);
     let wrench_link_6_mx_1_0 = inertias.inertia_link_6_xy * wrench_link_6_my_1_2_1
         + inertias.inertia_link_6_yy * wrench_link_6_my_1_2_3
         + inertias.inertia_link_6_yz * wrench_link_6_my_1_2_5
-        + (inertias.inertia_link_6_hz * wrench_link_6_mx_1_0_7
-            + inertias.minus_inertia_link_6_hx * wrench_link_6_my_1_2_7);
+        + (velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
+            + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hx);
     let wrench_link_6_mx_1_2 = inertias.inertia_link_6_xz * wrench_link_6_my_1_2_1
         + inertias.inertia_link_6_yz * wrench_link_6_my_1_2_3
         + inertias.inertia_link_6_zz * wrench_link_6_my_1_2_5
-        + (inertias.minus_inertia_link_6_hy * wrench_link_6_mx_1_0_7
-            - inertias.minus_inertia_link_6_hx * wrench_link_6_my_1_2_9);
-    let wrench_link_6_my_1_6 = wrench_link_6_mx_1_0_7 * 2.0
+        + (velocities.velocity_link_6_vx * inertias.minus_inertia_link_6_hy
+            - velocities.velocity_link_6_vy * inertias.minus_inertia_link_6_hx);
+    let wrench_link_6_my_1_6 = velocities.velocity_link_6_vx * 2.0
         + (wrench_link_6_my_1_2_3 * inertias.inertia_link_6_hz
             + wrench_link_6_my_1_2_5 * inertias.minus_inertia_link_6_hy);
-    let wrench_link_6_mx_1_4 = wrench_link_6_my_1_2_9 * 2.0
+    let wrench_link_6_mx_1_4 = velocities.velocity_link_6_vy * 2.0
         - (wrench_link_6_my_1_2_5 * inertias.minus_inertia_link_6_hx
             + wrench_link_6_my_1_2_1 * inertias.inertia_link_6_hz);
-    let wrench_link_6_mx_1_6 = wrench_link_6_my_1_2_7 * 2.0
+    let wrench_link_6_mx_1_6 = velocities.velocity_link_6_vz * 2.0
         + (wrench_link_6_my_1_2_3 * inertias.minus_inertia_link_6_hx
             - wrench_link_6_my_1_2_1 * inertias.minus_inertia_link_6_hy);
     let wrench_link_6_mx_1 = wrench_link_6_mx_1_0 * wrench_link_6_my_1_2_5
         - wrench_link_6_mx_1_2 * wrench_link_6_my_1_2_3
-        + (wrench_link_6_mx_1_4 * wrench_link_6_my_1_2_7
-            - wrench_link_6_mx_1_6 * wrench_link_6_my_1_2_9);
+        + (wrench_link_6_mx_1_4 * velocities.velocity_link_6_vz
+            - wrench_link_6_mx_1_6 * velocities.velocity_link_6_vy);
     let wrench_link_6_my_1 = wrench_link_6_mx_1_2 * wrench_link_6_my_1_2_1
         - wrench_link_6_my_1_2 * wrench_link_6_my_1_2_5
-        + (wrench_link_6_mx_1_6 * wrench_link_6_mx_1_0_7
-            - wrench_link_6_my_1_6 * wrench_link_6_my_1_2_7);
+        + (wrench_link_6_mx_1_6 * velocities.velocity_link_6_vx
+            - wrench_link_6_my_1_6 * velocities.velocity_link_6_vz);
     let wrench_link_6_mz_1 = wrench_link_6_my_1_2 * wrench_link_6_my_1_2_3
         - wrench_link_6_mx_1_0 * wrench_link_6_my_1_2_1
-        + (wrench_link_6_my_1_6 * wrench_link_6_my_1_2_9
-            - wrench_link_6_mx_1_4 * wrench_link_6_mx_1_0_7);
+        + (wrench_link_6_my_1_6 * velocities.velocity_link_6_vy
+            - wrench_link_6_mx_1_4 * velocities.velocity_link_6_vx);
     let wrench_link_6_fx_1 = wrench_link_6_mx_1_4 * wrench_link_6_my_1_2_5
         - wrench_link_6_mx_1_6 * wrench_link_6_my_1_2_3;
     let wrench_link_6_fy_1 = wrench_link_6_mx_1_6 * wrench_link_6_my_1_2_1
@@ -5478,48 +4658,42 @@ fn common_forward_dynamics_inverse_dynamics(
     let minus_wrench_link_7_my_1 = velocities.velocity_link_7_wx + mu[0];
     let minus_wrench_link_7_mx_3 = velocities.velocity_link_7_wy + mu[1];
     let minus_wrench_link_7_mx_1 = velocities.velocity_link_7_wz + mu[2];
-    let minus_wrench_link_7_my_5 = velocities.velocity_link_7_vx
-        + wrench_base_mx_1_0_0_9_0;
-    let minus_wrench_link_7_mx_7 = velocities.velocity_link_7_vy
-        + wrench_base_my_1_0_2_7_0;
-    let minus_wrench_link_7_mx_5 = velocities.velocity_link_7_vz
-        + wrench_base_my_1_0_2_9_0;
     let minus_wrench_link_7_my_2 = inertias.inertia_link_7_xx * minus_wrench_link_7_my_1
         + inertias.inertia_link_7_xy * minus_wrench_link_7_mx_3
         + inertias.inertia_link_7_xz * minus_wrench_link_7_mx_1
-        - (inertias.minus_inertia_link_7_hy * minus_wrench_link_7_mx_5
-            + inertias.inertia_link_7_hz * minus_wrench_link_7_mx_7);
+        - (velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
+            + velocities.velocity_link_7_vy * inertias.inertia_link_7_hz);
     let minus_wrench_link_7_mx_0 = inertias.inertia_link_7_xy * minus_wrench_link_7_my_1
         + inertias.inertia_link_7_yy * minus_wrench_link_7_mx_3
         + inertias.inertia_link_7_yz * minus_wrench_link_7_mx_1
-        + (inertias.inertia_link_7_hz * minus_wrench_link_7_my_5
-            + inertias.minus_inertia_link_7_hx * minus_wrench_link_7_mx_5);
+        + (velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
+            + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hx);
     let minus_wrench_link_7_mx_2 = inertias.inertia_link_7_xz * minus_wrench_link_7_my_1
         + inertias.inertia_link_7_yz * minus_wrench_link_7_mx_3
         + inertias.inertia_link_7_zz * minus_wrench_link_7_mx_1
-        + (inertias.minus_inertia_link_7_hy * minus_wrench_link_7_my_5
-            - inertias.minus_inertia_link_7_hx * minus_wrench_link_7_mx_7);
-    let minus_wrench_link_7_my_6 = minus_wrench_link_7_my_5 * 2.0
+        + (velocities.velocity_link_7_vx * inertias.minus_inertia_link_7_hy
+            - velocities.velocity_link_7_vy * inertias.minus_inertia_link_7_hx);
+    let minus_wrench_link_7_my_6 = velocities.velocity_link_7_vx * 2.0
         + (minus_wrench_link_7_mx_3 * inertias.inertia_link_7_hz
             + minus_wrench_link_7_mx_1 * inertias.minus_inertia_link_7_hy);
-    let minus_wrench_link_7_mx_4 = minus_wrench_link_7_mx_7 * 2.0
+    let minus_wrench_link_7_mx_4 = velocities.velocity_link_7_vy * 2.0
         - (minus_wrench_link_7_mx_1 * inertias.minus_inertia_link_7_hx
             + minus_wrench_link_7_my_1 * inertias.inertia_link_7_hz);
-    let minus_wrench_link_7_mx_6 = minus_wrench_link_7_mx_5 * 2.0
+    let minus_wrench_link_7_mx_6 = velocities.velocity_link_7_vz * 2.0
         + (minus_wrench_link_7_mx_3 * inertias.minus_inertia_link_7_hx
             - minus_wrench_link_7_my_1 * inertias.minus_inertia_link_7_hy);
     let minus_wrench_link_7_mx = minus_wrench_link_7_mx_0 * minus_wrench_link_7_mx_1
         - minus_wrench_link_7_mx_2 * minus_wrench_link_7_mx_3
-        + (minus_wrench_link_7_mx_4 * minus_wrench_link_7_mx_5
-            - minus_wrench_link_7_mx_6 * minus_wrench_link_7_mx_7);
+        + (minus_wrench_link_7_mx_4 * velocities.velocity_link_7_vz
+            - minus_wrench_link_7_mx_6 * velocities.velocity_link_7_vy);
     let minus_wrench_link_7_my = minus_wrench_link_7_mx_2 * minus_wrench_link_7_my_1
         - minus_wrench_link_7_my_2 * minus_wrench_link_7_mx_1
-        + (minus_wrench_link_7_mx_6 * minus_wrench_link_7_my_5
-            - minus_wrench_link_7_my_6 * minus_wrench_link_7_mx_5);
+        + (minus_wrench_link_7_mx_6 * velocities.velocity_link_7_vx
+            - minus_wrench_link_7_my_6 * velocities.velocity_link_7_vz);
     let minus_wrench_link_7_mz = minus_wrench_link_7_my_2 * minus_wrench_link_7_mx_3
         - minus_wrench_link_7_mx_0 * minus_wrench_link_7_my_1
-        + (minus_wrench_link_7_my_6 * minus_wrench_link_7_mx_7
-            - minus_wrench_link_7_mx_4 * minus_wrench_link_7_my_5);
+        + (minus_wrench_link_7_my_6 * velocities.velocity_link_7_vy
+            - minus_wrench_link_7_mx_4 * velocities.velocity_link_7_vx);
     let minus_wrench_link_7_fx = minus_wrench_link_7_mx_4 * minus_wrench_link_7_mx_1
         - minus_wrench_link_7_mx_6 * minus_wrench_link_7_mx_3;
     let minus_wrench_link_7_fy = minus_wrench_link_7_mx_6 * minus_wrench_link_7_my_1
@@ -5537,16 +4711,16 @@ fn common_forward_dynamics_inverse_dynamics(
         - minus_wrench_link_7_my_1 * poses.minus_rotation_link_6_yy) * qd[6];
     let wrench_link_6_my_0_0_0_1_1_1 = (minus_wrench_link_7_mx_3
         * screws.screw_joint_7_vz - minus_wrench_link_7_mx_1 * screws.screw_joint_7_vy
-        + (minus_wrench_link_7_mx_7 * poses.rotation_link_6_zy
-            + minus_wrench_link_7_mx_5 * poses.minus_rotation_link_6_yy)) * qd[6];
+        + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
+            + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy)) * qd[6];
     let wrench_link_6_mx_0_0_0_1_1_1 = (minus_wrench_link_7_mx_1
         * screws.screw_joint_7_vx - minus_wrench_link_7_my_1 * screws.screw_joint_7_vz
-        - (minus_wrench_link_7_mx_5 * poses.minus_rotation_link_6_xy
-            + minus_wrench_link_7_my_5 * poses.rotation_link_6_zy)) * qd[6];
+        - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
+            + velocities.velocity_link_7_vx * poses.rotation_link_6_zy)) * qd[6];
     let wrench_link_6_mx_0_0_0_1_0_1 = (minus_wrench_link_7_my_1
         * screws.screw_joint_7_vy - minus_wrench_link_7_mx_3 * screws.screw_joint_7_vx
-        + (minus_wrench_link_7_mx_7 * poses.minus_rotation_link_6_xy
-            - minus_wrench_link_7_my_5 * poses.minus_rotation_link_6_yy)) * qd[6];
+        + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
+            - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy)) * qd[6];
     let wrench_link_5_mx_0_0_1_0_0_0_1 = (wrench_link_6_my_1_2_3
         * poses.rotation_link_6_zz + wrench_link_6_my_1_2_5 * poses.rotation_link_5_yy)
         * qd[5];
@@ -5557,16 +4731,16 @@ fn common_forward_dynamics_inverse_dynamics(
         + wrench_link_6_my_1_2_3 * poses.rotation_link_6_xz) * qd[5];
     let wrench_link_5_mx_0_0_1_1_1_1_1 = (wrench_link_6_my_1_2_3
         * screws.screw_joint_6_vz - wrench_link_6_my_1_2_5 * screws.screw_joint_6_vy
-        + (wrench_link_6_my_1_2_9 * poses.rotation_link_6_zz
-            + wrench_link_6_my_1_2_7 * poses.rotation_link_5_yy)) * qd[5];
+        + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
+            + velocities.velocity_link_6_vz * poses.rotation_link_5_yy)) * qd[5];
     let wrench_link_5_mx_0_0_1_1_1_0_1 = (wrench_link_6_my_1_2_5
         * screws.screw_joint_6_vx - wrench_link_6_my_1_2_1 * screws.screw_joint_6_vz
-        + (wrench_link_6_my_1_2_7 * poses.rotation_link_6_xz
-            - wrench_link_6_mx_1_0_7 * poses.rotation_link_6_zz)) * qd[5];
+        + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
+            - velocities.velocity_link_6_vx * poses.rotation_link_6_zz)) * qd[5];
     let wrench_link_5_mx_0_0_1_1_0_1 = (wrench_link_6_my_1_2_1 * screws.screw_joint_6_vy
         - wrench_link_6_my_1_2_3 * screws.screw_joint_6_vx
-        - (wrench_link_6_mx_1_0_7 * poses.rotation_link_5_yy
-            + wrench_link_6_my_1_2_9 * poses.rotation_link_6_xz)) * qd[5];
+        - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
+            + velocities.velocity_link_6_vy * poses.rotation_link_6_xz)) * qd[5];
     let wrench_link_4_mx_0_0_1_0_0_0_1 = (wrench_link_5_my_1_2_3
         * poses.rotation_link_5_zz + wrench_link_5_my_1_2_5 * poses.rotation_link_4_yy)
         * qd[4];
@@ -5577,16 +4751,16 @@ fn common_forward_dynamics_inverse_dynamics(
         - wrench_link_5_my_1_2_1 * poses.rotation_link_4_yy) * qd[4];
     let wrench_link_4_mx_0_0_1_1_1_1_1 = (wrench_link_5_my_1_2_3
         * screws.screw_joint_5_vz - wrench_link_5_my_1_2_5 * screws.screw_joint_5_vy
-        + (wrench_link_5_my_1_2_9 * poses.rotation_link_5_zz
-            + wrench_link_5_my_1_2_7 * poses.rotation_link_4_yy)) * qd[4];
+        + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
+            + velocities.velocity_link_5_vz * poses.rotation_link_4_yy)) * qd[4];
     let wrench_link_4_mx_0_0_1_1_1_0_1 = (wrench_link_5_my_1_2_5
         * screws.screw_joint_5_vx - wrench_link_5_my_1_2_1 * screws.screw_joint_5_vz
-        - (wrench_link_5_my_1_2_7 * poses.rotation_link_4_xy
-            + wrench_link_5_mx_1_0_7 * poses.rotation_link_5_zz)) * qd[4];
+        - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
+            + velocities.velocity_link_5_vx * poses.rotation_link_5_zz)) * qd[4];
     let wrench_link_4_mx_0_0_1_1_0_1 = (wrench_link_5_my_1_2_1 * screws.screw_joint_5_vy
         - wrench_link_5_my_1_2_3 * screws.screw_joint_5_vx
-        + (wrench_link_5_my_1_2_9 * poses.rotation_link_4_xy
-            - wrench_link_5_mx_1_0_7 * poses.rotation_link_4_yy)) * qd[4];
+        + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
+            - velocities.velocity_link_5_vx * poses.rotation_link_4_yy)) * qd[4];
     let wrench_link_3_mx_0_0_1_0_0_1_1 = (wrench_link_4_my_1_2_3
         * poses.minus_rotation_link_3_zy
         + wrench_link_4_my_1_2_5 * poses.rotation_link_3_yy) * qd[3];
@@ -5598,15 +4772,16 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_link_3_mx_0_0_1_1_1_1_1 = (wrench_link_4_my_1_2_5
         * screws.minus_screw_joint_4_vy
         - wrench_link_4_my_1_2_3 * screws.minus_screw_joint_4_vz
-        - (wrench_link_4_my_1_2_9 * poses.minus_rotation_link_3_zy
-            + wrench_link_4_my_1_2_7 * poses.rotation_link_3_yy)) * qd[3];
+        - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
+            + velocities.velocity_link_4_vz * poses.rotation_link_3_yy)) * qd[3];
     let wrench_link_3_mx_0_0_1_1_1_0_1 = (wrench_link_4_my_1_2_5
         * screws.screw_joint_4_vx
         + wrench_link_4_my_1_2_1 * screws.minus_screw_joint_4_vz
-        + (wrench_link_4_mx_1_0_7 * poses.minus_rotation_link_3_zy
-            - wrench_link_4_my_1_2_7 * poses.minus_rotation_link_3_xy)) * qd[3];
-    let wrench_link_3_mx_0_0_1_1_0_1 = (wrench_link_4_mx_1_0_7 * poses.rotation_link_3_yy
-        + wrench_link_4_my_1_2_9 * poses.minus_rotation_link_3_xy
+        + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
+            - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy)) * qd[3];
+    let wrench_link_3_mx_0_0_1_1_0_1 = (velocities.velocity_link_4_vx
+        * poses.rotation_link_3_yy
+        + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
         - (wrench_link_4_my_1_2_1 * screws.minus_screw_joint_4_vy
             + wrench_link_4_my_1_2_3 * screws.screw_joint_4_vx)) * qd[3];
     let wrench_link_2_mx_0_0_1_0_0_0_1 = (wrench_link_3_my_1_2_3 * poses.cos_joint_2
@@ -5619,16 +4794,16 @@ fn common_forward_dynamics_inverse_dynamics(
         - wrench_link_3_my_1_2_1 * poses.minus_rotation_link_2_yy) * qd[2];
     let wrench_link_2_mx_0_0_1_1_1_1_1 = (wrench_link_3_my_1_2_3
         * screws.screw_joint_3_vz - wrench_link_3_my_1_2_5 * screws.screw_joint_3_vy
-        + (wrench_link_3_my_1_2_9 * poses.cos_joint_2
-            + wrench_link_3_my_1_2_7 * poses.minus_rotation_link_2_yy)) * qd[2];
+        + (velocities.velocity_link_3_vy * poses.cos_joint_2
+            + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy)) * qd[2];
     let wrench_link_2_mx_0_0_1_1_1_0_1 = (wrench_link_3_my_1_2_5
         * screws.screw_joint_3_vx - wrench_link_3_my_1_2_1 * screws.screw_joint_3_vz
-        - (wrench_link_3_my_1_2_7 * poses.minus_rotation_link_2_xy
-            + wrench_link_3_mx_1_0_7 * poses.cos_joint_2)) * qd[2];
+        - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
+            + velocities.velocity_link_3_vx * poses.cos_joint_2)) * qd[2];
     let wrench_link_2_mx_0_0_1_1_0_1 = (wrench_link_3_my_1_2_1 * screws.screw_joint_3_vy
         - wrench_link_3_my_1_2_3 * screws.screw_joint_3_vx
-        + (wrench_link_3_my_1_2_9 * poses.minus_rotation_link_2_xy
-            - wrench_link_3_mx_1_0_7 * poses.minus_rotation_link_2_yy)) * qd[2];
+        + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
+            - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy)) * qd[2];
     let wrench_link_1_mx_0_0_1_0_0_0_1 = wrench_link_1_my_1_2_5 * poses.cos_joint_1
         * qd[1];
     let wrench_link_1_mx_0_0_1_0_0_1_1 = wrench_link_1_my_1_2_5 * poses.sin_joint_1
@@ -5637,22 +4812,22 @@ fn common_forward_dynamics_inverse_dynamics(
         + wrench_link_2_my_1_2_3 * poses.sin_joint_1) * qd[1];
     let wrench_link_1_mx_0_0_1_1_1_1_1 = (wrench_link_2_my_1_2_3
         * screws.screw_joint_2_vz - wrench_link_1_my_1_2_5 * screws.screw_joint_2_vy
-        + wrench_link_2_my_1_2_7 * poses.cos_joint_1) * qd[1];
+        + velocities.velocity_link_2_vz * poses.cos_joint_1) * qd[1];
     let wrench_link_1_mx_0_0_1_1_1_0_1 = (wrench_link_1_my_1_2_5
         * screws.screw_joint_2_vx - wrench_link_2_my_1_2_1 * screws.screw_joint_2_vz
-        + wrench_link_2_my_1_2_7 * poses.sin_joint_1) * qd[1];
+        + velocities.velocity_link_2_vz * poses.sin_joint_1) * qd[1];
     let wrench_link_1_mx_0_0_1_1_0_1 = (wrench_link_2_my_1_2_1 * screws.screw_joint_2_vy
         - wrench_link_2_my_1_2_3 * screws.screw_joint_2_vx
-        - (wrench_link_2_mx_1_0_7 * poses.cos_joint_1
-            + wrench_link_2_my_1_2_9 * poses.sin_joint_1)) * qd[1];
+        - (velocities.velocity_link_2_vx * poses.cos_joint_1
+            + velocities.velocity_link_2_vy * poses.sin_joint_1)) * qd[1];
     let wrench_base_mx_0_0_1_0_0_1 = wrench_base_my_1_0_2_3 * qd[0];
     let wrench_base_mx_0_0_1_0_1_1 = wrench_base_my_1_0_2_1 * qd[0];
-    let wrench_base_mx_0_0_1_1_1_1_1 = (wrench_link_1_my_1_2_9
-        - wrench_link_1_my_1_2_5 * poses.com_x) * qd[0];
-    let wrench_base_mx_0_0_1_1_1_0_1 = (wrench_link_1_my_1_2_5 * poses.com_y
-        + wrench_link_1_mx_1_0_7) * qd[0];
-    let wrench_base_mx_0_0_1_1_0_1 = (wrench_base_my_1_0_2_1 * poses.com_x
-        + wrench_base_my_1_0_2_3 * poses.com_y) * qd[0];
+    let wrench_base_mx_0_0_1_1_1_1_1 = (velocities.velocity_link_1_vy
+        - wrench_link_1_my_1_2_5 * poses.minus_origin_base_x) * qd[0];
+    let wrench_base_mx_0_0_1_1_1_0_1 = (wrench_link_1_my_1_2_5
+        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
+    let wrench_base_mx_0_0_1_1_0_1 = (wrench_base_my_1_0_2_1 * poses.minus_origin_base_x
+        + wrench_base_my_1_0_2_3 * poses.minus_origin_base_y) * qd[0];
     CommonForwardDynamicsInverseDynamics {
         wrench_base_mx_1_0,
         wrench_base_my_1_0,
@@ -6137,7 +5312,7 @@ fn d_mu_itself(
     d_mu[0][4] = d_mu_0_0_1 + 0.0;
     d_mu[0][5] = d_mu_0_0_3 + 0.0;
     let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
     let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
@@ -6291,7 +5466,7 @@ fn d_mu_itself(
     d_mu[1][3] = d_mu_1_1_3 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_0_1_4;
     d_mu[1][5] = d_mu_0_1_2 + 0.0;
-    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
     let d_mu_6_1_15 = d_mu_6_0_15_6 * screws.connection_joint_1_wz
         - d_mu_6_0_17_0 * screws.connection_joint_1_wy
@@ -6694,6 +5869,4266 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 7]; 7]) {
     b2[6][5] = b2_6_5 + 0.0;
     b2[6][6] = 0.0;
 }
+use d_qdot_itself::*;
+mod d_qdot_itself {
+    #[allow(unused_imports, reason = "not every block stands on others")]
+    use super::*;
+    /// What only `d_qdot` computes.
+    pub(super) struct DQdotItself {
+        pub(super) factor_outside_link_1_yz_0_2: f64,
+        pub(super) factor_outside_link_1_zy_0: f64,
+        pub(super) factor_outside_link_1_zx_3: f64,
+        pub(super) factor_outside_link_1_yz_0: f64,
+        pub(super) factor_outside_link_1_xz_3: f64,
+        pub(super) factor_outside_link_1_yy_2: f64,
+        pub(super) factor_outside_link_1_zz_1: f64,
+        pub(super) factor_outside_link_1_xx_3: f64,
+        pub(super) factor_outside_link_1_xx_0: f64,
+        pub(super) factor_outside_link_1_xx_1: f64,
+        pub(super) factor_outside_link_1_xx: f64,
+        pub(super) factor_outside_link_1_xy: f64,
+        pub(super) factor_outside_link_1_xz_0: f64,
+        pub(super) factor_outside_link_1_xz: f64,
+        pub(super) factor_outside_link_1_yx: f64,
+    }
+    /// What only `d_qdot` computes.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself(
+        qd: &[f64; 7],
+        poses: &Poses,
+        inertias: &Inertias,
+        screws: &Screws,
+        velocities: &Velocities,
+        common_d_mu_and_7_more: &CommonDMuAnd7More,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItself {
+        let d_qdot_0_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+        let d_qdot_0_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
+        let d_qdot_0_0_0 = d_qdot_0_0_0_1 + d_qdot_0_0_0_1;
+        let d_qdot_0_0_17_1_0 = (screws.inside_joint_2_fz * qd[1]
+            + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
+            + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
+            + screws.inside_joint_7_fz * qd[6]) * 0.5;
+        let d_qdot_0_0_17_0_0 = (screws.inside_joint_1_fy * qd[0]
+            + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
+            + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
+            + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6]) * 0.5;
+        let d_qdot_0_0_17_1 = d_qdot_0_0_17_1_0 * poses.com_z;
+        let d_qdot_0_0_17_0 = d_qdot_0_0_17_0_0 * poses.com_y;
+        let d_qdot_0_0_17 = d_qdot_0_0_17_0 + d_qdot_0_0_17_1;
+        // D_q\u{307} column 0
+        d_qdot[0][0] = ((d_qdot_0_0_0 - d_qdot_0_0_1) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * 0.5
+            + d_qdot_0_0_17 + d_qdot_0_0_17 + 0.0;
+        let d_qdot_1_0_0 = ((inertias.composite_link_1_xx - inertias.composite_link_1_yy
+            - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
+            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6]) * 0.5;
+        let d_qdot_1_0_1_0 = (screws.inside_joint_2_fx * qd[1]
+            - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
+            + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
+            + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6]) * 0.5;
+        let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.com_y;
+        let d_qdot_1_0_2 = d_qdot_0_0_17_0_0 * poses.com_x;
+        d_qdot[0][1] = d_qdot_1_0_0 - d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
+        let d_qdot_2_0_0 = (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
+            - screws.inside_joint_1_my * qd[0]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6]) * 0.5;
+        let d_qdot_2_0_1 = d_qdot_1_0_1_0 * poses.com_z;
+        let d_qdot_2_0_2 = d_qdot_0_0_17_1_0 * poses.com_x;
+        d_qdot[0][2] = d_qdot_2_0_0 - d_qdot_2_0_1 - d_qdot_2_0_2 + 0.0;
+        d_qdot[0][3] = 0.0;
+        d_qdot[0][4] = 0.0 - d_qdot_0_0_17_1_0;
+        d_qdot[0][5] = d_qdot_0_0_17_0_0 + 0.0;
+        d_qdot[0][6] = 0.0;
+        d_qdot[0][7] = 0.0;
+        d_qdot[0][8] = 0.0;
+        d_qdot[0][9] = 0.0;
+        d_qdot[0][10] = 0.0;
+        d_qdot[0][11] = 0.0;
+        d_qdot[0][12] = 0.0;
+        // D_q\u{307} column 1
+        d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 - d_qdot_1_0_1 + 0.0;
+        let d_qdot_1_1_1_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+        let d_qdot_1_1_1 = d_qdot_1_1_1_1 + d_qdot_1_1_1_1;
+        let d_qdot_1_1_17_0 = d_qdot_1_0_1_0 * poses.com_x;
+        let d_qdot_1_1_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_1;
+        d_qdot[1][1] = ((d_qdot_0_0_1 - d_qdot_1_1_1) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * 0.5
+            + d_qdot_1_1_17 + d_qdot_1_1_17 + 0.0;
+        let d_qdot_2_1_0 = (screws.inside_joint_1_mx * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
+            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6]) * 0.5;
+        let d_qdot_2_1_1 = d_qdot_0_0_17_0_0 * poses.com_z;
+        let d_qdot_2_1_2 = d_qdot_0_0_17_1_0 * poses.com_y;
+        d_qdot[1][2] = d_qdot_2_1_0 - d_qdot_2_1_1 - d_qdot_2_1_2 + 0.0;
+        d_qdot[1][3] = d_qdot_0_0_17_1_0 + 0.0;
+        d_qdot[1][4] = 0.0;
+        d_qdot[1][5] = 0.0 - d_qdot_1_0_1_0;
+        d_qdot[1][6] = 0.0;
+        d_qdot[1][7] = 0.0;
+        d_qdot[1][8] = 0.0;
+        d_qdot[1][9] = 0.0;
+        d_qdot[1][10] = 0.0;
+        d_qdot[1][11] = 0.0;
+        d_qdot[1][12] = 0.0;
+        // D_q\u{307} column 2
+        d_qdot[2][0] = d_qdot_2_0_0 - d_qdot_2_0_2 - d_qdot_2_0_1 + 0.0;
+        d_qdot[2][1] = d_qdot_2_1_0 - d_qdot_2_1_2 - d_qdot_2_1_1 + 0.0;
+        let d_qdot_2_2_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_0;
+        d_qdot[2][2] = ((d_qdot_0_0_0 - d_qdot_1_1_1) * qd[0]
+            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
+            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
+            - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
+            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
+            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
+            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * 0.5
+            + d_qdot_2_2_17 + d_qdot_2_2_17 + 0.0;
+        d_qdot[2][3] = 0.0 - d_qdot_0_0_17_0_0;
+        d_qdot[2][4] = d_qdot_1_0_1_0 + 0.0;
+        d_qdot[2][5] = 0.0;
+        d_qdot[2][6] = 0.0;
+        d_qdot[2][7] = 0.0;
+        d_qdot[2][8] = 0.0;
+        d_qdot[2][9] = 0.0;
+        d_qdot[2][10] = 0.0;
+        d_qdot[2][11] = 0.0;
+        d_qdot[2][12] = 0.0;
+        // D_q\u{307} column 3
+        d_qdot[3][0] = 0.0;
+        d_qdot[3][1] = d_qdot_0_0_17_1_0 + 0.0;
+        d_qdot[3][2] = 0.0 - d_qdot_0_0_17_0_0;
+        d_qdot[3][3] = 0.0;
+        d_qdot[3][4] = 0.0;
+        d_qdot[3][5] = 0.0;
+        d_qdot[3][6] = 0.0;
+        d_qdot[3][7] = 0.0;
+        d_qdot[3][8] = 0.0;
+        d_qdot[3][9] = 0.0;
+        d_qdot[3][10] = 0.0;
+        d_qdot[3][11] = 0.0;
+        d_qdot[3][12] = 0.0;
+        // D_q\u{307} column 4
+        d_qdot[4][0] = 0.0 - d_qdot_0_0_17_1_0;
+        d_qdot[4][1] = 0.0;
+        d_qdot[4][2] = d_qdot_1_0_1_0 + 0.0;
+        d_qdot[4][3] = 0.0;
+        d_qdot[4][4] = 0.0;
+        d_qdot[4][5] = 0.0;
+        d_qdot[4][6] = 0.0;
+        d_qdot[4][7] = 0.0;
+        d_qdot[4][8] = 0.0;
+        d_qdot[4][9] = 0.0;
+        d_qdot[4][10] = 0.0;
+        d_qdot[4][11] = 0.0;
+        d_qdot[4][12] = 0.0;
+        // D_q\u{307} column 5
+        d_qdot[5][0] = d_qdot_0_0_17_0_0 + 0.0;
+        d_qdot[5][1] = 0.0 - d_qdot_1_0_1_0;
+        d_qdot[5][2] = 0.0;
+        d_qdot[5][3] = 0.0;
+        d_qdot[5][4] = 0.0;
+        d_qdot[5][5] = 0.0;
+        d_qdot[5][6] = 0.0;
+        d_qdot[5][7] = 0.0;
+        d_qdot[5][8] = 0.0;
+        d_qdot[5][9] = 0.0;
+        d_qdot[5][10] = 0.0;
+        d_qdot[5][11] = 0.0;
+        d_qdot[5][12] = 0.0;
+        // D_q\u{307} column joint_1
+        d_qdot[6][0] = 0.0;
+        d_qdot[6][1] = 0.0;
+        d_qdot[6][2] = 0.0;
+        d_qdot[6][3] = 0.0;
+        d_qdot[6][4] = 0.0;
+        d_qdot[6][5] = 0.0;
+        let factor_outside_link_1_yz_0_1 = (inertias.inertia_base_xx
+            + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
+        let factor_outside_link_1_yz_0_2 = inertias.minus_inertia_base_xy
+            * velocities.minus_velocity_base_wy;
+        let factor_outside_link_1_zy_0 = inertias.minus_inertia_base_xz
+            * velocities.minus_velocity_base_wz;
+        let factor_outside_link_1_xz_3_2 = inertias.minus_inertia_base_xy
+            * velocities.minus_velocity_base_wx;
+        let factor_outside_link_1_zx_3 = inertias.minus_inertia_base_yz
+            * velocities.minus_velocity_base_wz;
+        let factor_outside_link_1_xy_4 = inertias.minus_inertia_base_xz
+            * velocities.minus_velocity_base_wx;
+        let factor_outside_link_1_yx_0 = inertias.minus_inertia_base_yz
+            * velocities.minus_velocity_base_wy;
+        let factor_outside_link_1_yz_0 = velocities.minus_velocity_base_wx
+            * factor_outside_link_1_yz_0_1
+            + (factor_outside_link_1_yz_0_2
+                - inertias.inertia_base_xx * velocities.minus_velocity_base_wx
+                + factor_outside_link_1_zy_0);
+        let factor_outside_link_1_xz_3 = velocities.minus_velocity_base_wy
+            * factor_outside_link_1_yz_0_1
+            + (factor_outside_link_1_xz_3_2
+                - inertias.inertia_base_yy * velocities.minus_velocity_base_wy
+                + factor_outside_link_1_zx_3);
+        let factor_outside_link_1_xy_5 = velocities.minus_velocity_base_wz
+            * factor_outside_link_1_yz_0_1
+            + (factor_outside_link_1_xy_4 + factor_outside_link_1_yx_0
+                - inertias.inertia_base_zz * velocities.minus_velocity_base_wz);
+        let factor_outside_link_1_xx_2 = inertias.minus_inertia_base_hx
+            * velocities.velocity_base_vx;
+        let factor_outside_link_1_yy_2 = inertias.minus_inertia_base_hy
+            * velocities.minus_velocity_base_vy;
+        let factor_outside_link_1_zz_1 = inertias.minus_inertia_base_hz
+            * velocities.minus_velocity_base_vz;
+        let factor_outside_link_1_xx_3 = factor_outside_link_1_yy_2
+            - factor_outside_link_1_xx_2 + factor_outside_link_1_zz_1;
+        let factor_outside_link_1_xx_0 = velocities.minus_velocity_base_wy
+            * inertias.minus_inertia_base_xz;
+        let factor_outside_link_1_xx_1 = velocities.minus_velocity_base_wz
+            * inertias.minus_inertia_base_xy;
+        let factor_outside_link_1_xx = factor_outside_link_1_xx_0
+            - factor_outside_link_1_xx_1 + factor_outside_link_1_xx_2
+            + factor_outside_link_1_xx_3;
+        let factor_outside_link_1_xy = velocities.velocity_base_vx
+            * inertias.minus_inertia_base_hy
+            - (velocities.minus_velocity_base_wz * inertias.inertia_base_xx
+                + factor_outside_link_1_xy_4) + factor_outside_link_1_xy_5;
+        let factor_outside_link_1_xz_0 = factor_outside_link_1_xz_3_2
+            + velocities.minus_velocity_base_wy * inertias.inertia_base_xx;
+        let factor_outside_link_1_xz = factor_outside_link_1_xz_0
+            + velocities.velocity_base_vx * inertias.minus_inertia_base_hz
+            - factor_outside_link_1_xz_3;
+        let factor_outside_link_1_yx = factor_outside_link_1_yx_0
+            + velocities.minus_velocity_base_wz * inertias.inertia_base_yy
+            - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
+            - factor_outside_link_1_xy_5;
+        DQdotItself {
+            factor_outside_link_1_yz_0_2,
+            factor_outside_link_1_zy_0,
+            factor_outside_link_1_zx_3,
+            factor_outside_link_1_yz_0,
+            factor_outside_link_1_xz_3,
+            factor_outside_link_1_yy_2,
+            factor_outside_link_1_zz_1,
+            factor_outside_link_1_xx_3,
+            factor_outside_link_1_xx_0,
+            factor_outside_link_1_xx_1,
+            factor_outside_link_1_xx,
+            factor_outside_link_1_xy,
+            factor_outside_link_1_xz_0,
+            factor_outside_link_1_xz,
+            factor_outside_link_1_yx,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromFactorOutsideLink1Yy1 {
+        pub(super) factor_outside_link_1_yy: f64,
+        pub(super) factor_outside_link_1_yz_1: f64,
+        pub(super) factor_outside_link_1_yz: f64,
+        pub(super) factor_outside_link_1_zx: f64,
+        pub(super) factor_outside_link_1_zy: f64,
+        pub(super) factor_outside_link_1_zz_0: f64,
+        pub(super) factor_outside_link_1_zz: f64,
+        pub(super) factor_outside_link_1_px_2: f64,
+        pub(super) factor_outside_link_1_py_2: f64,
+        pub(super) factor_outside_link_1_px: f64,
+        pub(super) factor_outside_link_1_py: f64,
+        pub(super) factor_outside_link_1_pz: f64,
+        pub(super) factor_link_1_xx_0: f64,
+        pub(super) factor_link_1_xy_0: f64,
+        pub(super) factor_link_1_xz_0: f64,
+        pub(super) factor_link_1_yx_0: f64,
+        pub(super) factor_link_1_yy_0: f64,
+        pub(super) factor_link_1_yz_0: f64,
+        pub(super) factor_link_1_zx_0: f64,
+        pub(super) factor_link_1_zy_0: f64,
+        pub(super) factor_link_1_zz_0: f64,
+        pub(super) factor_link_2_xx_0: f64,
+        pub(super) factor_link_2_xy_0: f64,
+        pub(super) factor_link_2_xz_0: f64,
+        pub(super) factor_link_2_yx_0: f64,
+        pub(super) factor_link_2_yy_0: f64,
+        pub(super) factor_link_2_yz_0: f64,
+        pub(super) factor_link_2_zx_0: f64,
+        pub(super) factor_link_2_zy_0: f64,
+        pub(super) factor_link_2_zz_0: f64,
+        pub(super) factor_link_3_xx_0: f64,
+        pub(super) factor_link_3_xy_0: f64,
+        pub(super) factor_link_3_xz_0: f64,
+        pub(super) factor_link_3_yx_0: f64,
+        pub(super) factor_link_3_yy_0: f64,
+        pub(super) factor_link_3_yz_0: f64,
+        pub(super) factor_link_3_zx_0: f64,
+        pub(super) factor_link_3_zy_0: f64,
+        pub(super) factor_link_3_zz_0: f64,
+        pub(super) factor_link_4_yz_0_5_4: f64,
+        pub(super) factor_link_4_yz_0_5_5: f64,
+        pub(super) factor_link_4_xz_0_5_5: f64,
+        pub(super) factor_link_4_yz_0_5: f64,
+        pub(super) factor_link_4_xz_0_5: f64,
+        pub(super) factor_link_4_xx_0_3_0: f64,
+        pub(super) factor_link_4_xx_0_3_2: f64,
+        pub(super) factor_link_4_xx_0_3: f64,
+        pub(super) factor_link_4_xx_0_0: f64,
+        pub(super) factor_link_4_xx_0_1: f64,
+        pub(super) factor_link_4_xx_0: f64,
+        pub(super) factor_link_4_xy_0: f64,
+        pub(super) factor_link_4_xz_0: f64,
+        pub(super) factor_link_4_yx_0: f64,
+        pub(super) factor_link_4_yy_0_1: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_factor_outside_link_1_yy_1(
+        inertias: &Inertias,
+        velocities: &Velocities,
+        d_qdot_itself: &DQdotItself,
+    ) -> DQdotItselfFromFactorOutsideLink1Yy1 {
+        let factor_outside_link_1_yy_1 = velocities.minus_velocity_base_wx
+            * inertias.minus_inertia_base_yz;
+        let factor_outside_link_1_yy = d_qdot_itself.factor_outside_link_1_xx_1
+            - factor_outside_link_1_yy_1 - d_qdot_itself.factor_outside_link_1_yy_2
+            + d_qdot_itself.factor_outside_link_1_xx_3;
+        let factor_outside_link_1_yz_1 = velocities.minus_velocity_base_wx
+            * inertias.inertia_base_yy + d_qdot_itself.factor_outside_link_1_yz_0_2;
+        let factor_outside_link_1_yz = d_qdot_itself.factor_outside_link_1_yz_0
+            - (factor_outside_link_1_yz_1
+                + velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
+        let factor_outside_link_1_zx = d_qdot_itself.factor_outside_link_1_xz_3
+            - (velocities.minus_velocity_base_wy * inertias.inertia_base_zz
+                + d_qdot_itself.factor_outside_link_1_zx_3
+                + velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
+        let factor_outside_link_1_zy = d_qdot_itself.factor_outside_link_1_zy_0
+            + velocities.minus_velocity_base_wx * inertias.inertia_base_zz
+            - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hy
+            - d_qdot_itself.factor_outside_link_1_yz_0;
+        let factor_outside_link_1_zz_0 = factor_outside_link_1_yy_1
+            - d_qdot_itself.factor_outside_link_1_xx_0;
+        let factor_outside_link_1_zz = factor_outside_link_1_zz_0
+            - d_qdot_itself.factor_outside_link_1_zz_1
+            + d_qdot_itself.factor_outside_link_1_xx_3;
+        let factor_outside_link_1_px_2 = velocities.minus_velocity_base_wy
+            * inertias.minus_inertia_base_hz;
+        let factor_outside_link_1_py_2 = velocities.minus_velocity_base_wx
+            * inertias.minus_inertia_base_hz;
+        let factor_outside_link_1_px = velocities.velocity_base_vx * 3.5
+            + (factor_outside_link_1_px_2
+                - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy);
+        let factor_outside_link_1_py = velocities.minus_velocity_base_wz
+            * inertias.minus_inertia_base_hx - factor_outside_link_1_py_2
+            - velocities.minus_velocity_base_vy * 3.5;
+        let factor_outside_link_1_pz = velocities.minus_velocity_base_wx
+            * inertias.minus_inertia_base_hy
+            - velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hx
+            - velocities.minus_velocity_base_vz * 3.5;
+        let factor_link_1_yz_0_5_1 = (inertias.inertia_link_1_xx
+            + inertias.inertia_link_1_yy + inertias.inertia_link_1_zz) * 0.5;
+        let factor_link_1_yz_0_5_5 = inertias.inertia_link_1_xy
+            * velocities.minus_velocity_base_wy;
+        let factor_link_1_yz_0_5_2 = inertias.inertia_link_1_xz
+            * velocities.velocity_link_1_wz;
+        let factor_link_1_xz_0_5_0 = inertias.inertia_link_1_xy
+            * velocities.minus_velocity_base_wx;
+        let factor_link_1_xz_0_5_3 = inertias.minus_inertia_link_1_yz
+            * velocities.velocity_link_1_wz;
+        let factor_link_1_xy_0_5_3 = inertias.inertia_link_1_xz
+            * velocities.minus_velocity_base_wx;
+        let factor_link_1_xy_0_5_2 = inertias.minus_inertia_link_1_yz
+            * velocities.minus_velocity_base_wy;
+        let factor_link_1_yz_0_5 = velocities.minus_velocity_base_wx
+            * factor_link_1_yz_0_5_1
+            + (factor_link_1_yz_0_5_2
+                - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
+                    + factor_link_1_yz_0_5_5));
+        let factor_link_1_xz_0_5 = factor_link_1_xz_0_5_0
+            + inertias.inertia_link_1_yy * velocities.minus_velocity_base_wy
+            + factor_link_1_xz_0_5_3
+            - velocities.minus_velocity_base_wy * factor_link_1_yz_0_5_1;
+        let factor_link_1_xy_0_5 = velocities.velocity_link_1_wz * factor_link_1_yz_0_5_1
+            - (factor_link_1_xy_0_5_2 - factor_link_1_xy_0_5_3
+                + inertias.inertia_link_1_zz * velocities.velocity_link_1_wz);
+        let factor_link_1_xx_0_3_1 = inertias.minus_inertia_link_1_hx
+            * velocities.velocity_link_1_vx;
+        let factor_link_1_xx_0_3_0 = inertias.inertia_link_1_hy
+            * velocities.velocity_link_1_vy;
+        let factor_link_1_xx_0_3_2 = inertias.inertia_link_1_hz
+            * velocities.minus_velocity_base_vz;
+        let factor_link_1_xx_0_3 = factor_link_1_xx_0_3_0 - factor_link_1_xx_0_3_1
+            - factor_link_1_xx_0_3_2;
+        let factor_link_1_xx_0_1 = velocities.minus_velocity_base_wy
+            * inertias.inertia_link_1_xz;
+        let factor_link_1_xx_0_2 = velocities.velocity_link_1_wz
+            * inertias.inertia_link_1_xy;
+        let factor_link_1_xx_0 = factor_link_1_xx_0_3_1
+            - (factor_link_1_xx_0_1 + factor_link_1_xx_0_2) + factor_link_1_xx_0_3;
+        let factor_link_1_xy_0 = velocities.velocity_link_1_wz
+            * inertias.inertia_link_1_xx + factor_link_1_xy_0_5_3
+            - velocities.velocity_link_1_vx * inertias.inertia_link_1_hy
+            - factor_link_1_xy_0_5;
+        let factor_link_1_xz_0 = velocities.minus_velocity_base_wy
+            * inertias.inertia_link_1_xx - factor_link_1_xz_0_5_0
+            - velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
+            + factor_link_1_xz_0_5;
+        let factor_link_1_yx_0 = factor_link_1_xy_0_5_2
+            - velocities.velocity_link_1_wz * inertias.inertia_link_1_yy
+            + velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
+            + factor_link_1_xy_0_5;
+        let factor_link_1_yy_0_1 = velocities.minus_velocity_base_wx
+            * inertias.minus_inertia_link_1_yz;
+        let factor_link_1_yy_0 = factor_link_1_xx_0_2 - factor_link_1_yy_0_1
+            - factor_link_1_xx_0_3_0 + factor_link_1_xx_0_3;
+        let factor_link_1_yz_0 = factor_link_1_yz_0_5_5
+            - velocities.minus_velocity_base_wx * inertias.inertia_link_1_yy
+            - velocities.velocity_link_1_vy * inertias.inertia_link_1_hz
+            + factor_link_1_yz_0_5;
+        let factor_link_1_zx_0 = factor_link_1_xz_0_5_3
+            - velocities.minus_velocity_base_wy * inertias.inertia_link_1_zz
+            - velocities.minus_velocity_base_vz * inertias.minus_inertia_link_1_hx
+            - factor_link_1_xz_0_5;
+        let factor_link_1_zy_0 = factor_link_1_yz_0_5_2
+            + velocities.minus_velocity_base_wx * inertias.inertia_link_1_zz
+            + velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
+            - factor_link_1_yz_0_5;
+        let factor_link_1_zz_0 = factor_link_1_yy_0_1 + factor_link_1_xx_0_1
+            + factor_link_1_xx_0_3_2 + factor_link_1_xx_0_3;
+        let factor_link_2_yz_0_5_1 = (inertias.inertia_link_2_xx
+            + inertias.inertia_link_2_yy + inertias.inertia_link_2_zz) * 0.5;
+        let factor_link_2_yz_0_5_4 = inertias.inertia_link_2_xy
+            * velocities.minus_velocity_link_2_wy;
+        let factor_link_2_yz_0_5_5 = inertias.inertia_link_2_xz
+            * velocities.velocity_link_1_wz;
+        let factor_link_2_xz_0_5_2 = inertias.inertia_link_2_xy
+            * velocities.velocity_link_2_wx;
+        let factor_link_2_xz_0_5_5 = inertias.inertia_link_2_yz
+            * velocities.velocity_link_1_wz;
+        let factor_link_2_xy_0_5_2 = inertias.inertia_link_2_xz
+            * velocities.velocity_link_2_wx;
+        let factor_link_2_xy_0_5_3 = inertias.inertia_link_2_yz
+            * velocities.minus_velocity_link_2_wy;
+        let factor_link_2_yz_0_5 = velocities.velocity_link_2_wx * factor_link_2_yz_0_5_1
+            - (inertias.inertia_link_2_xx * velocities.velocity_link_2_wx
+                - factor_link_2_yz_0_5_4 + factor_link_2_yz_0_5_5);
+        let factor_link_2_xz_0_5 = velocities.minus_velocity_link_2_wy
+            * factor_link_2_yz_0_5_1
+            + (factor_link_2_xz_0_5_2
+                - inertias.inertia_link_2_yy * velocities.minus_velocity_link_2_wy
+                + factor_link_2_xz_0_5_5);
+        let factor_link_2_xy_0_5 = velocities.velocity_link_1_wz * factor_link_2_yz_0_5_1
+            - (factor_link_2_xy_0_5_2 - factor_link_2_xy_0_5_3
+                + inertias.inertia_link_2_zz * velocities.velocity_link_1_wz);
+        let factor_link_2_xx_0_0_0 = inertias.inertia_link_2_hx
+            * velocities.velocity_link_2_vx;
+        let factor_link_2_xx_0_0_1 = inertias.minus_inertia_link_2_hy
+            * velocities.velocity_link_2_vy;
+        let factor_link_2_xx_0_0_2 = inertias.inertia_link_2_hz
+            * velocities.velocity_link_2_vz;
+        let factor_link_2_xx_0_0 = factor_link_2_xx_0_0_0 - factor_link_2_xx_0_0_1
+            + factor_link_2_xx_0_0_2;
+        let factor_link_2_xx_0_1 = velocities.minus_velocity_link_2_wy
+            * inertias.inertia_link_2_xz;
+        let factor_link_2_xx_0_2 = velocities.velocity_link_1_wz
+            * inertias.inertia_link_2_xy;
+        let factor_link_2_xx_0 = factor_link_2_xx_0_0
+            - (factor_link_2_xx_0_1 + factor_link_2_xx_0_2 + factor_link_2_xx_0_0_0);
+        let factor_link_2_xy_0 = velocities.velocity_link_1_wz
+            * inertias.inertia_link_2_xx - factor_link_2_xy_0_5_2
+            + velocities.velocity_link_2_vx * inertias.minus_inertia_link_2_hy
+            - factor_link_2_xy_0_5;
+        let factor_link_2_xz_0 = factor_link_2_xz_0_5_2
+            + velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_xx
+            - velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
+            - factor_link_2_xz_0_5;
+        let factor_link_2_yx_0 = factor_link_2_xy_0_5
+            - (factor_link_2_xy_0_5_3
+                + velocities.velocity_link_1_wz * inertias.inertia_link_2_yy
+                + velocities.velocity_link_2_vy * inertias.inertia_link_2_hx);
+        let factor_link_2_yy_0_1 = velocities.velocity_link_2_wx
+            * inertias.inertia_link_2_yz;
+        let factor_link_2_yy_0 = factor_link_2_xx_0_2 - factor_link_2_yy_0_1
+            + factor_link_2_xx_0_0_1 + factor_link_2_xx_0_0;
+        let factor_link_2_yz_0 = velocities.velocity_link_2_wx
+            * inertias.inertia_link_2_yy + factor_link_2_yz_0_5_4
+            - velocities.velocity_link_2_vy * inertias.inertia_link_2_hz
+            - factor_link_2_yz_0_5;
+        let factor_link_2_zx_0 = factor_link_2_xz_0_5
+            - (velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_zz
+                + factor_link_2_xz_0_5_5
+                + velocities.velocity_link_2_vz * inertias.inertia_link_2_hx);
+        let factor_link_2_zy_0 = factor_link_2_yz_0_5_5
+            - velocities.velocity_link_2_wx * inertias.inertia_link_2_zz
+            + velocities.velocity_link_2_vz * inertias.minus_inertia_link_2_hy
+            + factor_link_2_yz_0_5;
+        let factor_link_2_zz_0 = factor_link_2_yy_0_1 + factor_link_2_xx_0_1
+            - factor_link_2_xx_0_0_2 + factor_link_2_xx_0_0;
+        let factor_link_3_yz_0_5_1 = (inertias.inertia_link_3_xx
+            + inertias.inertia_link_3_yy + inertias.inertia_link_3_zz) * 0.5;
+        let factor_link_3_yz_0_5_4 = inertias.inertia_link_3_xy
+            * velocities.minus_velocity_link_3_wy;
+        let factor_link_3_yz_0_5_5 = inertias.inertia_link_3_xz
+            * velocities.velocity_link_3_wz;
+        let factor_link_3_xz_0_5_2 = inertias.inertia_link_3_xy
+            * velocities.velocity_link_3_wx;
+        let factor_link_3_xz_0_5_5 = inertias.inertia_link_3_yz
+            * velocities.velocity_link_3_wz;
+        let factor_link_3_xy_0_5_2 = inertias.inertia_link_3_xz
+            * velocities.velocity_link_3_wx;
+        let factor_link_3_xy_0_5_3 = inertias.inertia_link_3_yz
+            * velocities.minus_velocity_link_3_wy;
+        let factor_link_3_yz_0_5 = velocities.velocity_link_3_wx * factor_link_3_yz_0_5_1
+            - (inertias.inertia_link_3_xx * velocities.velocity_link_3_wx
+                - factor_link_3_yz_0_5_4 + factor_link_3_yz_0_5_5);
+        let factor_link_3_xz_0_5 = velocities.minus_velocity_link_3_wy
+            * factor_link_3_yz_0_5_1
+            + (factor_link_3_xz_0_5_2
+                - inertias.inertia_link_3_yy * velocities.minus_velocity_link_3_wy
+                + factor_link_3_xz_0_5_5);
+        let factor_link_3_xy_0_5 = velocities.velocity_link_3_wz * factor_link_3_yz_0_5_1
+            - (factor_link_3_xy_0_5_2 - factor_link_3_xy_0_5_3
+                + inertias.inertia_link_3_zz * velocities.velocity_link_3_wz);
+        let factor_link_3_xx_0_0_0 = inertias.inertia_link_3_hx
+            * velocities.velocity_link_3_vx;
+        let factor_link_3_xx_0_0_1 = inertias.minus_inertia_link_3_hy
+            * velocities.velocity_link_3_vy;
+        let factor_link_3_xx_0_0_2 = inertias.inertia_link_3_hz
+            * velocities.velocity_link_3_vz;
+        let factor_link_3_xx_0_0 = factor_link_3_xx_0_0_0 - factor_link_3_xx_0_0_1
+            + factor_link_3_xx_0_0_2;
+        let factor_link_3_xx_0_1 = velocities.minus_velocity_link_3_wy
+            * inertias.inertia_link_3_xz;
+        let factor_link_3_xx_0_2 = velocities.velocity_link_3_wz
+            * inertias.inertia_link_3_xy;
+        let factor_link_3_xx_0 = factor_link_3_xx_0_0
+            - (factor_link_3_xx_0_1 + factor_link_3_xx_0_2 + factor_link_3_xx_0_0_0);
+        let factor_link_3_xy_0 = velocities.velocity_link_3_wz
+            * inertias.inertia_link_3_xx - factor_link_3_xy_0_5_2
+            + velocities.velocity_link_3_vx * inertias.minus_inertia_link_3_hy
+            - factor_link_3_xy_0_5;
+        let factor_link_3_xz_0 = factor_link_3_xz_0_5_2
+            + velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_xx
+            - velocities.velocity_link_3_vx * inertias.inertia_link_3_hz
+            - factor_link_3_xz_0_5;
+        let factor_link_3_yx_0 = factor_link_3_xy_0_5
+            - (factor_link_3_xy_0_5_3
+                + velocities.velocity_link_3_wz * inertias.inertia_link_3_yy
+                + velocities.velocity_link_3_vy * inertias.inertia_link_3_hx);
+        let factor_link_3_yy_0_1 = velocities.velocity_link_3_wx
+            * inertias.inertia_link_3_yz;
+        let factor_link_3_yy_0 = factor_link_3_xx_0_2 - factor_link_3_yy_0_1
+            + factor_link_3_xx_0_0_1 + factor_link_3_xx_0_0;
+        let factor_link_3_yz_0 = velocities.velocity_link_3_wx
+            * inertias.inertia_link_3_yy + factor_link_3_yz_0_5_4
+            - velocities.velocity_link_3_vy * inertias.inertia_link_3_hz
+            - factor_link_3_yz_0_5;
+        let factor_link_3_zx_0 = factor_link_3_xz_0_5
+            - (velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_zz
+                + factor_link_3_xz_0_5_5
+                + velocities.velocity_link_3_vz * inertias.inertia_link_3_hx);
+        let factor_link_3_zy_0 = factor_link_3_yz_0_5_5
+            - velocities.velocity_link_3_wx * inertias.inertia_link_3_zz
+            + velocities.velocity_link_3_vz * inertias.minus_inertia_link_3_hy
+            + factor_link_3_yz_0_5;
+        let factor_link_3_zz_0 = factor_link_3_yy_0_1 + factor_link_3_xx_0_1
+            - factor_link_3_xx_0_0_2 + factor_link_3_xx_0_0;
+        let factor_link_4_yz_0_5_1 = (inertias.inertia_link_4_xx
+            + inertias.inertia_link_4_yy + inertias.inertia_link_4_zz) * 0.5;
+        let factor_link_4_yz_0_5_4 = inertias.inertia_link_4_xy
+            * velocities.velocity_link_4_wy;
+        let factor_link_4_yz_0_5_5 = inertias.inertia_link_4_xz
+            * velocities.velocity_link_4_wz;
+        let factor_link_4_xz_0_5_2 = inertias.inertia_link_4_xy
+            * velocities.velocity_link_4_wx;
+        let factor_link_4_xz_0_5_5 = inertias.inertia_link_4_yz
+            * velocities.velocity_link_4_wz;
+        let factor_link_4_xy_0_5_2 = inertias.inertia_link_4_xz
+            * velocities.velocity_link_4_wx;
+        let factor_link_4_xy_0_5_3 = inertias.inertia_link_4_yz
+            * velocities.velocity_link_4_wy;
+        let factor_link_4_yz_0_5 = velocities.velocity_link_4_wx * factor_link_4_yz_0_5_1
+            - (inertias.inertia_link_4_xx * velocities.velocity_link_4_wx
+                + factor_link_4_yz_0_5_4 + factor_link_4_yz_0_5_5);
+        let factor_link_4_xz_0_5 = velocities.velocity_link_4_wy * factor_link_4_yz_0_5_1
+            - (factor_link_4_xz_0_5_2
+                + inertias.inertia_link_4_yy * velocities.velocity_link_4_wy
+                + factor_link_4_xz_0_5_5);
+        let factor_link_4_xy_0_5 = velocities.velocity_link_4_wz * factor_link_4_yz_0_5_1
+            - (factor_link_4_xy_0_5_2 + factor_link_4_xy_0_5_3
+                + inertias.inertia_link_4_zz * velocities.velocity_link_4_wz);
+        let factor_link_4_xx_0_3_1 = inertias.minus_inertia_link_4_hx
+            * velocities.velocity_link_4_vx;
+        let factor_link_4_xx_0_3_0 = inertias.inertia_link_4_hy
+            * velocities.velocity_link_4_vy;
+        let factor_link_4_xx_0_3_2 = inertias.inertia_link_4_hz
+            * velocities.velocity_link_4_vz;
+        let factor_link_4_xx_0_3 = factor_link_4_xx_0_3_0 - factor_link_4_xx_0_3_1
+            + factor_link_4_xx_0_3_2;
+        let factor_link_4_xx_0_0 = velocities.velocity_link_4_wy
+            * inertias.inertia_link_4_xz;
+        let factor_link_4_xx_0_1 = velocities.velocity_link_4_wz
+            * inertias.inertia_link_4_xy;
+        let factor_link_4_xx_0 = factor_link_4_xx_0_0 - factor_link_4_xx_0_1
+            + factor_link_4_xx_0_3_1 + factor_link_4_xx_0_3;
+        let factor_link_4_xy_0 = velocities.velocity_link_4_wz
+            * inertias.inertia_link_4_xx - factor_link_4_xy_0_5_2
+            - velocities.velocity_link_4_vx * inertias.inertia_link_4_hy
+            - factor_link_4_xy_0_5;
+        let factor_link_4_xz_0 = factor_link_4_xz_0_5_2
+            - velocities.velocity_link_4_wy * inertias.inertia_link_4_xx
+            - velocities.velocity_link_4_vx * inertias.inertia_link_4_hz
+            + factor_link_4_xz_0_5;
+        let factor_link_4_yx_0 = factor_link_4_xy_0_5_3
+            - velocities.velocity_link_4_wz * inertias.inertia_link_4_yy
+            + velocities.velocity_link_4_vy * inertias.minus_inertia_link_4_hx
+            + factor_link_4_xy_0_5;
+        let factor_link_4_yy_0_1 = velocities.velocity_link_4_wx
+            * inertias.inertia_link_4_yz;
+        DQdotItselfFromFactorOutsideLink1Yy1 {
+            factor_outside_link_1_yy,
+            factor_outside_link_1_yz_1,
+            factor_outside_link_1_yz,
+            factor_outside_link_1_zx,
+            factor_outside_link_1_zy,
+            factor_outside_link_1_zz_0,
+            factor_outside_link_1_zz,
+            factor_outside_link_1_px_2,
+            factor_outside_link_1_py_2,
+            factor_outside_link_1_px,
+            factor_outside_link_1_py,
+            factor_outside_link_1_pz,
+            factor_link_1_xx_0,
+            factor_link_1_xy_0,
+            factor_link_1_xz_0,
+            factor_link_1_yx_0,
+            factor_link_1_yy_0,
+            factor_link_1_yz_0,
+            factor_link_1_zx_0,
+            factor_link_1_zy_0,
+            factor_link_1_zz_0,
+            factor_link_2_xx_0,
+            factor_link_2_xy_0,
+            factor_link_2_xz_0,
+            factor_link_2_yx_0,
+            factor_link_2_yy_0,
+            factor_link_2_yz_0,
+            factor_link_2_zx_0,
+            factor_link_2_zy_0,
+            factor_link_2_zz_0,
+            factor_link_3_xx_0,
+            factor_link_3_xy_0,
+            factor_link_3_xz_0,
+            factor_link_3_yx_0,
+            factor_link_3_yy_0,
+            factor_link_3_yz_0,
+            factor_link_3_zx_0,
+            factor_link_3_zy_0,
+            factor_link_3_zz_0,
+            factor_link_4_yz_0_5_4,
+            factor_link_4_yz_0_5_5,
+            factor_link_4_xz_0_5_5,
+            factor_link_4_yz_0_5,
+            factor_link_4_xz_0_5,
+            factor_link_4_xx_0_3_0,
+            factor_link_4_xx_0_3_2,
+            factor_link_4_xx_0_3,
+            factor_link_4_xx_0_0,
+            factor_link_4_xx_0_1,
+            factor_link_4_xx_0,
+            factor_link_4_xy_0,
+            factor_link_4_xz_0,
+            factor_link_4_yx_0,
+            factor_link_4_yy_0_1,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromFactorLink4Yy0 {
+        pub(super) factor_link_4_yy_0: f64,
+        pub(super) factor_link_4_yz_0: f64,
+        pub(super) factor_link_4_zx_0: f64,
+        pub(super) factor_link_4_zy_0: f64,
+        pub(super) factor_link_4_zz_0: f64,
+        pub(super) factor_link_5_xx_0: f64,
+        pub(super) factor_link_5_xy_0: f64,
+        pub(super) factor_link_5_xz_0: f64,
+        pub(super) factor_link_5_yx_0: f64,
+        pub(super) factor_link_5_yy_0: f64,
+        pub(super) factor_link_5_yz_0: f64,
+        pub(super) factor_link_5_zx_0: f64,
+        pub(super) factor_link_5_zy_0: f64,
+        pub(super) factor_link_5_zz_0: f64,
+        pub(super) factor_link_6_xx_0: f64,
+        pub(super) factor_link_6_xy_0: f64,
+        pub(super) factor_link_6_xz_0: f64,
+        pub(super) factor_link_6_yx_0: f64,
+        pub(super) factor_link_6_yy_0: f64,
+        pub(super) factor_link_6_yz_0: f64,
+        pub(super) factor_link_6_zx_0: f64,
+        pub(super) factor_link_6_zy_0: f64,
+        pub(super) factor_link_6_zz_0: f64,
+        pub(super) factor_link_7_xx: f64,
+        pub(super) factor_link_7_xy: f64,
+        pub(super) factor_link_7_xz: f64,
+        pub(super) factor_link_7_yx: f64,
+        pub(super) factor_link_7_yy: f64,
+        pub(super) factor_link_7_yz: f64,
+        pub(super) factor_link_7_zx: f64,
+        pub(super) factor_link_7_zy: f64,
+        pub(super) factor_link_7_zz: f64,
+        pub(super) factor_link_6_xx: f64,
+        pub(super) factor_link_6_yx: f64,
+        pub(super) factor_link_6_zx: f64,
+        pub(super) factor_link_6_xy: f64,
+        pub(super) factor_link_6_yy: f64,
+        pub(super) factor_link_6_zy: f64,
+        pub(super) factor_link_6_xz: f64,
+        pub(super) factor_link_6_yz: f64,
+        pub(super) factor_link_6_zz: f64,
+        pub(super) factor_link_5_xx: f64,
+        pub(super) factor_link_5_yx: f64,
+        pub(super) factor_link_5_zx: f64,
+        pub(super) factor_link_5_xy: f64,
+        pub(super) factor_link_5_yy: f64,
+        pub(super) factor_link_5_zy: f64,
+        pub(super) factor_link_5_xz: f64,
+        pub(super) factor_link_5_yz: f64,
+        pub(super) factor_link_5_zz: f64,
+        pub(super) factor_link_4_xx: f64,
+        pub(super) factor_link_4_yx: f64,
+        pub(super) factor_link_4_zx: f64,
+        pub(super) factor_link_4_xy: f64,
+        pub(super) factor_link_4_yy: f64,
+        pub(super) factor_link_4_zy: f64,
+        pub(super) factor_link_4_xz: f64,
+        pub(super) factor_link_4_yz: f64,
+        pub(super) factor_link_4_zz: f64,
+        pub(super) factor_link_3_xx: f64,
+        pub(super) factor_link_3_yx: f64,
+        pub(super) factor_link_3_zx: f64,
+        pub(super) factor_link_3_xy: f64,
+        pub(super) factor_link_3_yy: f64,
+        pub(super) factor_link_3_zy: f64,
+        pub(super) factor_link_3_xz: f64,
+        pub(super) factor_link_3_yz: f64,
+        pub(super) factor_link_3_zz: f64,
+        pub(super) factor_link_2_xx: f64,
+        pub(super) factor_link_2_yx: f64,
+        pub(super) factor_link_2_zx: f64,
+        pub(super) factor_link_2_xy: f64,
+        pub(super) factor_link_2_yy: f64,
+        pub(super) factor_link_2_zy: f64,
+        pub(super) factor_link_2_xz: f64,
+        pub(super) factor_link_2_yz: f64,
+        pub(super) factor_link_2_zz: f64,
+        pub(super) factor_link_1_xx: f64,
+        pub(super) factor_link_1_yx: f64,
+        pub(super) factor_link_1_zx: f64,
+        pub(super) factor_link_1_xy: f64,
+        pub(super) factor_link_1_yy: f64,
+        pub(super) factor_link_1_zy: f64,
+        pub(super) factor_link_1_xz: f64,
+        pub(super) factor_link_1_yz: f64,
+        pub(super) factor_link_1_zz: f64,
+        pub(super) wrench_base_mx_8: f64,
+        pub(super) wrench_base_my_6: f64,
+        pub(super) wrench_base_mx_6: f64,
+        pub(super) wrench_base_mx: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_factor_link_4_yy_0(
+        poses: &Poses,
+        inertias: &Inertias,
+        velocities: &Velocities,
+        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
+    ) -> DQdotItselfFromFactorLink4Yy0 {
+        let factor_link_4_yy_0 = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_xx_0_1
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yy_0_1
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3;
+        let factor_link_4_yz_0 = velocities.velocity_link_4_wx
+            * inertias.inertia_link_4_yy
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yz_0_5_4
+            - velocities.velocity_link_4_vy * inertias.inertia_link_4_hz
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yz_0_5;
+        let factor_link_4_zx_0 = velocities.velocity_link_4_wy
+            * inertias.inertia_link_4_zz
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xz_0_5_5
+            + velocities.velocity_link_4_vz * inertias.minus_inertia_link_4_hx
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xz_0_5;
+        let factor_link_4_zy_0 = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_yz_0_5_5
+            - velocities.velocity_link_4_wx * inertias.inertia_link_4_zz
+            - velocities.velocity_link_4_vz * inertias.inertia_link_4_hy
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yz_0_5;
+        let factor_link_4_zz_0 = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_yy_0_1
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_0
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3_2
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3;
+        let factor_link_5_yz_0_5_1 = (inertias.inertia_link_5_xx
+            + inertias.inertia_link_5_yy + inertias.inertia_link_5_zz) * 0.5;
+        let factor_link_5_yz_0_5_4 = inertias.inertia_link_5_xy
+            * velocities.velocity_link_5_wy;
+        let factor_link_5_yz_0_5_5 = inertias.inertia_link_5_xz
+            * velocities.velocity_link_5_wz;
+        let factor_link_5_xz_0_5_2 = inertias.inertia_link_5_xy
+            * velocities.velocity_link_5_wx;
+        let factor_link_5_xz_0_5_5 = inertias.inertia_link_5_yz
+            * velocities.velocity_link_5_wz;
+        let factor_link_5_xy_0_5_2 = inertias.inertia_link_5_xz
+            * velocities.velocity_link_5_wx;
+        let factor_link_5_xy_0_5_3 = inertias.inertia_link_5_yz
+            * velocities.velocity_link_5_wy;
+        let factor_link_5_yz_0_5 = velocities.velocity_link_5_wx * factor_link_5_yz_0_5_1
+            - (inertias.inertia_link_5_xx * velocities.velocity_link_5_wx
+                + factor_link_5_yz_0_5_4 + factor_link_5_yz_0_5_5);
+        let factor_link_5_xz_0_5 = velocities.velocity_link_5_wy * factor_link_5_yz_0_5_1
+            - (factor_link_5_xz_0_5_2
+                + inertias.inertia_link_5_yy * velocities.velocity_link_5_wy
+                + factor_link_5_xz_0_5_5);
+        let factor_link_5_xy_0_5 = velocities.velocity_link_5_wz * factor_link_5_yz_0_5_1
+            - (factor_link_5_xy_0_5_2 + factor_link_5_xy_0_5_3
+                + inertias.inertia_link_5_zz * velocities.velocity_link_5_wz);
+        let factor_link_5_xx_0_3_1 = inertias.minus_inertia_link_5_hx
+            * velocities.velocity_link_5_vx;
+        let factor_link_5_xx_0_3_0 = inertias.inertia_link_5_hy
+            * velocities.velocity_link_5_vy;
+        let factor_link_5_xx_0_3_2 = inertias.inertia_link_5_hz
+            * velocities.velocity_link_5_vz;
+        let factor_link_5_xx_0_3 = factor_link_5_xx_0_3_0 - factor_link_5_xx_0_3_1
+            + factor_link_5_xx_0_3_2;
+        let factor_link_5_xx_0_0 = velocities.velocity_link_5_wy
+            * inertias.inertia_link_5_xz;
+        let factor_link_5_xx_0_1 = velocities.velocity_link_5_wz
+            * inertias.inertia_link_5_xy;
+        let factor_link_5_xx_0 = factor_link_5_xx_0_0 - factor_link_5_xx_0_1
+            + factor_link_5_xx_0_3_1 + factor_link_5_xx_0_3;
+        let factor_link_5_xy_0 = velocities.velocity_link_5_wz
+            * inertias.inertia_link_5_xx - factor_link_5_xy_0_5_2
+            - velocities.velocity_link_5_vx * inertias.inertia_link_5_hy
+            - factor_link_5_xy_0_5;
+        let factor_link_5_xz_0 = factor_link_5_xz_0_5_2
+            - velocities.velocity_link_5_wy * inertias.inertia_link_5_xx
+            - velocities.velocity_link_5_vx * inertias.inertia_link_5_hz
+            + factor_link_5_xz_0_5;
+        let factor_link_5_yx_0 = factor_link_5_xy_0_5_3
+            - velocities.velocity_link_5_wz * inertias.inertia_link_5_yy
+            + velocities.velocity_link_5_vy * inertias.minus_inertia_link_5_hx
+            + factor_link_5_xy_0_5;
+        let factor_link_5_yy_0_1 = velocities.velocity_link_5_wx
+            * inertias.inertia_link_5_yz;
+        let factor_link_5_yy_0 = factor_link_5_xx_0_1 - factor_link_5_yy_0_1
+            - factor_link_5_xx_0_3_0 + factor_link_5_xx_0_3;
+        let factor_link_5_yz_0 = velocities.velocity_link_5_wx
+            * inertias.inertia_link_5_yy - factor_link_5_yz_0_5_4
+            - velocities.velocity_link_5_vy * inertias.inertia_link_5_hz
+            - factor_link_5_yz_0_5;
+        let factor_link_5_zx_0 = velocities.velocity_link_5_wy
+            * inertias.inertia_link_5_zz - factor_link_5_xz_0_5_5
+            + velocities.velocity_link_5_vz * inertias.minus_inertia_link_5_hx
+            - factor_link_5_xz_0_5;
+        let factor_link_5_zy_0 = factor_link_5_yz_0_5_5
+            - velocities.velocity_link_5_wx * inertias.inertia_link_5_zz
+            - velocities.velocity_link_5_vz * inertias.inertia_link_5_hy
+            + factor_link_5_yz_0_5;
+        let factor_link_5_zz_0 = factor_link_5_yy_0_1 - factor_link_5_xx_0_0
+            - factor_link_5_xx_0_3_2 + factor_link_5_xx_0_3;
+        let factor_link_6_yz_0_5_1 = (inertias.inertia_link_6_xx
+            + inertias.inertia_link_6_yy + inertias.inertia_link_6_zz) * 0.5;
+        let factor_link_6_yz_0_5_4 = inertias.inertia_link_6_xy
+            * velocities.velocity_link_6_wy;
+        let factor_link_6_yz_0_5_5 = inertias.inertia_link_6_xz
+            * velocities.velocity_link_6_wz;
+        let factor_link_6_xz_0_5_2 = inertias.inertia_link_6_xy
+            * velocities.velocity_link_6_wx;
+        let factor_link_6_xz_0_5_5 = inertias.inertia_link_6_yz
+            * velocities.velocity_link_6_wz;
+        let factor_link_6_xy_0_5_2 = inertias.inertia_link_6_xz
+            * velocities.velocity_link_6_wx;
+        let factor_link_6_xy_0_5_3 = inertias.inertia_link_6_yz
+            * velocities.velocity_link_6_wy;
+        let factor_link_6_yz_0_5 = velocities.velocity_link_6_wx * factor_link_6_yz_0_5_1
+            - (inertias.inertia_link_6_xx * velocities.velocity_link_6_wx
+                + factor_link_6_yz_0_5_4 + factor_link_6_yz_0_5_5);
+        let factor_link_6_xz_0_5 = velocities.velocity_link_6_wy * factor_link_6_yz_0_5_1
+            - (factor_link_6_xz_0_5_2
+                + inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
+                + factor_link_6_xz_0_5_5);
+        let factor_link_6_xy_0_5 = velocities.velocity_link_6_wz * factor_link_6_yz_0_5_1
+            - (factor_link_6_xy_0_5_2 + factor_link_6_xy_0_5_3
+                + inertias.inertia_link_6_zz * velocities.velocity_link_6_wz);
+        let factor_link_6_xx_0_3_1 = inertias.minus_inertia_link_6_hx
+            * velocities.velocity_link_6_vx;
+        let factor_link_6_xx_0_3_2 = inertias.minus_inertia_link_6_hy
+            * velocities.velocity_link_6_vy;
+        let factor_link_6_xx_0_3_0 = inertias.inertia_link_6_hz
+            * velocities.velocity_link_6_vz;
+        let factor_link_6_xx_0_3 = factor_link_6_xx_0_3_0
+            - (factor_link_6_xx_0_3_1 + factor_link_6_xx_0_3_2);
+        let factor_link_6_xx_0_0 = velocities.velocity_link_6_wy
+            * inertias.inertia_link_6_xz;
+        let factor_link_6_xx_0_1 = velocities.velocity_link_6_wz
+            * inertias.inertia_link_6_xy;
+        let factor_link_6_xx_0 = factor_link_6_xx_0_0 - factor_link_6_xx_0_1
+            + factor_link_6_xx_0_3_1 + factor_link_6_xx_0_3;
+        let factor_link_6_xy_0 = velocities.velocity_link_6_wz
+            * inertias.inertia_link_6_xx - factor_link_6_xy_0_5_2
+            + velocities.velocity_link_6_vx * inertias.minus_inertia_link_6_hy
+            - factor_link_6_xy_0_5;
+        let factor_link_6_xz_0 = factor_link_6_xz_0_5_2
+            - velocities.velocity_link_6_wy * inertias.inertia_link_6_xx
+            - velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
+            + factor_link_6_xz_0_5;
+        let factor_link_6_yx_0 = factor_link_6_xy_0_5_3
+            - velocities.velocity_link_6_wz * inertias.inertia_link_6_yy
+            + velocities.velocity_link_6_vy * inertias.minus_inertia_link_6_hx
+            + factor_link_6_xy_0_5;
+        let factor_link_6_yy_0_1 = velocities.velocity_link_6_wx
+            * inertias.inertia_link_6_yz;
+        let factor_link_6_yy_0 = factor_link_6_xx_0_1 - factor_link_6_yy_0_1
+            + factor_link_6_xx_0_3_2 + factor_link_6_xx_0_3;
+        let factor_link_6_yz_0 = velocities.velocity_link_6_wx
+            * inertias.inertia_link_6_yy - factor_link_6_yz_0_5_4
+            - velocities.velocity_link_6_vy * inertias.inertia_link_6_hz
+            - factor_link_6_yz_0_5;
+        let factor_link_6_zx_0 = velocities.velocity_link_6_wy
+            * inertias.inertia_link_6_zz - factor_link_6_xz_0_5_5
+            + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hx
+            - factor_link_6_xz_0_5;
+        let factor_link_6_zy_0 = factor_link_6_yz_0_5_5
+            - velocities.velocity_link_6_wx * inertias.inertia_link_6_zz
+            + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
+            + factor_link_6_yz_0_5;
+        let factor_link_6_zz_0 = factor_link_6_yy_0_1 - factor_link_6_xx_0_0
+            - factor_link_6_xx_0_3_0 + factor_link_6_xx_0_3;
+        let factor_link_7_yz_5_1 = (inertias.inertia_link_7_xx
+            + inertias.inertia_link_7_yy + inertias.inertia_link_7_zz) * 0.5;
+        let factor_link_7_yz_2 = inertias.inertia_link_7_xy
+            * velocities.velocity_link_7_wy;
+        let factor_link_7_zy_0 = inertias.inertia_link_7_xz
+            * velocities.velocity_link_7_wz;
+        let factor_link_7_xz_0 = inertias.inertia_link_7_xy
+            * velocities.velocity_link_7_wx;
+        let factor_link_7_zx_2 = inertias.inertia_link_7_yz
+            * velocities.velocity_link_7_wz;
+        let factor_link_7_xy_2 = inertias.inertia_link_7_xz
+            * velocities.velocity_link_7_wx;
+        let factor_link_7_yx_0 = inertias.inertia_link_7_yz
+            * velocities.velocity_link_7_wy;
+        let factor_link_7_yz_5 = velocities.velocity_link_7_wx * factor_link_7_yz_5_1
+            - (inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
+                + factor_link_7_yz_2 + factor_link_7_zy_0);
+        let factor_link_7_xz_5 = velocities.velocity_link_7_wy * factor_link_7_yz_5_1
+            - (factor_link_7_xz_0
+                + inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+                + factor_link_7_zx_2);
+        let factor_link_7_xy_5 = velocities.velocity_link_7_wz * factor_link_7_yz_5_1
+            - (factor_link_7_xy_2 + factor_link_7_yx_0
+                + inertias.inertia_link_7_zz * velocities.velocity_link_7_wz);
+        let factor_link_7_xx_2 = inertias.minus_inertia_link_7_hx
+            * velocities.velocity_link_7_vx;
+        let factor_link_7_yy_2 = inertias.minus_inertia_link_7_hy
+            * velocities.velocity_link_7_vy;
+        let factor_link_7_zz_2 = inertias.inertia_link_7_hz
+            * velocities.velocity_link_7_vz;
+        let factor_link_7_xx_3 = factor_link_7_zz_2
+            - (factor_link_7_xx_2 + factor_link_7_yy_2);
+        let factor_link_7_xx_0 = velocities.velocity_link_7_wy
+            * inertias.inertia_link_7_xz;
+        let factor_link_7_xx_1 = velocities.velocity_link_7_wz
+            * inertias.inertia_link_7_xy;
+        let factor_link_7_xx = factor_link_7_xx_0 - factor_link_7_xx_1
+            + factor_link_7_xx_2 + factor_link_7_xx_3;
+        let factor_link_7_xy = velocities.velocity_link_7_wz * inertias.inertia_link_7_xx
+            - factor_link_7_xy_2
+            + velocities.velocity_link_7_vx * inertias.minus_inertia_link_7_hy
+            - factor_link_7_xy_5;
+        let factor_link_7_xz = factor_link_7_xz_0
+            - velocities.velocity_link_7_wy * inertias.inertia_link_7_xx
+            - velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
+            + factor_link_7_xz_5;
+        let factor_link_7_yx = factor_link_7_yx_0
+            - velocities.velocity_link_7_wz * inertias.inertia_link_7_yy
+            + velocities.velocity_link_7_vy * inertias.minus_inertia_link_7_hx
+            + factor_link_7_xy_5;
+        let factor_link_7_yy_1 = velocities.velocity_link_7_wx
+            * inertias.inertia_link_7_yz;
+        let factor_link_7_yy = factor_link_7_xx_1 - factor_link_7_yy_1
+            + factor_link_7_yy_2 + factor_link_7_xx_3;
+        let factor_link_7_yz = velocities.velocity_link_7_wx * inertias.inertia_link_7_yy
+            - factor_link_7_yz_2
+            - velocities.velocity_link_7_vy * inertias.inertia_link_7_hz
+            - factor_link_7_yz_5;
+        let factor_link_7_zx = velocities.velocity_link_7_wy * inertias.inertia_link_7_zz
+            - factor_link_7_zx_2
+            + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hx
+            - factor_link_7_xz_5;
+        let factor_link_7_zy = factor_link_7_zy_0
+            - velocities.velocity_link_7_wx * inertias.inertia_link_7_zz
+            + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
+            + factor_link_7_yz_5;
+        let factor_link_7_zz = factor_link_7_yy_1 - factor_link_7_xx_0
+            - factor_link_7_zz_2 + factor_link_7_xx_3;
+        let factor_link_6_xx = factor_link_6_xx_0 + factor_link_7_xx;
+        let factor_link_6_yx = factor_link_6_yx_0 + factor_link_7_yx;
+        let factor_link_6_zx = factor_link_6_zx_0 + factor_link_7_zx;
+        let factor_link_6_xy = factor_link_6_xy_0 + factor_link_7_xy;
+        let factor_link_6_yy = factor_link_6_yy_0 + factor_link_7_yy;
+        let factor_link_6_zy = factor_link_6_zy_0 + factor_link_7_zy;
+        let factor_link_6_xz = factor_link_6_xz_0 + factor_link_7_xz;
+        let factor_link_6_yz = factor_link_6_yz_0 + factor_link_7_yz;
+        let factor_link_6_zz = factor_link_6_zz_0 + factor_link_7_zz;
+        let factor_link_5_xx = factor_link_5_xx_0 + factor_link_6_xx;
+        let factor_link_5_yx = factor_link_5_yx_0 + factor_link_6_yx;
+        let factor_link_5_zx = factor_link_5_zx_0 + factor_link_6_zx;
+        let factor_link_5_xy = factor_link_5_xy_0 + factor_link_6_xy;
+        let factor_link_5_yy = factor_link_5_yy_0 + factor_link_6_yy;
+        let factor_link_5_zy = factor_link_5_zy_0 + factor_link_6_zy;
+        let factor_link_5_xz = factor_link_5_xz_0 + factor_link_6_xz;
+        let factor_link_5_yz = factor_link_5_yz_0 + factor_link_6_yz;
+        let factor_link_5_zz = factor_link_5_zz_0 + factor_link_6_zz;
+        let factor_link_4_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_xx_0 + factor_link_5_xx;
+        let factor_link_4_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_yx_0 + factor_link_5_yx;
+        let factor_link_4_zx = factor_link_4_zx_0 + factor_link_5_zx;
+        let factor_link_4_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_xy_0 + factor_link_5_xy;
+        let factor_link_4_yy = factor_link_4_yy_0 + factor_link_5_yy;
+        let factor_link_4_zy = factor_link_4_zy_0 + factor_link_5_zy;
+        let factor_link_4_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_xz_0 + factor_link_5_xz;
+        let factor_link_4_yz = factor_link_4_yz_0 + factor_link_5_yz;
+        let factor_link_4_zz = factor_link_4_zz_0 + factor_link_5_zz;
+        let factor_link_3_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_xx_0 + factor_link_4_xx;
+        let factor_link_3_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_yx_0 + factor_link_4_yx;
+        let factor_link_3_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_zx_0 + factor_link_4_zx;
+        let factor_link_3_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_xy_0 + factor_link_4_xy;
+        let factor_link_3_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_yy_0 + factor_link_4_yy;
+        let factor_link_3_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_zy_0 + factor_link_4_zy;
+        let factor_link_3_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_xz_0 + factor_link_4_xz;
+        let factor_link_3_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_yz_0 + factor_link_4_yz;
+        let factor_link_3_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_zz_0 + factor_link_4_zz;
+        let factor_link_2_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_xx_0 + factor_link_3_xx;
+        let factor_link_2_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_yx_0 + factor_link_3_yx;
+        let factor_link_2_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_zx_0 + factor_link_3_zx;
+        let factor_link_2_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_xy_0 + factor_link_3_xy;
+        let factor_link_2_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_yy_0 + factor_link_3_yy;
+        let factor_link_2_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_zy_0 + factor_link_3_zy;
+        let factor_link_2_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_xz_0 + factor_link_3_xz;
+        let factor_link_2_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_yz_0 + factor_link_3_yz;
+        let factor_link_2_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_zz_0 + factor_link_3_zz;
+        let factor_link_1_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_xx_0 + factor_link_2_xx;
+        let factor_link_1_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_yx_0 + factor_link_2_yx;
+        let factor_link_1_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_zx_0 + factor_link_2_zx;
+        let factor_link_1_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_xy_0 + factor_link_2_xy;
+        let factor_link_1_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_yy_0 + factor_link_2_yy;
+        let factor_link_1_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_zy_0 + factor_link_2_zy;
+        let factor_link_1_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_xz_0 + factor_link_2_xz;
+        let factor_link_1_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_yz_0 + factor_link_2_yz;
+        let factor_link_1_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_zz_0 + factor_link_2_zz;
+        let wrench_base_mx_8 = velocities.minus_velocity_base_wx
+            * poses.minus_origin_base_x
+            + velocities.minus_velocity_base_wy * poses.minus_origin_base_y;
+        let wrench_base_my_6 = velocities.velocity_link_1_vy
+            - velocities.velocity_link_1_wz * poses.minus_origin_base_x;
+        let wrench_base_mx_6 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
+            + velocities.velocity_link_1_vx;
+        let wrench_base_mx = factor_link_1_xz
+            + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
+                - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
+                + (inertias.composite_link_1_hz * wrench_base_mx_6
+                    - inertias.composite_link_1_hy * wrench_base_mx_8));
+        DQdotItselfFromFactorLink4Yy0 {
+            factor_link_4_yy_0,
+            factor_link_4_yz_0,
+            factor_link_4_zx_0,
+            factor_link_4_zy_0,
+            factor_link_4_zz_0,
+            factor_link_5_xx_0,
+            factor_link_5_xy_0,
+            factor_link_5_xz_0,
+            factor_link_5_yx_0,
+            factor_link_5_yy_0,
+            factor_link_5_yz_0,
+            factor_link_5_zx_0,
+            factor_link_5_zy_0,
+            factor_link_5_zz_0,
+            factor_link_6_xx_0,
+            factor_link_6_xy_0,
+            factor_link_6_xz_0,
+            factor_link_6_yx_0,
+            factor_link_6_yy_0,
+            factor_link_6_yz_0,
+            factor_link_6_zx_0,
+            factor_link_6_zy_0,
+            factor_link_6_zz_0,
+            factor_link_7_xx,
+            factor_link_7_xy,
+            factor_link_7_xz,
+            factor_link_7_yx,
+            factor_link_7_yy,
+            factor_link_7_yz,
+            factor_link_7_zx,
+            factor_link_7_zy,
+            factor_link_7_zz,
+            factor_link_6_xx,
+            factor_link_6_yx,
+            factor_link_6_zx,
+            factor_link_6_xy,
+            factor_link_6_yy,
+            factor_link_6_zy,
+            factor_link_6_xz,
+            factor_link_6_yz,
+            factor_link_6_zz,
+            factor_link_5_xx,
+            factor_link_5_yx,
+            factor_link_5_zx,
+            factor_link_5_xy,
+            factor_link_5_yy,
+            factor_link_5_zy,
+            factor_link_5_xz,
+            factor_link_5_yz,
+            factor_link_5_zz,
+            factor_link_4_xx,
+            factor_link_4_yx,
+            factor_link_4_zx,
+            factor_link_4_xy,
+            factor_link_4_yy,
+            factor_link_4_zy,
+            factor_link_4_xz,
+            factor_link_4_yz,
+            factor_link_4_zz,
+            factor_link_3_xx,
+            factor_link_3_yx,
+            factor_link_3_zx,
+            factor_link_3_xy,
+            factor_link_3_yy,
+            factor_link_3_zy,
+            factor_link_3_xz,
+            factor_link_3_yz,
+            factor_link_3_zz,
+            factor_link_2_xx,
+            factor_link_2_yx,
+            factor_link_2_zx,
+            factor_link_2_xy,
+            factor_link_2_yy,
+            factor_link_2_zy,
+            factor_link_2_xz,
+            factor_link_2_yz,
+            factor_link_2_zz,
+            factor_link_1_xx,
+            factor_link_1_yx,
+            factor_link_1_zx,
+            factor_link_1_xy,
+            factor_link_1_yy,
+            factor_link_1_zy,
+            factor_link_1_xz,
+            factor_link_1_yz,
+            factor_link_1_zz,
+            wrench_base_mx_8,
+            wrench_base_my_6,
+            wrench_base_mx_6,
+            wrench_base_mx,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromWrenchBaseMy {
+        pub(super) factor_link_1_px_0: f64,
+        pub(super) factor_link_1_py_0: f64,
+        pub(super) factor_link_1_pz_1: f64,
+        pub(super) factor_link_2_px_0: f64,
+        pub(super) factor_link_2_py_0: f64,
+        pub(super) factor_link_2_pz_0: f64,
+        pub(super) factor_link_3_px_0: f64,
+        pub(super) factor_link_3_py_0: f64,
+        pub(super) factor_link_3_pz_0: f64,
+        pub(super) factor_link_4_px_0: f64,
+        pub(super) factor_link_4_py_0: f64,
+        pub(super) factor_link_4_pz_0: f64,
+        pub(super) factor_link_5_px_0: f64,
+        pub(super) factor_link_5_py_0: f64,
+        pub(super) factor_link_5_pz_0: f64,
+        pub(super) factor_link_6_px_0: f64,
+        pub(super) factor_link_6_py_0: f64,
+        pub(super) factor_link_6_pz_0: f64,
+        pub(super) factor_link_7_px: f64,
+        pub(super) factor_link_7_py: f64,
+        pub(super) factor_link_7_pz: f64,
+        pub(super) factor_link_6_px: f64,
+        pub(super) factor_link_6_py: f64,
+        pub(super) factor_link_6_pz: f64,
+        pub(super) factor_link_5_px: f64,
+        pub(super) factor_link_5_py: f64,
+        pub(super) factor_link_5_pz: f64,
+        pub(super) factor_link_4_px: f64,
+        pub(super) factor_link_4_py: f64,
+        pub(super) factor_link_4_pz: f64,
+        pub(super) factor_link_3_px: f64,
+        pub(super) factor_link_3_py: f64,
+        pub(super) factor_link_3_pz: f64,
+        pub(super) factor_link_2_px: f64,
+        pub(super) factor_link_2_py: f64,
+        pub(super) factor_link_2_pz: f64,
+        pub(super) wrench_outside_base_mx: f64,
+        pub(super) wrench_outside_base_my: f64,
+        pub(super) wrench_outside_base_mz: f64,
+        pub(super) wrench_outside_base_fx: f64,
+        pub(super) wrench_outside_base_fy: f64,
+        pub(super) wrench_outside_base_fz: f64,
+        pub(super) turn_joint_1_x: f64,
+        pub(super) turn_joint_1_y: f64,
+        pub(super) turn_joint_1_z: f64,
+        pub(super) three_joint_2_x_0: f64,
+        pub(super) three_joint_2_y_2: f64,
+        pub(super) three_joint_3_x_2: f64,
+        pub(super) three_joint_3_y_4: f64,
+        pub(super) three_joint_3_z_0: f64,
+        pub(super) three_joint_3_x: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_wrench_base_my(
+        poses: &Poses,
+        inertias: &Inertias,
+        screws: &Screws,
+        reactions: &Reactions,
+        velocities: &Velocities,
+        d_qdot_itself: &DQdotItself,
+        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromWrenchBaseMy {
+        let wrench_base_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yz
+            + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
+                - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
+                + (inertias.composite_link_1_hz
+                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6
+                    + inertias.composite_link_1_hx
+                        * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8));
+        let wrench_base_mz = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zz
+            + (inertias.composite_link_1_yz * velocities.minus_velocity_base_wx
+                - inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
+                - (inertias.composite_link_1_hx
+                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6
+                    + inertias.composite_link_1_hy
+                        * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6));
+        let turn_joint_1_x_0 = d_qdot_itself.factor_outside_link_1_xx
+            * screws.connection_joint_1_wx;
+        let turn_joint_1_y_2 = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_outside_link_1_yy * screws.connection_joint_1_wy;
+        let turn_joint_1_z_4 = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_outside_link_1_zz * screws.connection_joint_1_wz;
+        let turn_joint_1_x_7 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xx
+            * reactions.reaction_joint_1_wx;
+        let turn_joint_1_y_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yy
+            * reactions.reaction_joint_1_wy;
+        let turn_joint_1_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zz
+            * reactions.reaction_joint_1_wz;
+        let turn_joint_1_x = turn_joint_1_x_0
+            + d_qdot_itself.factor_outside_link_1_yx * screws.connection_joint_1_wy
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zx
+                * screws.connection_joint_1_wz
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
+                * screws.connection_joint_1_vy
+            - (turn_joint_1_x_7
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yx
+                    * reactions.reaction_joint_1_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zx
+                    * reactions.reaction_joint_1_wz);
+        let turn_joint_1_y = d_qdot_itself.factor_outside_link_1_xy
+            * screws.connection_joint_1_wx + turn_joint_1_y_2
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zy
+                * screws.connection_joint_1_wz
+            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
+                * screws.minus_connection_joint_1_vx
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xy
+                * reactions.reaction_joint_1_wx + turn_joint_1_y_9
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zy
+                    * reactions.reaction_joint_1_wz);
+        let turn_joint_1_z = d_qdot_itself.factor_outside_link_1_xz
+            * screws.connection_joint_1_wx
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yz
+                * screws.connection_joint_1_wy + turn_joint_1_z_4
+            + (d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px
+                * screws.connection_joint_1_vy
+                + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py
+                    * screws.minus_connection_joint_1_vx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xz
+                * reactions.reaction_joint_1_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yz
+                    * reactions.reaction_joint_1_wy + turn_joint_1_z_13);
+        // D_q\u{307} column joint_1
+        d_qdot[6][6] = reactions.reaction_joint_1_wx
+            * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx
+            + reactions.reaction_joint_1_wy * wrench_base_my
+            + reactions.reaction_joint_1_wz * wrench_base_mz
+            + turn_joint_1_x * screws.connection_joint_1_wx
+            + turn_joint_1_y * screws.connection_joint_1_wy
+            + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
+        let factor_link_1_px_0 = velocities.velocity_link_1_vx * 2.0
+            - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
+                + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
+        let factor_link_1_py_0 = velocities.velocity_link_1_vy * 2.0
+            + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
+                - velocities.velocity_link_1_wz * inertias.minus_inertia_link_1_hx);
+        let factor_link_1_pz_1 = velocities.minus_velocity_base_vz * 2.0
+            + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
+                + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx);
+        let factor_link_2_px_0 = velocities.velocity_link_2_vx * 2.0
+            + (velocities.velocity_link_1_wz * inertias.minus_inertia_link_2_hy
+                - velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_hz);
+        let factor_link_2_py_0 = velocities.velocity_link_2_vy * 2.0
+            + (velocities.velocity_link_1_wz * inertias.inertia_link_2_hx
+                - velocities.velocity_link_2_wx * inertias.inertia_link_2_hz);
+        let factor_link_2_pz_0 = velocities.velocity_link_2_vz * 2.0
+            + (velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_hx
+                - velocities.velocity_link_2_wx * inertias.minus_inertia_link_2_hy);
+        let factor_link_3_px_0 = velocities.velocity_link_3_vx * 2.0
+            + (velocities.velocity_link_3_wz * inertias.minus_inertia_link_3_hy
+                - velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_hz);
+        let factor_link_3_py_0 = velocities.velocity_link_3_vy * 2.0
+            + (velocities.velocity_link_3_wz * inertias.inertia_link_3_hx
+                - velocities.velocity_link_3_wx * inertias.inertia_link_3_hz);
+        let factor_link_3_pz_0 = velocities.velocity_link_3_vz * 2.0
+            + (velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_hx
+                - velocities.velocity_link_3_wx * inertias.minus_inertia_link_3_hy);
+        let factor_link_4_px_0 = velocities.velocity_link_4_vx * 2.0
+            + (velocities.velocity_link_4_wy * inertias.inertia_link_4_hz
+                - velocities.velocity_link_4_wz * inertias.inertia_link_4_hy);
+        let factor_link_4_py_0 = velocities.velocity_link_4_vy * 2.0
+            - (velocities.velocity_link_4_wz * inertias.minus_inertia_link_4_hx
+                + velocities.velocity_link_4_wx * inertias.inertia_link_4_hz);
+        let factor_link_4_pz_0 = velocities.velocity_link_4_vz * 2.0
+            + (velocities.velocity_link_4_wx * inertias.inertia_link_4_hy
+                + velocities.velocity_link_4_wy * inertias.minus_inertia_link_4_hx);
+        let factor_link_5_px_0 = velocities.velocity_link_5_vx * 2.0
+            + (velocities.velocity_link_5_wy * inertias.inertia_link_5_hz
+                - velocities.velocity_link_5_wz * inertias.inertia_link_5_hy);
+        let factor_link_5_py_0 = velocities.velocity_link_5_vy * 2.0
+            - (velocities.velocity_link_5_wz * inertias.minus_inertia_link_5_hx
+                + velocities.velocity_link_5_wx * inertias.inertia_link_5_hz);
+        let factor_link_5_pz_0 = velocities.velocity_link_5_vz * 2.0
+            + (velocities.velocity_link_5_wx * inertias.inertia_link_5_hy
+                + velocities.velocity_link_5_wy * inertias.minus_inertia_link_5_hx);
+        let factor_link_6_px_0 = velocities.velocity_link_6_vx * 2.0
+            + (velocities.velocity_link_6_wy * inertias.inertia_link_6_hz
+                + velocities.velocity_link_6_wz * inertias.minus_inertia_link_6_hy);
+        let factor_link_6_py_0 = velocities.velocity_link_6_vy * 2.0
+            - (velocities.velocity_link_6_wz * inertias.minus_inertia_link_6_hx
+                + velocities.velocity_link_6_wx * inertias.inertia_link_6_hz);
+        let factor_link_6_pz_0 = velocities.velocity_link_6_vz * 2.0
+            + (velocities.velocity_link_6_wy * inertias.minus_inertia_link_6_hx
+                - velocities.velocity_link_6_wx * inertias.minus_inertia_link_6_hy);
+        let factor_link_7_px = velocities.velocity_link_7_vx * 2.0
+            + (velocities.velocity_link_7_wy * inertias.inertia_link_7_hz
+                + velocities.velocity_link_7_wz * inertias.minus_inertia_link_7_hy);
+        let factor_link_7_py = velocities.velocity_link_7_vy * 2.0
+            - (velocities.velocity_link_7_wz * inertias.minus_inertia_link_7_hx
+                + velocities.velocity_link_7_wx * inertias.inertia_link_7_hz);
+        let factor_link_7_pz = velocities.velocity_link_7_vz * 2.0
+            + (velocities.velocity_link_7_wy * inertias.minus_inertia_link_7_hx
+                - velocities.velocity_link_7_wx * inertias.minus_inertia_link_7_hy);
+        let factor_link_6_px = factor_link_6_px_0 + factor_link_7_px;
+        let factor_link_6_py = factor_link_6_py_0 + factor_link_7_py;
+        let factor_link_6_pz = factor_link_6_pz_0 + factor_link_7_pz;
+        let factor_link_5_px = factor_link_5_px_0 + factor_link_6_px;
+        let factor_link_5_py = factor_link_5_py_0 + factor_link_6_py;
+        let factor_link_5_pz = factor_link_5_pz_0 + factor_link_6_pz;
+        let factor_link_4_px = factor_link_4_px_0 + factor_link_5_px;
+        let factor_link_4_py = factor_link_4_py_0 + factor_link_5_py;
+        let factor_link_4_pz = factor_link_4_pz_0 + factor_link_5_pz;
+        let factor_link_3_px = factor_link_3_px_0 + factor_link_4_px;
+        let factor_link_3_py = factor_link_3_py_0 + factor_link_4_py;
+        let factor_link_3_pz = factor_link_3_pz_0 + factor_link_4_pz;
+        let factor_link_2_px = factor_link_2_px_0 + factor_link_3_px;
+        let factor_link_2_py = factor_link_2_py_0 + factor_link_3_py;
+        let factor_link_2_pz = factor_link_2_pz_0 + factor_link_3_pz;
+        let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
+        let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
+        let factor_link_1_pz = factor_link_2_pz - factor_link_1_pz_1;
+        let wrench_outside_base_mx = d_qdot_itself.factor_outside_link_1_xz
+            * screws.connection_joint_1_wz
+            + (d_qdot_itself.factor_outside_link_1_xy * screws.connection_joint_1_wy
+                + turn_joint_1_x_0)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xz
+                * reactions.reaction_joint_1_wz
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xy
+                    * reactions.reaction_joint_1_wy + turn_joint_1_x_7))
+            + (inertias.minus_inertia_base_hy
+                * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8
+                - inertias.minus_inertia_base_hz
+                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6
+                - d_qdot_itself.factor_outside_link_1_xz_0);
+        let wrench_outside_base_my = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_outside_link_1_yz * screws.connection_joint_1_wz
+            + (turn_joint_1_y_2
+                + d_qdot_itself.factor_outside_link_1_yx * screws.connection_joint_1_wx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yz
+                * reactions.reaction_joint_1_wz
+                + (turn_joint_1_y_9
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yx
+                        * reactions.reaction_joint_1_wx))
+            + (d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yz_1
+                - (inertias.minus_inertia_base_hz
+                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6
+                    + inertias.minus_inertia_base_hx
+                        * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8));
+        let wrench_outside_base_mz = turn_joint_1_z_4
+            + (d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zy
+                * screws.connection_joint_1_wy
+                + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zx
+                    * screws.connection_joint_1_wx)
+            - (turn_joint_1_z_13
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zy
+                    * reactions.reaction_joint_1_wy
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zx
+                        * reactions.reaction_joint_1_wx))
+            + (inertias.minus_inertia_base_hx
+                * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6
+                + inertias.minus_inertia_base_hy
+                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6
+                - d_qdot_itself_from_factor_outside_link_1_yy_1
+                    .factor_outside_link_1_zz_0);
+        let wrench_outside_base_fx = screws.connection_joint_1_wy
+            * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
+            - screws.connection_joint_1_wz
+                * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py
+            - (reactions.reaction_joint_1_wy * factor_link_1_pz
+                - reactions.reaction_joint_1_wz * factor_link_1_py)
+            + (d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6 * 3.5
+                - d_qdot_itself_from_factor_outside_link_1_yy_1
+                    .factor_outside_link_1_py_2);
+        let wrench_outside_base_fy = screws.connection_joint_1_wz
+            * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px
+            - screws.connection_joint_1_wx
+                * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
+            - (reactions.reaction_joint_1_wz * factor_link_1_px
+                - reactions.reaction_joint_1_wx * factor_link_1_pz)
+            - (d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6 * 3.5
+                + d_qdot_itself_from_factor_outside_link_1_yy_1
+                    .factor_outside_link_1_px_2);
+        let wrench_outside_base_fz = screws.connection_joint_1_wx
+            * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py
+            - screws.connection_joint_1_wy
+                * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px
+            - (reactions.reaction_joint_1_wx * factor_link_1_py
+                - reactions.reaction_joint_1_wy * factor_link_1_px)
+            + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hy
+                + velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hx
+                - d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8 * 3.5);
+        let three_joint_2_x_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xx
+            * poses.sin_joint_1;
+        let three_joint_2_y_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yy
+            * poses.cos_joint_1;
+        let three_joint_2_x = three_joint_2_x_0
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx * poses.cos_joint_1
+            + (factor_link_2_py * screws.screw_joint_2_vz
+                - factor_link_2_pz * screws.screw_joint_2_vy);
+        let three_joint_2_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy
+            * poses.sin_joint_1 - three_joint_2_y_2
+            + (factor_link_2_pz * screws.screw_joint_2_vx
+                - factor_link_2_px * screws.screw_joint_2_vz);
+        let three_joint_2_z = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xz
+            * poses.sin_joint_1
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yz * poses.cos_joint_1
+            + (factor_link_2_px * screws.screw_joint_2_vy
+                - factor_link_2_py * screws.screw_joint_2_vx);
+        d_qdot[6][7] = wrench_outside_base_mx * screws.connection_joint_2_wx
+            + wrench_outside_base_my * screws.connection_joint_2_wy
+            + wrench_outside_base_mz * screws.connection_joint_2_wz
+            + wrench_outside_base_fx * screws.connection_joint_2_vx
+            + wrench_outside_base_fy * screws.connection_joint_2_vy
+            + wrench_outside_base_fz * screws.connection_joint_2_vz
+            + reactions.reaction_joint_1_wx * three_joint_2_x
+            + reactions.reaction_joint_1_wy * three_joint_2_y
+            + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
+        let three_joint_3_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xx
+            * poses.minus_rotation_link_2_xy;
+        let three_joint_3_y_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yy
+            * poses.minus_rotation_link_2_yy;
+        let three_joint_3_z_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zz
+            * poses.cos_joint_2;
+        let three_joint_3_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
+            * poses.cos_joint_2
+            - (three_joint_3_x_2
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+                    * poses.minus_rotation_link_2_yy)
+            + (factor_link_3_py * screws.screw_joint_3_vz
+                - factor_link_3_pz * screws.screw_joint_3_vy);
+        DQdotItselfFromWrenchBaseMy {
+            factor_link_1_px_0,
+            factor_link_1_py_0,
+            factor_link_1_pz_1,
+            factor_link_2_px_0,
+            factor_link_2_py_0,
+            factor_link_2_pz_0,
+            factor_link_3_px_0,
+            factor_link_3_py_0,
+            factor_link_3_pz_0,
+            factor_link_4_px_0,
+            factor_link_4_py_0,
+            factor_link_4_pz_0,
+            factor_link_5_px_0,
+            factor_link_5_py_0,
+            factor_link_5_pz_0,
+            factor_link_6_px_0,
+            factor_link_6_py_0,
+            factor_link_6_pz_0,
+            factor_link_7_px,
+            factor_link_7_py,
+            factor_link_7_pz,
+            factor_link_6_px,
+            factor_link_6_py,
+            factor_link_6_pz,
+            factor_link_5_px,
+            factor_link_5_py,
+            factor_link_5_pz,
+            factor_link_4_px,
+            factor_link_4_py,
+            factor_link_4_pz,
+            factor_link_3_px,
+            factor_link_3_py,
+            factor_link_3_pz,
+            factor_link_2_px,
+            factor_link_2_py,
+            factor_link_2_pz,
+            wrench_outside_base_mx,
+            wrench_outside_base_my,
+            wrench_outside_base_mz,
+            wrench_outside_base_fx,
+            wrench_outside_base_fy,
+            wrench_outside_base_fz,
+            turn_joint_1_x,
+            turn_joint_1_y,
+            turn_joint_1_z,
+            three_joint_2_x_0,
+            three_joint_2_y_2,
+            three_joint_3_x_2,
+            three_joint_3_y_4,
+            three_joint_3_z_0,
+            three_joint_3_x,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromThreeJoint3Y {
+        pub(super) factor_outside_link_2_xx: f64,
+        pub(super) factor_outside_link_2_yx: f64,
+        pub(super) factor_outside_link_2_zx: f64,
+        pub(super) factor_outside_link_2_xy: f64,
+        pub(super) factor_outside_link_2_yy: f64,
+        pub(super) factor_outside_link_2_zy: f64,
+        pub(super) factor_outside_link_2_xz: f64,
+        pub(super) factor_outside_link_2_yz: f64,
+        pub(super) factor_outside_link_2_zz: f64,
+        pub(super) factor_outside_link_2_px: f64,
+        pub(super) factor_outside_link_2_py: f64,
+        pub(super) factor_outside_link_2_pz: f64,
+        pub(super) wrench_link_1_mx_4: f64,
+        pub(super) wrench_link_1_mx_6: f64,
+        pub(super) wrench_link_1_mx_8: f64,
+        pub(super) wrench_link_1_my_10: f64,
+        pub(super) wrench_link_1_mx_12: f64,
+        pub(super) wrench_link_1_mx_10: f64,
+        pub(super) wrench_link_1_mx: f64,
+        pub(super) wrench_link_1_my: f64,
+        pub(super) wrench_link_1_mz: f64,
+        pub(super) wrench_link_1_fx: f64,
+        pub(super) three_joint_3_y: f64,
+        pub(super) three_joint_3_z: f64,
+        pub(super) three_joint_4_x_2: f64,
+        pub(super) three_joint_4_y_0: f64,
+        pub(super) three_joint_4_z_4: f64,
+        pub(super) three_joint_4_x: f64,
+        pub(super) three_joint_4_y: f64,
+        pub(super) three_joint_4_z: f64,
+        pub(super) three_joint_5_x_2: f64,
+        pub(super) three_joint_5_y_4: f64,
+        pub(super) three_joint_5_z_0: f64,
+        pub(super) three_joint_5_x: f64,
+        pub(super) three_joint_5_y: f64,
+        pub(super) three_joint_5_z: f64,
+        pub(super) three_joint_6_x_0: f64,
+        pub(super) three_joint_6_y_2: f64,
+        pub(super) three_joint_6_z_4: f64,
+        pub(super) three_joint_6_x: f64,
+        pub(super) three_joint_6_y: f64,
+        pub(super) three_joint_6_z: f64,
+        pub(super) three_joint_7_x_2: f64,
+        pub(super) three_joint_7_y_4: f64,
+        pub(super) three_joint_7_z_0: f64,
+        pub(super) three_joint_7_x: f64,
+        pub(super) three_joint_7_y: f64,
+        pub(super) three_joint_7_z: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_three_joint_3_y(
+        poses: &Poses,
+        inertias: &Inertias,
+        screws: &Screws,
+        reactions: &Reactions,
+        velocities: &Velocities,
+        d_qdot_itself: &DQdotItself,
+        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromThreeJoint3Y {
+        let three_joint_3_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
+            * poses.cos_joint_2
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
+                * poses.minus_rotation_link_2_xy
+                + d_qdot_itself_from_wrench_base_my.three_joint_3_y_4)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                * screws.screw_joint_3_vx
+                - d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                    * screws.screw_joint_3_vz);
+        let three_joint_3_z = d_qdot_itself_from_wrench_base_my.three_joint_3_z_0
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+                * poses.minus_rotation_link_2_xy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
+                    * poses.minus_rotation_link_2_yy)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                * screws.screw_joint_3_vy
+                - d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                    * screws.screw_joint_3_vx);
+        // D_q\u{307} column joint_1
+        d_qdot[6][8] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+            * screws.connection_joint_3_wx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+                * screws.connection_joint_3_wy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+                * screws.connection_joint_3_wz
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+                * screws.connection_joint_3_vx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+                * screws.connection_joint_3_vy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+                * screws.connection_joint_3_vz
+            + reactions.reaction_joint_1_wx
+                * d_qdot_itself_from_wrench_base_my.three_joint_3_x
+            + reactions.reaction_joint_1_wy * three_joint_3_y
+            + reactions.reaction_joint_1_wz * three_joint_3_z + 0.0;
+        let three_joint_4_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xx
+            * poses.minus_rotation_link_3_xy;
+        let three_joint_4_y_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yy
+            * poses.rotation_link_3_yy;
+        let three_joint_4_z_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zz
+            * poses.minus_rotation_link_3_zy;
+        let three_joint_4_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
+            * poses.rotation_link_3_yy - three_joint_4_x_2
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+                * poses.minus_rotation_link_3_zy
+            + (d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                * screws.minus_screw_joint_4_vy
+                - d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                    * screws.minus_screw_joint_4_vz);
+        let three_joint_4_y = three_joint_4_y_0
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
+                * poses.minus_rotation_link_3_xy
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+                * poses.minus_rotation_link_3_zy
+            + (d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                * screws.screw_joint_4_vx
+                + d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                    * screws.minus_screw_joint_4_vz);
+        let three_joint_4_z = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
+            * poses.rotation_link_3_yy
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
+                * poses.minus_rotation_link_3_xy - three_joint_4_z_4
+            - (d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                * screws.minus_screw_joint_4_vy
+                + d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                    * screws.screw_joint_4_vx);
+        d_qdot[6][9] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+            * screws.connection_joint_4_wx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+                * screws.connection_joint_4_wy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+                * screws.connection_joint_4_wz
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+                * screws.connection_joint_4_vx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+                * screws.connection_joint_4_vy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+                * screws.connection_joint_4_vz
+            + reactions.reaction_joint_1_wx * three_joint_4_x
+            + reactions.reaction_joint_1_wy * three_joint_4_y
+            + reactions.reaction_joint_1_wz * three_joint_4_z + 0.0;
+        let three_joint_5_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xx
+            * poses.rotation_link_4_xy;
+        let three_joint_5_y_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yy
+            * poses.rotation_link_4_yy;
+        let three_joint_5_z_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zz
+            * poses.rotation_link_5_zz;
+        let three_joint_5_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
+            * poses.rotation_link_5_zz
+            - (three_joint_5_x_2
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+                    * poses.rotation_link_4_yy)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                * screws.screw_joint_5_vz
+                - d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                    * screws.screw_joint_5_vy);
+        let three_joint_5_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
+            * poses.rotation_link_5_zz
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
+                * poses.rotation_link_4_xy + three_joint_5_y_4)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                * screws.screw_joint_5_vx
+                - d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                    * screws.screw_joint_5_vz);
+        let three_joint_5_z = three_joint_5_z_0
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+                * poses.rotation_link_4_xy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
+                    * poses.rotation_link_4_yy)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                * screws.screw_joint_5_vy
+                - d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                    * screws.screw_joint_5_vx);
+        d_qdot[6][10] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+            * screws.connection_joint_5_wx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+                * screws.connection_joint_5_wy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+                * screws.connection_joint_5_wz
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+                * screws.connection_joint_5_vx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+                * screws.connection_joint_5_vy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+                * screws.connection_joint_5_vz
+            + reactions.reaction_joint_1_wx * three_joint_5_x
+            + reactions.reaction_joint_1_wy * three_joint_5_y
+            + reactions.reaction_joint_1_wz * three_joint_5_z + 0.0;
+        let three_joint_6_x_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xx
+            * poses.rotation_link_6_xz;
+        let three_joint_6_y_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yy
+            * poses.rotation_link_5_yy;
+        let three_joint_6_z_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zz
+            * poses.rotation_link_6_zz;
+        let three_joint_6_x = three_joint_6_x_0
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+                * poses.rotation_link_5_yy
+            + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+                * poses.rotation_link_6_zz
+            + (d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                * screws.screw_joint_6_vz
+                - d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                    * screws.screw_joint_6_vy);
+        let three_joint_6_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
+            * poses.rotation_link_6_xz - three_joint_6_y_2
+            + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+                * poses.rotation_link_6_zz
+            + (d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                * screws.screw_joint_6_vx
+                - d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                    * screws.screw_joint_6_vz);
+        let three_joint_6_z = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
+            * poses.rotation_link_6_xz
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
+                * poses.rotation_link_5_yy + three_joint_6_z_4
+            + (d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                * screws.screw_joint_6_vy
+                - d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                    * screws.screw_joint_6_vx);
+        d_qdot[6][11] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+            * screws.connection_joint_6_wx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+                * screws.connection_joint_6_wy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+                * screws.connection_joint_6_wz
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+                * screws.connection_joint_6_vx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+                * screws.connection_joint_6_vy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+                * screws.connection_joint_6_vz
+            + reactions.reaction_joint_1_wx * three_joint_6_x
+            + reactions.reaction_joint_1_wy * three_joint_6_y
+            + reactions.reaction_joint_1_wz * three_joint_6_z + 0.0;
+        let three_joint_7_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xx
+            * poses.minus_rotation_link_6_xy;
+        let three_joint_7_y_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yy
+            * poses.minus_rotation_link_6_yy;
+        let three_joint_7_z_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zz
+            * poses.rotation_link_6_zy;
+        let three_joint_7_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zx
+            * poses.rotation_link_6_zy
+            - (three_joint_7_x_2
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yx
+                    * poses.minus_rotation_link_6_yy)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_7_py
+                * screws.screw_joint_7_vz
+                - d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                    * screws.screw_joint_7_vy);
+        let three_joint_7_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zy
+            * poses.rotation_link_6_zy
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xy
+                * poses.minus_rotation_link_6_xy + three_joint_7_y_4)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                * screws.screw_joint_7_vx
+                - d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                    * screws.screw_joint_7_vz);
+        let three_joint_7_z = three_joint_7_z_0
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xz
+                * poses.minus_rotation_link_6_xy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yz
+                    * poses.minus_rotation_link_6_yy)
+            + (d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                * screws.screw_joint_7_vy
+                - d_qdot_itself_from_wrench_base_my.factor_link_7_py
+                    * screws.screw_joint_7_vx);
+        d_qdot[6][12] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+            * screws.connection_joint_7_wx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+                * screws.connection_joint_7_wy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+                * screws.connection_joint_7_wz
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+                * screws.connection_joint_7_vx
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+                * screws.connection_joint_7_vy
+            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+                * screws.connection_joint_7_vz
+            + reactions.reaction_joint_1_wx * three_joint_7_x
+            + reactions.reaction_joint_1_wy * three_joint_7_y
+            + reactions.reaction_joint_1_wz * three_joint_7_z + 0.0;
+        // D_q\u{307} column joint_2
+        d_qdot[7][0] = 0.0;
+        d_qdot[7][1] = 0.0;
+        d_qdot[7][2] = 0.0;
+        d_qdot[7][3] = 0.0;
+        d_qdot[7][4] = 0.0;
+        d_qdot[7][5] = 0.0;
+        let wrench_link_1_mx_4 = velocities.velocity_link_1_wz * poses.cos_joint_1;
+        let wrench_link_1_mx_6 = velocities.velocity_link_1_wz * poses.sin_joint_1;
+        let wrench_link_1_mx_8 = velocities.minus_velocity_link_2_wy * poses.sin_joint_1
+            - velocities.velocity_link_2_wx * poses.cos_joint_1;
+        let wrench_link_1_my_10 = velocities.velocity_link_2_vz * poses.cos_joint_1
+            - (velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vz
+                + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
+        let wrench_link_1_mx_12 = velocities.velocity_link_1_wz * screws.screw_joint_2_vx
+            - velocities.velocity_link_2_wx * screws.screw_joint_2_vz
+            + velocities.velocity_link_2_vz * poses.sin_joint_1;
+        let wrench_link_1_mx_10 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
+            + velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vx
+            - (velocities.velocity_link_2_vx * poses.cos_joint_1
+                + velocities.velocity_link_2_vy * poses.sin_joint_1);
+        let wrench_link_1_mx = d_qdot_itself_from_wrench_base_my.three_joint_2_x_0
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy * poses.cos_joint_1
+            + (inertias.composite_link_2_xx * wrench_link_1_mx_4
+                + inertias.composite_link_2_xy * wrench_link_1_mx_6
+                + inertias.composite_link_2_xz * wrench_link_1_mx_8
+                + (inertias.composite_link_2_hy * wrench_link_1_mx_10
+                    - inertias.composite_link_2_hz * wrench_link_1_mx_12));
+        let wrench_link_1_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx
+            * poses.sin_joint_1 - d_qdot_itself_from_wrench_base_my.three_joint_2_y_2
+            + (inertias.composite_link_2_xy * wrench_link_1_mx_4
+                + inertias.composite_link_2_yy * wrench_link_1_mx_6
+                + inertias.composite_link_2_yz * wrench_link_1_mx_8
+                + (inertias.composite_link_2_hz * wrench_link_1_my_10
+                    - inertias.composite_link_2_hx * wrench_link_1_mx_10));
+        let wrench_link_1_mz = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zx
+            * poses.sin_joint_1
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zy * poses.cos_joint_1
+            + (inertias.composite_link_2_xz * wrench_link_1_mx_4
+                + inertias.composite_link_2_yz * wrench_link_1_mx_6
+                + inertias.composite_link_2_zz * wrench_link_1_mx_8
+                + (inertias.composite_link_2_hx * wrench_link_1_mx_12
+                    - inertias.composite_link_2_hy * wrench_link_1_my_10));
+        d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
+            + reactions.reaction_joint_1_wy * wrench_link_1_my
+            + reactions.reaction_joint_1_wz * wrench_link_1_mz
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+                * screws.connection_joint_2_wx
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+                * screws.connection_joint_2_wy
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+                * screws.connection_joint_2_wz + 0.0;
+        let factor_outside_link_2_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_xx_0 + d_qdot_itself.factor_outside_link_1_xx;
+        let factor_outside_link_2_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_yx_0 + d_qdot_itself.factor_outside_link_1_yx;
+        let factor_outside_link_2_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_zx_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zx;
+        let factor_outside_link_2_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_xy_0 + d_qdot_itself.factor_outside_link_1_xy;
+        let factor_outside_link_2_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_yy_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yy;
+        let factor_outside_link_2_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_zy_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zy;
+        let factor_outside_link_2_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_xz_0 + d_qdot_itself.factor_outside_link_1_xz;
+        let factor_outside_link_2_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_yz_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yz;
+        let factor_outside_link_2_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_1_zz_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zz;
+        let factor_outside_link_2_px = d_qdot_itself_from_wrench_base_my
+            .factor_link_1_px_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px;
+        let factor_outside_link_2_py = d_qdot_itself_from_wrench_base_my
+            .factor_link_1_py_0
+            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py;
+        let factor_outside_link_2_pz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_outside_link_1_pz
+            - d_qdot_itself_from_wrench_base_my.factor_link_1_pz_1;
+        let wrench_link_1_fx = wrench_link_1_my_10 * 12.0
+            + (wrench_link_1_mx_6 * inertias.composite_link_2_hz
+                - wrench_link_1_mx_8 * inertias.composite_link_2_hy)
+            - poses.cos_joint_1 * d_qdot_itself_from_wrench_base_my.factor_link_2_pz;
+        DQdotItselfFromThreeJoint3Y {
+            factor_outside_link_2_xx,
+            factor_outside_link_2_yx,
+            factor_outside_link_2_zx,
+            factor_outside_link_2_xy,
+            factor_outside_link_2_yy,
+            factor_outside_link_2_zy,
+            factor_outside_link_2_xz,
+            factor_outside_link_2_yz,
+            factor_outside_link_2_zz,
+            factor_outside_link_2_px,
+            factor_outside_link_2_py,
+            factor_outside_link_2_pz,
+            wrench_link_1_mx_4,
+            wrench_link_1_mx_6,
+            wrench_link_1_mx_8,
+            wrench_link_1_my_10,
+            wrench_link_1_mx_12,
+            wrench_link_1_mx_10,
+            wrench_link_1_mx,
+            wrench_link_1_my,
+            wrench_link_1_mz,
+            wrench_link_1_fx,
+            three_joint_3_y,
+            three_joint_3_z,
+            three_joint_4_x_2,
+            three_joint_4_y_0,
+            three_joint_4_z_4,
+            three_joint_4_x,
+            three_joint_4_y,
+            three_joint_4_z,
+            three_joint_5_x_2,
+            three_joint_5_y_4,
+            three_joint_5_z_0,
+            three_joint_5_x,
+            three_joint_5_y,
+            three_joint_5_z,
+            three_joint_6_x_0,
+            three_joint_6_y_2,
+            three_joint_6_z_4,
+            three_joint_6_x,
+            three_joint_6_y,
+            three_joint_6_z,
+            three_joint_7_x_2,
+            three_joint_7_y_4,
+            three_joint_7_z_0,
+            three_joint_7_x,
+            three_joint_7_y,
+            three_joint_7_z,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromWrenchLink1Fy {
+        pub(super) turn_joint_2_x: f64,
+        pub(super) turn_joint_2_y: f64,
+        pub(super) turn_joint_2_z: f64,
+        pub(super) wrench_link_2_mx_6: f64,
+        pub(super) wrench_link_2_mx_8: f64,
+        pub(super) wrench_link_2_mx_10: f64,
+        pub(super) wrench_link_2_my_12: f64,
+        pub(super) wrench_link_2_mx_14: f64,
+        pub(super) wrench_link_2_mx_12: f64,
+        pub(super) wrench_link_2_mx: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_wrench_link_1_fy(
+        poses: &Poses,
+        inertias: &Inertias,
+        complements: &Complements,
+        screws: &Screws,
+        reactions: &Reactions,
+        velocities: &Velocities,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromWrenchLink1Fy {
+        let wrench_link_1_fy = d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12
+            * 12.0
+            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                * inertias.composite_link_2_hx
+                - d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                    * inertias.composite_link_2_hz)
+            - poses.sin_joint_1 * d_qdot_itself_from_wrench_base_my.factor_link_2_pz;
+        let wrench_link_1_fz = poses.sin_joint_1
+            * d_qdot_itself_from_wrench_base_my.factor_link_2_py
+            + poses.cos_joint_1 * d_qdot_itself_from_wrench_base_my.factor_link_2_px
+            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10 * 12.0
+                + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                    * inertias.composite_link_2_hy
+                    - d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                        * inertias.composite_link_2_hx));
+        let turn_joint_2_x_0 = d_qdot_itself_from_three_joint_3_y
+            .factor_outside_link_2_xx * screws.connection_joint_2_wx;
+        let turn_joint_2_y_2 = d_qdot_itself_from_three_joint_3_y
+            .factor_outside_link_2_yy * screws.connection_joint_2_wy;
+        let turn_joint_2_z_4 = d_qdot_itself_from_three_joint_3_y
+            .factor_outside_link_2_zz * screws.connection_joint_2_wz;
+        let turn_joint_2_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xx
+            * reactions.reaction_joint_2_wx;
+        let turn_joint_2_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yy
+            * reactions.reaction_joint_2_wy;
+        let turn_joint_2_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zz
+            * reactions.reaction_joint_2_wz;
+        let turn_joint_2_x = turn_joint_2_x_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yx
+                * screws.connection_joint_2_wy
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zx
+                * screws.connection_joint_2_wz
+            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
+                * screws.connection_joint_2_vz
+                - d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
+                    * screws.connection_joint_2_vy)
+            - (turn_joint_2_x_9
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx
+                    * reactions.reaction_joint_2_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zx
+                    * reactions.reaction_joint_2_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_2_py
+                    * reactions.reaction_joint_2_vz
+                    - d_qdot_itself_from_wrench_base_my.factor_link_2_pz
+                        * reactions.reaction_joint_2_vy));
+        let turn_joint_2_y = d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xy
+            * screws.connection_joint_2_wx + turn_joint_2_y_2
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zy
+                * screws.connection_joint_2_wz
+            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
+                * screws.connection_joint_2_vx
+                - d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
+                    * screws.connection_joint_2_vz)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy
+                * reactions.reaction_joint_2_wx + turn_joint_2_y_11
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zy
+                    * reactions.reaction_joint_2_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_2_pz
+                    * reactions.reaction_joint_2_vx
+                    - d_qdot_itself_from_wrench_base_my.factor_link_2_px
+                        * reactions.reaction_joint_2_vz));
+        let turn_joint_2_z = d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xz
+            * screws.connection_joint_2_wx
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yz
+                * screws.connection_joint_2_wy + turn_joint_2_z_4
+            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
+                * screws.connection_joint_2_vy
+                - d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
+                    * screws.connection_joint_2_vx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xz
+                * reactions.reaction_joint_2_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yz
+                    * reactions.reaction_joint_2_wy + turn_joint_2_z_13
+                + (d_qdot_itself_from_wrench_base_my.factor_link_2_px
+                    * reactions.reaction_joint_2_vy
+                    - d_qdot_itself_from_wrench_base_my.factor_link_2_py
+                        * reactions.reaction_joint_2_vx));
+        // D_q\u{307} column joint_2
+        d_qdot[7][7] = reactions.reaction_joint_2_wx
+            * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx
+            + reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_my
+            + reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mz
+            + reactions.reaction_joint_2_vx
+                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_fx
+            + reactions.reaction_joint_2_vy * wrench_link_1_fy
+            + reactions.reaction_joint_2_vz * wrench_link_1_fz
+            + turn_joint_2_x * screws.connection_joint_2_wx
+            + turn_joint_2_y * screws.connection_joint_2_wy
+            + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
+        let wrench_outside_link_1_mx = d_qdot_itself_from_three_joint_3_y
+            .factor_outside_link_2_xz * screws.connection_joint_2_wz
+            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xy
+                * screws.connection_joint_2_wy + turn_joint_2_x_0)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xz
+                * reactions.reaction_joint_2_wz
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy
+                    * reactions.reaction_joint_2_wy + turn_joint_2_x_9))
+            + (complements.complement_link_2_xx
+                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                + complements.complement_link_2_xy
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                + complements.complement_link_2_xz
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                + (complements.complement_link_2_hy
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10
+                    - complements.complement_link_2_hz
+                        * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12));
+        let wrench_outside_link_1_my = d_qdot_itself_from_three_joint_3_y
+            .factor_outside_link_2_yz * screws.connection_joint_2_wz
+            + (turn_joint_2_y_2
+                + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yx
+                    * screws.connection_joint_2_wx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yz
+                * reactions.reaction_joint_2_wz
+                + (turn_joint_2_y_11
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx
+                        * reactions.reaction_joint_2_wx))
+            + (complements.complement_link_2_xy
+                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                + complements.complement_link_2_yy
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                - complements.minus_complement_link_2_yz
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                + (complements.complement_link_2_hz
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_my_10
+                    + complements.minus_complement_link_2_hx
+                        * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10));
+        let wrench_outside_link_1_mz = turn_joint_2_z_4
+            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zy
+                * screws.connection_joint_2_wy
+                + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zx
+                    * screws.connection_joint_2_wx)
+            - (turn_joint_2_z_13
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zy
+                    * reactions.reaction_joint_2_wy
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zx
+                        * reactions.reaction_joint_2_wx))
+            + (complements.complement_link_2_xz
+                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                - complements.minus_complement_link_2_yz
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                + complements.complement_link_2_zz
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                - (complements.minus_complement_link_2_hx
+                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12
+                    + complements.complement_link_2_hy
+                        * d_qdot_itself_from_three_joint_3_y.wrench_link_1_my_10));
+        let wrench_outside_link_1_fx = screws.connection_joint_2_wy
+            * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
+            - screws.connection_joint_2_wz
+                * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
+            - (reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_wrench_base_my.factor_link_2_pz
+                - reactions.reaction_joint_2_wz
+                    * d_qdot_itself_from_wrench_base_my.factor_link_2_py)
+            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_my_10 * 5.5
+                + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                    * complements.complement_link_2_hz
+                    - d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                        * complements.complement_link_2_hy));
+        let wrench_outside_link_1_fy = screws.connection_joint_2_wz
+            * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
+            - screws.connection_joint_2_wx
+                * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
+            - (reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_wrench_base_my.factor_link_2_px
+                - reactions.reaction_joint_2_wx
+                    * d_qdot_itself_from_wrench_base_my.factor_link_2_pz)
+            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12 * 5.5
+                - (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                    * complements.minus_complement_link_2_hx
+                    + d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                        * complements.complement_link_2_hz));
+        let wrench_outside_link_1_fz = screws.connection_joint_2_wx
+            * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
+            - screws.connection_joint_2_wy
+                * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
+            - (reactions.reaction_joint_2_wx
+                * d_qdot_itself_from_wrench_base_my.factor_link_2_py
+                - reactions.reaction_joint_2_wy
+                    * d_qdot_itself_from_wrench_base_my.factor_link_2_px)
+            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10 * 5.5
+                + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                    * complements.complement_link_2_hy
+                    + d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                        * complements.minus_complement_link_2_hx));
+        d_qdot[7][8] = wrench_outside_link_1_mx * screws.connection_joint_3_wx
+            + wrench_outside_link_1_my * screws.connection_joint_3_wy
+            + wrench_outside_link_1_mz * screws.connection_joint_3_wz
+            + wrench_outside_link_1_fx * screws.connection_joint_3_vx
+            + wrench_outside_link_1_fy * screws.connection_joint_3_vy
+            + wrench_outside_link_1_fz * screws.connection_joint_3_vz
+            + reactions.reaction_joint_2_wx
+                * d_qdot_itself_from_wrench_base_my.three_joint_3_x
+            + reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_3_y
+            + reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_3_z + 0.0;
+        d_qdot[7][9] = wrench_outside_link_1_mx * screws.connection_joint_4_wx
+            + wrench_outside_link_1_my * screws.connection_joint_4_wy
+            + wrench_outside_link_1_mz * screws.connection_joint_4_wz
+            + wrench_outside_link_1_fx * screws.connection_joint_4_vx
+            + wrench_outside_link_1_fy * screws.connection_joint_4_vy
+            + wrench_outside_link_1_fz * screws.connection_joint_4_vz
+            + reactions.reaction_joint_2_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_4_x
+            + reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_4_y
+            + reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_4_z + 0.0;
+        d_qdot[7][10] = wrench_outside_link_1_mx * screws.connection_joint_5_wx
+            + wrench_outside_link_1_my * screws.connection_joint_5_wy
+            + wrench_outside_link_1_mz * screws.connection_joint_5_wz
+            + wrench_outside_link_1_fx * screws.connection_joint_5_vx
+            + wrench_outside_link_1_fy * screws.connection_joint_5_vy
+            + wrench_outside_link_1_fz * screws.connection_joint_5_vz
+            + reactions.reaction_joint_2_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_x
+            + reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_y
+            + reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_z + 0.0;
+        d_qdot[7][11] = wrench_outside_link_1_mx * screws.connection_joint_6_wx
+            + wrench_outside_link_1_my * screws.connection_joint_6_wy
+            + wrench_outside_link_1_mz * screws.connection_joint_6_wz
+            + wrench_outside_link_1_fx * screws.connection_joint_6_vx
+            + wrench_outside_link_1_fy * screws.connection_joint_6_vy
+            + wrench_outside_link_1_fz * screws.connection_joint_6_vz
+            + reactions.reaction_joint_2_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+            + reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+            + reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
+        d_qdot[7][12] = wrench_outside_link_1_mx * screws.connection_joint_7_wx
+            + wrench_outside_link_1_my * screws.connection_joint_7_wy
+            + wrench_outside_link_1_mz * screws.connection_joint_7_wz
+            + wrench_outside_link_1_fx * screws.connection_joint_7_vx
+            + wrench_outside_link_1_fy * screws.connection_joint_7_vy
+            + wrench_outside_link_1_fz * screws.connection_joint_7_vz
+            + reactions.reaction_joint_2_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+            + reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+            + reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+        // D_q\u{307} column joint_3
+        d_qdot[8][0] = 0.0;
+        d_qdot[8][1] = 0.0;
+        d_qdot[8][2] = 0.0;
+        d_qdot[8][3] = 0.0;
+        d_qdot[8][4] = 0.0;
+        d_qdot[8][5] = 0.0;
+        let wrench_link_2_mx_6 = velocities.velocity_link_3_wz
+            * poses.minus_rotation_link_2_yy
+            - velocities.minus_velocity_link_3_wy * poses.cos_joint_2;
+        let wrench_link_2_mx_8 = velocities.velocity_link_3_wz
+            * poses.minus_rotation_link_2_xy
+            + velocities.velocity_link_3_wx * poses.cos_joint_2;
+        let wrench_link_2_mx_10 = velocities.velocity_link_3_wx
+            * poses.minus_rotation_link_2_yy
+            + velocities.minus_velocity_link_3_wy * poses.minus_rotation_link_2_xy;
+        let wrench_link_2_my_12 = velocities.velocity_link_3_vy * poses.cos_joint_2
+            + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy
+            - (velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vz
+                + velocities.velocity_link_3_wz * screws.screw_joint_3_vy);
+        let wrench_link_2_mx_14 = velocities.velocity_link_3_wz * screws.screw_joint_3_vx
+            - velocities.velocity_link_3_wx * screws.screw_joint_3_vz
+            - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
+                + velocities.velocity_link_3_vx * poses.cos_joint_2);
+        let wrench_link_2_mx_12 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
+            + velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vx
+            + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
+                - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy);
+        let wrench_link_2_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+            * poses.cos_joint_2
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
+                * poses.minus_rotation_link_2_yy
+                + d_qdot_itself_from_wrench_base_my.three_joint_3_x_2)
+            + (inertias.composite_link_3_xx * wrench_link_2_mx_6
+                - inertias.composite_link_3_xy * wrench_link_2_mx_8
+                - inertias.composite_link_3_xz * wrench_link_2_mx_10
+                + (inertias.composite_link_3_hy * wrench_link_2_mx_12
+                    - inertias.composite_link_3_hz * wrench_link_2_mx_14));
+        DQdotItselfFromWrenchLink1Fy {
+            turn_joint_2_x,
+            turn_joint_2_y,
+            turn_joint_2_z,
+            wrench_link_2_mx_6,
+            wrench_link_2_mx_8,
+            wrench_link_2_mx_10,
+            wrench_link_2_my_12,
+            wrench_link_2_mx_14,
+            wrench_link_2_mx_12,
+            wrench_link_2_mx,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromWrenchLink2My {
+        pub(super) factor_outside_link_3_xx: f64,
+        pub(super) factor_outside_link_3_yx: f64,
+        pub(super) factor_outside_link_3_zx: f64,
+        pub(super) factor_outside_link_3_xy: f64,
+        pub(super) factor_outside_link_3_yy: f64,
+        pub(super) factor_outside_link_3_zy: f64,
+        pub(super) factor_outside_link_3_xz: f64,
+        pub(super) factor_outside_link_3_yz: f64,
+        pub(super) factor_outside_link_3_zz: f64,
+        pub(super) factor_outside_link_3_px: f64,
+        pub(super) factor_outside_link_3_py: f64,
+        pub(super) factor_outside_link_3_pz: f64,
+        pub(super) turn_joint_3_x: f64,
+        pub(super) turn_joint_3_y: f64,
+        pub(super) turn_joint_3_z: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_wrench_link_2_my(
+        poses: &Poses,
+        inertias: &Inertias,
+        complements: &Complements,
+        screws: &Screws,
+        reactions: &Reactions,
+        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
+        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromWrenchLink2My {
+        let wrench_link_2_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
+            * poses.cos_joint_2
+            - (d_qdot_itself_from_wrench_base_my.three_joint_3_y_4
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+                    * poses.minus_rotation_link_2_xy)
+            + (inertias.composite_link_3_xy
+                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                - inertias.composite_link_3_yy
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                - inertias.composite_link_3_yz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                + (inertias.composite_link_3_hz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12
+                    - inertias.composite_link_3_hx
+                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12));
+        let wrench_link_2_mz = d_qdot_itself_from_wrench_base_my.three_joint_3_z_0
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
+                * poses.minus_rotation_link_2_yy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
+                    * poses.minus_rotation_link_2_xy)
+            + (inertias.composite_link_3_xz
+                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                - inertias.composite_link_3_yz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                - inertias.composite_link_3_zz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                + (inertias.composite_link_3_hx
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14
+                    - inertias.composite_link_3_hy
+                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12));
+        // D_q\u{307} column joint_3
+        d_qdot[8][6] = reactions.reaction_joint_1_wx
+            * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx
+            + reactions.reaction_joint_1_wy * wrench_link_2_my
+            + reactions.reaction_joint_1_wz * wrench_link_2_mz
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+                * screws.connection_joint_3_wx
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+                * screws.connection_joint_3_wy
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+                * screws.connection_joint_3_wz + 0.0;
+        let wrench_link_2_fx = d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12
+            * 10.0
+            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                * inertias.composite_link_3_hy
+                - d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    * inertias.composite_link_3_hz)
+            - (poses.minus_rotation_link_2_yy
+                * d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                + poses.cos_joint_2
+                    * d_qdot_itself_from_wrench_base_my.factor_link_3_py);
+        let wrench_link_2_fy = poses.cos_joint_2
+            * d_qdot_itself_from_wrench_base_my.factor_link_3_px
+            + poses.minus_rotation_link_2_xy
+                * d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14 * 10.0
+                - (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * inertias.composite_link_3_hx
+                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                        * inertias.composite_link_3_hz));
+        let wrench_link_2_fz = poses.minus_rotation_link_2_yy
+            * d_qdot_itself_from_wrench_base_my.factor_link_3_px
+            - poses.minus_rotation_link_2_xy
+                * d_qdot_itself_from_wrench_base_my.factor_link_3_py
+            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12 * 10.0
+                + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                    * inertias.composite_link_3_hy
+                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                        * inertias.composite_link_3_hx));
+        d_qdot[8][7] = reactions.reaction_joint_2_wx
+            * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx
+            + reactions.reaction_joint_2_wy * wrench_link_2_my
+            + reactions.reaction_joint_2_wz * wrench_link_2_mz
+            + reactions.reaction_joint_2_vx * wrench_link_2_fx
+            + reactions.reaction_joint_2_vy * wrench_link_2_fy
+            + reactions.reaction_joint_2_vz * wrench_link_2_fz
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * screws.connection_joint_3_wx
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+                * screws.connection_joint_3_wy
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+                * screws.connection_joint_3_wz + 0.0;
+        let factor_outside_link_3_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_xx_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xx;
+        let factor_outside_link_3_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_yx_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yx;
+        let factor_outside_link_3_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_zx_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zx;
+        let factor_outside_link_3_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_xy_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xy;
+        let factor_outside_link_3_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_yy_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yy;
+        let factor_outside_link_3_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_zy_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zy;
+        let factor_outside_link_3_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_xz_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xz;
+        let factor_outside_link_3_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_yz_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yz;
+        let factor_outside_link_3_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_2_zz_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zz;
+        let factor_outside_link_3_px = d_qdot_itself_from_wrench_base_my
+            .factor_link_2_px_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px;
+        let factor_outside_link_3_py = d_qdot_itself_from_wrench_base_my
+            .factor_link_2_py_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py;
+        let factor_outside_link_3_pz = d_qdot_itself_from_wrench_base_my
+            .factor_link_2_pz_0
+            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz;
+        let turn_joint_3_x_0 = factor_outside_link_3_xx * screws.connection_joint_3_wx;
+        let turn_joint_3_y_2 = factor_outside_link_3_yy * screws.connection_joint_3_wy;
+        let turn_joint_3_z_4 = factor_outside_link_3_zz * screws.connection_joint_3_wz;
+        let turn_joint_3_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xx
+            * reactions.reaction_joint_3_wx;
+        let turn_joint_3_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yy
+            * reactions.reaction_joint_3_wy;
+        let turn_joint_3_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zz
+            * reactions.reaction_joint_3_wz;
+        let turn_joint_3_x = turn_joint_3_x_0
+            + factor_outside_link_3_yx * screws.connection_joint_3_wy
+            + factor_outside_link_3_zx * screws.connection_joint_3_wz
+            + (factor_outside_link_3_py * screws.connection_joint_3_vz
+                - factor_outside_link_3_pz * screws.connection_joint_3_vy)
+            - (turn_joint_3_x_9
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+                    * reactions.reaction_joint_3_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
+                    * reactions.reaction_joint_3_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                    * reactions.reaction_joint_3_vz
+                    - d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                        * reactions.reaction_joint_3_vy));
+        let turn_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
+            + turn_joint_3_y_2 + factor_outside_link_3_zy * screws.connection_joint_3_wz
+            + (factor_outside_link_3_pz * screws.connection_joint_3_vx
+                - factor_outside_link_3_px * screws.connection_joint_3_vz)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
+                * reactions.reaction_joint_3_wx + turn_joint_3_y_11
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
+                    * reactions.reaction_joint_3_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                    * reactions.reaction_joint_3_vx
+                    - d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                        * reactions.reaction_joint_3_vz));
+        let turn_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
+            + factor_outside_link_3_yz * screws.connection_joint_3_wy + turn_joint_3_z_4
+            + (factor_outside_link_3_px * screws.connection_joint_3_vy
+                - factor_outside_link_3_py * screws.connection_joint_3_vx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+                * reactions.reaction_joint_3_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
+                    * reactions.reaction_joint_3_wy + turn_joint_3_z_13
+                + (d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                    * reactions.reaction_joint_3_vy
+                    - d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                        * reactions.reaction_joint_3_vx));
+        d_qdot[8][8] = reactions.reaction_joint_3_wx
+            * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx
+            + reactions.reaction_joint_3_wy * wrench_link_2_my
+            + reactions.reaction_joint_3_wz * wrench_link_2_mz
+            + reactions.reaction_joint_3_vx * wrench_link_2_fx
+            + reactions.reaction_joint_3_vy * wrench_link_2_fy
+            + reactions.reaction_joint_3_vz * wrench_link_2_fz
+            + turn_joint_3_x * screws.connection_joint_3_wx
+            + turn_joint_3_y * screws.connection_joint_3_wy
+            + turn_joint_3_z * screws.connection_joint_3_wz + 0.0;
+        let wrench_outside_link_2_mx = factor_outside_link_3_xz
+            * screws.connection_joint_3_wz
+            + (factor_outside_link_3_xy * screws.connection_joint_3_wy
+                + turn_joint_3_x_0)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+                * reactions.reaction_joint_3_wz
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
+                    * reactions.reaction_joint_3_wy + turn_joint_3_x_9))
+            + (complements.complement_link_3_xx
+                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                - complements.complement_link_3_xy
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                - complements.complement_link_3_xz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                + (complements.complement_link_3_hy
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12
+                    - complements.complement_link_3_hz
+                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14));
+        let wrench_outside_link_2_my = factor_outside_link_3_yz
+            * screws.connection_joint_3_wz
+            + (turn_joint_3_y_2
+                + factor_outside_link_3_yx * screws.connection_joint_3_wx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
+                * reactions.reaction_joint_3_wz
+                + (turn_joint_3_y_11
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+                        * reactions.reaction_joint_3_wx))
+            + (complements.complement_link_3_xy
+                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                - complements.complement_link_3_yy
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                - complements.complement_link_3_yz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                + (complements.complement_link_3_hz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12
+                    - complements.complement_link_3_hx
+                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12));
+        let wrench_outside_link_2_mz = turn_joint_3_z_4
+            + (factor_outside_link_3_zy * screws.connection_joint_3_wy
+                + factor_outside_link_3_zx * screws.connection_joint_3_wx)
+            - (turn_joint_3_z_13
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
+                    * reactions.reaction_joint_3_wy
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
+                        * reactions.reaction_joint_3_wx))
+            + (complements.complement_link_3_xz
+                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                - complements.complement_link_3_yz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                - complements.complement_link_3_zz
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                + (complements.complement_link_3_hx
+                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14
+                    - complements.complement_link_3_hy
+                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12));
+        let wrench_outside_link_2_fx = screws.connection_joint_3_wy
+            * factor_outside_link_3_pz
+            - screws.connection_joint_3_wz * factor_outside_link_3_py
+            - (reactions.reaction_joint_3_wy
+                * d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                - reactions.reaction_joint_3_wz
+                    * d_qdot_itself_from_wrench_base_my.factor_link_3_py)
+            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12 * 7.5
+                + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * complements.complement_link_3_hy
+                    - d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                        * complements.complement_link_3_hz));
+        let wrench_outside_link_2_fy = screws.connection_joint_3_wz
+            * factor_outside_link_3_px
+            - screws.connection_joint_3_wx * factor_outside_link_3_pz
+            - (reactions.reaction_joint_3_wz
+                * d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                - reactions.reaction_joint_3_wx
+                    * d_qdot_itself_from_wrench_base_my.factor_link_3_pz)
+            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14 * 7.5
+                - (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * complements.complement_link_3_hx
+                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                        * complements.complement_link_3_hz));
+        let wrench_outside_link_2_fz = screws.connection_joint_3_wx
+            * factor_outside_link_3_py
+            - screws.connection_joint_3_wy * factor_outside_link_3_px
+            - (reactions.reaction_joint_3_wx
+                * d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                - reactions.reaction_joint_3_wy
+                    * d_qdot_itself_from_wrench_base_my.factor_link_3_px)
+            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12 * 7.5
+                + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                    * complements.complement_link_3_hy
+                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                        * complements.complement_link_3_hx));
+        d_qdot[8][9] = wrench_outside_link_2_mx * screws.connection_joint_4_wx
+            + wrench_outside_link_2_my * screws.connection_joint_4_wy
+            + wrench_outside_link_2_mz * screws.connection_joint_4_wz
+            + wrench_outside_link_2_fx * screws.connection_joint_4_vx
+            + wrench_outside_link_2_fy * screws.connection_joint_4_vy
+            + wrench_outside_link_2_fz * screws.connection_joint_4_vz
+            + reactions.reaction_joint_3_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_4_x
+            + reactions.reaction_joint_3_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_4_y
+            + reactions.reaction_joint_3_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_4_z + 0.0;
+        d_qdot[8][10] = wrench_outside_link_2_mx * screws.connection_joint_5_wx
+            + wrench_outside_link_2_my * screws.connection_joint_5_wy
+            + wrench_outside_link_2_mz * screws.connection_joint_5_wz
+            + wrench_outside_link_2_fx * screws.connection_joint_5_vx
+            + wrench_outside_link_2_fy * screws.connection_joint_5_vy
+            + wrench_outside_link_2_fz * screws.connection_joint_5_vz
+            + reactions.reaction_joint_3_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_x
+            + reactions.reaction_joint_3_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_y
+            + reactions.reaction_joint_3_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_z + 0.0;
+        d_qdot[8][11] = wrench_outside_link_2_mx * screws.connection_joint_6_wx
+            + wrench_outside_link_2_my * screws.connection_joint_6_wy
+            + wrench_outside_link_2_mz * screws.connection_joint_6_wz
+            + wrench_outside_link_2_fx * screws.connection_joint_6_vx
+            + wrench_outside_link_2_fy * screws.connection_joint_6_vy
+            + wrench_outside_link_2_fz * screws.connection_joint_6_vz
+            + reactions.reaction_joint_3_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+            + reactions.reaction_joint_3_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+            + reactions.reaction_joint_3_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
+        d_qdot[8][12] = wrench_outside_link_2_mx * screws.connection_joint_7_wx
+            + wrench_outside_link_2_my * screws.connection_joint_7_wy
+            + wrench_outside_link_2_mz * screws.connection_joint_7_wz
+            + wrench_outside_link_2_fx * screws.connection_joint_7_vx
+            + wrench_outside_link_2_fy * screws.connection_joint_7_vy
+            + wrench_outside_link_2_fz * screws.connection_joint_7_vz
+            + reactions.reaction_joint_3_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+            + reactions.reaction_joint_3_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+            + reactions.reaction_joint_3_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+        DQdotItselfFromWrenchLink2My {
+            factor_outside_link_3_xx,
+            factor_outside_link_3_yx,
+            factor_outside_link_3_zx,
+            factor_outside_link_3_xy,
+            factor_outside_link_3_yy,
+            factor_outside_link_3_zy,
+            factor_outside_link_3_xz,
+            factor_outside_link_3_yz,
+            factor_outside_link_3_zz,
+            factor_outside_link_3_px,
+            factor_outside_link_3_py,
+            factor_outside_link_3_pz,
+            turn_joint_3_x,
+            turn_joint_3_y,
+            turn_joint_3_z,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromDQdot0_9 {
+        pub(super) factor_outside_link_4_xx: f64,
+        pub(super) factor_outside_link_4_yx: f64,
+        pub(super) factor_outside_link_4_zx: f64,
+        pub(super) factor_outside_link_4_xy: f64,
+        pub(super) factor_outside_link_4_yy: f64,
+        pub(super) factor_outside_link_4_zy: f64,
+        pub(super) factor_outside_link_4_xz: f64,
+        pub(super) factor_outside_link_4_yz: f64,
+        pub(super) factor_outside_link_4_zz: f64,
+        pub(super) factor_outside_link_4_px: f64,
+        pub(super) factor_outside_link_4_py: f64,
+        pub(super) factor_outside_link_4_pz: f64,
+        pub(super) wrench_link_3_mx_8: f64,
+        pub(super) wrench_link_3_mx_6: f64,
+        pub(super) wrench_link_3_mx_10: f64,
+        pub(super) wrench_link_3_my_12: f64,
+        pub(super) wrench_link_3_mx_14: f64,
+        pub(super) wrench_link_3_mx_12: f64,
+        pub(super) turn_joint_4_y_2: f64,
+        pub(super) turn_joint_4_z_4: f64,
+        pub(super) turn_joint_4_y_11: f64,
+        pub(super) turn_joint_4_z_13: f64,
+        pub(super) wrench_outside_link_3_mx: f64,
+        pub(super) turn_joint_4_x: f64,
+        pub(super) turn_joint_4_y: f64,
+        pub(super) turn_joint_4_z: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_d_qdot_0_9(
+        poses: &Poses,
+        inertias: &Inertias,
+        complements: &Complements,
+        screws: &Screws,
+        reactions: &Reactions,
+        velocities: &Velocities,
+        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
+        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
+        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromDQdot0_9 {
+        // D_q\u{307} column joint_4
+        d_qdot[9][0] = 0.0;
+        d_qdot[9][1] = 0.0;
+        d_qdot[9][2] = 0.0;
+        d_qdot[9][3] = 0.0;
+        d_qdot[9][4] = 0.0;
+        d_qdot[9][5] = 0.0;
+        let wrench_link_3_mx_8 = velocities.velocity_link_4_wy
+            * poses.minus_rotation_link_3_zy
+            + velocities.velocity_link_4_wz * poses.rotation_link_3_yy;
+        let wrench_link_3_mx_6 = velocities.velocity_link_4_wx
+            * poses.minus_rotation_link_3_zy
+            - velocities.velocity_link_4_wz * poses.minus_rotation_link_3_xy;
+        let wrench_link_3_mx_10 = velocities.velocity_link_4_wx
+            * poses.rotation_link_3_yy
+            + velocities.velocity_link_4_wy * poses.minus_rotation_link_3_xy;
+        let wrench_link_3_my_12 = velocities.velocity_link_4_wz
+            * screws.minus_screw_joint_4_vy
+            - velocities.velocity_link_4_wy * screws.minus_screw_joint_4_vz
+            - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
+                + velocities.velocity_link_4_vz * poses.rotation_link_3_yy);
+        let wrench_link_3_mx_14 = velocities.velocity_link_4_wz * screws.screw_joint_4_vx
+            + velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vz
+            + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
+                - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy);
+        let wrench_link_3_mx_12 = velocities.velocity_link_4_vx
+            * poses.rotation_link_3_yy
+            + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
+            - (velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vy
+                + velocities.velocity_link_4_wy * screws.screw_joint_4_vx);
+        let wrench_link_3_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
+            * poses.rotation_link_3_yy
+            - d_qdot_itself_from_three_joint_3_y.three_joint_4_x_2
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
+                * poses.minus_rotation_link_3_zy
+            + (inertias.composite_link_4_xy * wrench_link_3_mx_6
+                - inertias.composite_link_4_xx * wrench_link_3_mx_8
+                + inertias.composite_link_4_xz * wrench_link_3_mx_10
+                + (inertias.composite_link_4_hy * wrench_link_3_mx_12
+                    - inertias.composite_link_4_hz * wrench_link_3_mx_14));
+        let wrench_link_3_my = d_qdot_itself_from_three_joint_3_y.three_joint_4_y_0
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
+                * poses.minus_rotation_link_3_xy
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
+                * poses.minus_rotation_link_3_zy
+            + (inertias.composite_link_4_yy * wrench_link_3_mx_6
+                - inertias.composite_link_4_xy * wrench_link_3_mx_8
+                + inertias.composite_link_4_yz * wrench_link_3_mx_10
+                + (inertias.composite_link_4_hz * wrench_link_3_my_12
+                    + inertias.minus_composite_link_4_hx * wrench_link_3_mx_12));
+        let wrench_link_3_mz = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+            * poses.rotation_link_3_yy
+            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+                * poses.minus_rotation_link_3_xy
+            - d_qdot_itself_from_three_joint_3_y.three_joint_4_z_4
+            + (inertias.composite_link_4_yz * wrench_link_3_mx_6
+                - inertias.composite_link_4_xz * wrench_link_3_mx_8
+                + inertias.composite_link_4_zz * wrench_link_3_mx_10
+                - (inertias.minus_composite_link_4_hx * wrench_link_3_mx_14
+                    + inertias.composite_link_4_hy * wrench_link_3_my_12));
+        d_qdot[9][6] = reactions.reaction_joint_1_wx * wrench_link_3_mx
+            + reactions.reaction_joint_1_wy * wrench_link_3_my
+            + reactions.reaction_joint_1_wz * wrench_link_3_mz
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+                * screws.connection_joint_4_wx
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+                * screws.connection_joint_4_wy
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+                * screws.connection_joint_4_wz + 0.0;
+        let wrench_link_3_fx = poses.rotation_link_3_yy
+            * d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+            + poses.minus_rotation_link_3_zy
+                * d_qdot_itself_from_wrench_base_my.factor_link_4_py
+            + (wrench_link_3_my_12 * 8.0
+                + (wrench_link_3_mx_6 * inertias.composite_link_4_hz
+                    - wrench_link_3_mx_10 * inertias.composite_link_4_hy));
+        let wrench_link_3_fy = poses.minus_rotation_link_3_xy
+            * d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+            - poses.minus_rotation_link_3_zy
+                * d_qdot_itself_from_wrench_base_my.factor_link_4_px
+            + (wrench_link_3_mx_14 * 8.0
+                + (wrench_link_3_mx_8 * inertias.composite_link_4_hz
+                    - wrench_link_3_mx_10 * inertias.minus_composite_link_4_hx));
+        let wrench_link_3_fz = wrench_link_3_mx_12 * 8.0
+            + (wrench_link_3_mx_6 * inertias.minus_composite_link_4_hx
+                - wrench_link_3_mx_8 * inertias.composite_link_4_hy)
+            - (poses.minus_rotation_link_3_xy
+                * d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                + poses.rotation_link_3_yy
+                    * d_qdot_itself_from_wrench_base_my.factor_link_4_px);
+        d_qdot[9][7] = reactions.reaction_joint_2_wx * wrench_link_3_mx
+            + reactions.reaction_joint_2_wy * wrench_link_3_my
+            + reactions.reaction_joint_2_wz * wrench_link_3_mz
+            + reactions.reaction_joint_2_vx * wrench_link_3_fx
+            + reactions.reaction_joint_2_vy * wrench_link_3_fy
+            + reactions.reaction_joint_2_vz * wrench_link_3_fz
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * screws.connection_joint_4_wx
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+                * screws.connection_joint_4_wy
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+                * screws.connection_joint_4_wz + 0.0;
+        d_qdot[9][8] = reactions.reaction_joint_3_wx * wrench_link_3_mx
+            + reactions.reaction_joint_3_wy * wrench_link_3_my
+            + reactions.reaction_joint_3_wz * wrench_link_3_mz
+            + reactions.reaction_joint_3_vx * wrench_link_3_fx
+            + reactions.reaction_joint_3_vy * wrench_link_3_fy
+            + reactions.reaction_joint_3_vz * wrench_link_3_fz
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+                * screws.connection_joint_4_wx
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+                * screws.connection_joint_4_wy
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+                * screws.connection_joint_4_wz + 0.0;
+        let factor_outside_link_4_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_xx_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_xx;
+        let factor_outside_link_4_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_yx_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_yx;
+        let factor_outside_link_4_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_zx_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_zx;
+        let factor_outside_link_4_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_xy_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_xy;
+        let factor_outside_link_4_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_yy_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_yy;
+        let factor_outside_link_4_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_zy_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_zy;
+        let factor_outside_link_4_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_xz_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_xz;
+        let factor_outside_link_4_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_yz_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_yz;
+        let factor_outside_link_4_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_3_zz_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_zz;
+        let factor_outside_link_4_px = d_qdot_itself_from_wrench_base_my
+            .factor_link_3_px_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_px;
+        let factor_outside_link_4_py = d_qdot_itself_from_wrench_base_my
+            .factor_link_3_py_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_py;
+        let factor_outside_link_4_pz = d_qdot_itself_from_wrench_base_my
+            .factor_link_3_pz_0
+            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_pz;
+        let turn_joint_4_x_0 = factor_outside_link_4_xx * screws.connection_joint_4_wx;
+        let turn_joint_4_y_2 = factor_outside_link_4_yy * screws.connection_joint_4_wy;
+        let turn_joint_4_z_4 = factor_outside_link_4_zz * screws.connection_joint_4_wz;
+        let turn_joint_4_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xx
+            * reactions.reaction_joint_4_wx;
+        let turn_joint_4_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yy
+            * reactions.reaction_joint_4_wy;
+        let turn_joint_4_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zz
+            * reactions.reaction_joint_4_wz;
+        let turn_joint_4_x = turn_joint_4_x_0
+            + factor_outside_link_4_yx * screws.connection_joint_4_wy
+            + factor_outside_link_4_zx * screws.connection_joint_4_wz
+            + (factor_outside_link_4_py * screws.connection_joint_4_vz
+                - factor_outside_link_4_pz * screws.connection_joint_4_vy)
+            - (turn_joint_4_x_9
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
+                    * reactions.reaction_joint_4_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+                    * reactions.reaction_joint_4_wz
+                - (d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                    * reactions.minus_reaction_joint_4_vz
+                    + d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                        * reactions.reaction_joint_4_vy));
+        let turn_joint_4_y = factor_outside_link_4_xy * screws.connection_joint_4_wx
+            + turn_joint_4_y_2 + factor_outside_link_4_zy * screws.connection_joint_4_wz
+            + (factor_outside_link_4_pz * screws.connection_joint_4_vx
+                - factor_outside_link_4_px * screws.connection_joint_4_vz)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
+                * reactions.reaction_joint_4_wx + turn_joint_4_y_11
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+                    * reactions.reaction_joint_4_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                    * reactions.reaction_joint_4_vx
+                    + d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                        * reactions.minus_reaction_joint_4_vz));
+        let turn_joint_4_z = factor_outside_link_4_xz * screws.connection_joint_4_wx
+            + factor_outside_link_4_yz * screws.connection_joint_4_wy + turn_joint_4_z_4
+            + (factor_outside_link_4_px * screws.connection_joint_4_vy
+                - factor_outside_link_4_py * screws.connection_joint_4_vx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
+                * reactions.reaction_joint_4_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
+                    * reactions.reaction_joint_4_wy + turn_joint_4_z_13
+                + (d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                    * reactions.reaction_joint_4_vy
+                    - d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                        * reactions.reaction_joint_4_vx));
+        d_qdot[9][9] = reactions.reaction_joint_4_wx * wrench_link_3_mx
+            + reactions.reaction_joint_4_wy * wrench_link_3_my
+            + reactions.reaction_joint_4_wz * wrench_link_3_mz
+            + reactions.reaction_joint_4_vx * wrench_link_3_fx
+            + reactions.reaction_joint_4_vy * wrench_link_3_fy
+            - reactions.minus_reaction_joint_4_vz * wrench_link_3_fz
+            + turn_joint_4_x * screws.connection_joint_4_wx
+            + turn_joint_4_y * screws.connection_joint_4_wy
+            + turn_joint_4_z * screws.connection_joint_4_wz + 0.0;
+        let wrench_outside_link_3_mx = factor_outside_link_4_xz
+            * screws.connection_joint_4_wz
+            + (factor_outside_link_4_xy * screws.connection_joint_4_wy
+                + turn_joint_4_x_0)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
+                * reactions.reaction_joint_4_wz
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
+                    * reactions.reaction_joint_4_wy + turn_joint_4_x_9))
+            + (complements.complement_link_4_xy * wrench_link_3_mx_6
+                - complements.complement_link_4_xx * wrench_link_3_mx_8
+                + complements.complement_link_4_xz * wrench_link_3_mx_10
+                + (complements.complement_link_4_hy * wrench_link_3_mx_12
+                    - complements.complement_link_4_hz * wrench_link_3_mx_14));
+        DQdotItselfFromDQdot0_9 {
+            factor_outside_link_4_xx,
+            factor_outside_link_4_yx,
+            factor_outside_link_4_zx,
+            factor_outside_link_4_xy,
+            factor_outside_link_4_yy,
+            factor_outside_link_4_zy,
+            factor_outside_link_4_xz,
+            factor_outside_link_4_yz,
+            factor_outside_link_4_zz,
+            factor_outside_link_4_px,
+            factor_outside_link_4_py,
+            factor_outside_link_4_pz,
+            wrench_link_3_mx_8,
+            wrench_link_3_mx_6,
+            wrench_link_3_mx_10,
+            wrench_link_3_my_12,
+            wrench_link_3_mx_14,
+            wrench_link_3_mx_12,
+            turn_joint_4_y_2,
+            turn_joint_4_z_4,
+            turn_joint_4_y_11,
+            turn_joint_4_z_13,
+            wrench_outside_link_3_mx,
+            turn_joint_4_x,
+            turn_joint_4_y,
+            turn_joint_4_z,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromWrenchOutsideLink3My {
+        pub(super) factor_outside_link_5_xx: f64,
+        pub(super) factor_outside_link_5_yx: f64,
+        pub(super) factor_outside_link_5_zx: f64,
+        pub(super) factor_outside_link_5_xy: f64,
+        pub(super) factor_outside_link_5_yy: f64,
+        pub(super) factor_outside_link_5_zy: f64,
+        pub(super) factor_outside_link_5_xz: f64,
+        pub(super) factor_outside_link_5_yz: f64,
+        pub(super) factor_outside_link_5_zz: f64,
+        pub(super) factor_outside_link_5_px: f64,
+        pub(super) factor_outside_link_5_py: f64,
+        pub(super) factor_outside_link_5_pz: f64,
+        pub(super) wrench_link_4_mx_6: f64,
+        pub(super) wrench_link_4_mx_8: f64,
+        pub(super) wrench_link_4_mx_10: f64,
+        pub(super) wrench_link_4_my_12: f64,
+        pub(super) wrench_link_4_mx_14: f64,
+        pub(super) wrench_link_4_mx_12: f64,
+        pub(super) turn_joint_5_x_0: f64,
+        pub(super) turn_joint_5_y_2: f64,
+        pub(super) turn_joint_5_z_4: f64,
+        pub(super) turn_joint_5_x_9: f64,
+        pub(super) turn_joint_5_y_11: f64,
+        pub(super) turn_joint_5_z_13: f64,
+        pub(super) turn_joint_5_x: f64,
+        pub(super) turn_joint_5_y: f64,
+        pub(super) turn_joint_5_z: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_wrench_outside_link_3_my(
+        poses: &Poses,
+        inertias: &Inertias,
+        complements: &Complements,
+        screws: &Screws,
+        reactions: &Reactions,
+        velocities: &Velocities,
+        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
+        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
+        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot_itself_from_d_qdot_0_9: &DQdotItselfFromDQdot0_9,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromWrenchOutsideLink3My {
+        let wrench_outside_link_3_my = d_qdot_itself_from_d_qdot_0_9
+            .factor_outside_link_4_yz * screws.connection_joint_4_wz
+            + (d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y_2
+                + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yx
+                    * screws.connection_joint_4_wx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
+                * reactions.reaction_joint_4_wz
+                + (d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y_11
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
+                        * reactions.reaction_joint_4_wx))
+            + (complements.complement_link_4_yy
+                * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                - complements.complement_link_4_xy
+                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                + complements.complement_link_4_yz
+                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                + (complements.complement_link_4_hz
+                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_my_12
+                    - complements.complement_link_4_hx
+                        * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_12));
+        let wrench_outside_link_3_mz = d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z_4
+            + (d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zy
+                * screws.connection_joint_4_wy
+                + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zx
+                    * screws.connection_joint_4_wx)
+            - (d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z_13
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+                    * reactions.reaction_joint_4_wy
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+                        * reactions.reaction_joint_4_wx))
+            + (complements.complement_link_4_yz
+                * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                - complements.complement_link_4_xz
+                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                + complements.complement_link_4_zz
+                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                + (complements.complement_link_4_hx
+                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_14
+                    - complements.complement_link_4_hy
+                        * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_my_12));
+        let wrench_outside_link_3_fx = screws.connection_joint_4_wy
+            * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_pz
+            - screws.connection_joint_4_wz
+                * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_py
+            - (reactions.reaction_joint_4_wy
+                * d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                - reactions.reaction_joint_4_wz
+                    * d_qdot_itself_from_wrench_base_my.factor_link_4_py)
+            + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_my_12 * 9.5
+                + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                    * complements.complement_link_4_hz
+                    - d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                        * complements.complement_link_4_hy));
+        let wrench_outside_link_3_fy = screws.connection_joint_4_wz
+            * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_px
+            - screws.connection_joint_4_wx
+                * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_pz
+            - (reactions.reaction_joint_4_wz
+                * d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                - reactions.reaction_joint_4_wx
+                    * d_qdot_itself_from_wrench_base_my.factor_link_4_pz)
+            + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_14 * 9.5
+                + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                    * complements.complement_link_4_hx
+                    + d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                        * complements.complement_link_4_hz));
+        let wrench_outside_link_3_fz = screws.connection_joint_4_wx
+            * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_py
+            - screws.connection_joint_4_wy
+                * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_px
+            - (reactions.reaction_joint_4_wx
+                * d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                - reactions.reaction_joint_4_wy
+                    * d_qdot_itself_from_wrench_base_my.factor_link_4_px)
+            + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_12 * 9.5
+                - (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                    * complements.complement_link_4_hy
+                    + d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                        * complements.complement_link_4_hx));
+        // D_q\u{307} column joint_4
+        d_qdot[9][10] = d_qdot_itself_from_d_qdot_0_9.wrench_outside_link_3_mx
+            * screws.connection_joint_5_wx
+            + wrench_outside_link_3_my * screws.connection_joint_5_wy
+            + wrench_outside_link_3_mz * screws.connection_joint_5_wz
+            + wrench_outside_link_3_fx * screws.connection_joint_5_vx
+            + wrench_outside_link_3_fy * screws.connection_joint_5_vy
+            + wrench_outside_link_3_fz * screws.connection_joint_5_vz
+            + reactions.reaction_joint_4_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_x
+            + reactions.reaction_joint_4_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_y
+            + reactions.reaction_joint_4_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_5_z + 0.0;
+        d_qdot[9][11] = d_qdot_itself_from_d_qdot_0_9.wrench_outside_link_3_mx
+            * screws.connection_joint_6_wx
+            + wrench_outside_link_3_my * screws.connection_joint_6_wy
+            + wrench_outside_link_3_mz * screws.connection_joint_6_wz
+            + wrench_outside_link_3_fx * screws.connection_joint_6_vx
+            + wrench_outside_link_3_fy * screws.connection_joint_6_vy
+            + wrench_outside_link_3_fz * screws.connection_joint_6_vz
+            + reactions.reaction_joint_4_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+            + reactions.reaction_joint_4_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+            + reactions.reaction_joint_4_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
+        d_qdot[9][12] = d_qdot_itself_from_d_qdot_0_9.wrench_outside_link_3_mx
+            * screws.connection_joint_7_wx
+            + wrench_outside_link_3_my * screws.connection_joint_7_wy
+            + wrench_outside_link_3_mz * screws.connection_joint_7_wz
+            + wrench_outside_link_3_fx * screws.connection_joint_7_vx
+            + wrench_outside_link_3_fy * screws.connection_joint_7_vy
+            + wrench_outside_link_3_fz * screws.connection_joint_7_vz
+            + reactions.reaction_joint_4_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+            + reactions.reaction_joint_4_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+            + reactions.reaction_joint_4_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+        // D_q\u{307} column joint_5
+        d_qdot[10][0] = 0.0;
+        d_qdot[10][1] = 0.0;
+        d_qdot[10][2] = 0.0;
+        d_qdot[10][3] = 0.0;
+        d_qdot[10][4] = 0.0;
+        d_qdot[10][5] = 0.0;
+        let wrench_link_4_mx_6 = velocities.velocity_link_5_wy * poses.rotation_link_5_zz
+            + velocities.velocity_link_5_wz * poses.rotation_link_4_yy;
+        let wrench_link_4_mx_8 = velocities.velocity_link_5_wz * poses.rotation_link_4_xy
+            + velocities.velocity_link_5_wx * poses.rotation_link_5_zz;
+        let wrench_link_4_mx_10 = velocities.velocity_link_5_wy
+            * poses.rotation_link_4_xy
+            - velocities.velocity_link_5_wx * poses.rotation_link_4_yy;
+        let wrench_link_4_my_12 = velocities.velocity_link_5_wy * screws.screw_joint_5_vz
+            - velocities.velocity_link_5_wz * screws.screw_joint_5_vy
+            + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
+                + velocities.velocity_link_5_vz * poses.rotation_link_4_yy);
+        let wrench_link_4_mx_14 = velocities.velocity_link_5_wz * screws.screw_joint_5_vx
+            - velocities.velocity_link_5_wx * screws.screw_joint_5_vz
+            - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
+                + velocities.velocity_link_5_vx * poses.rotation_link_5_zz);
+        let wrench_link_4_mx_12 = velocities.velocity_link_5_wx * screws.screw_joint_5_vy
+            - velocities.velocity_link_5_wy * screws.screw_joint_5_vx
+            + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
+                - velocities.velocity_link_5_vx * poses.rotation_link_4_yy);
+        let wrench_link_4_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+            * poses.rotation_link_5_zz
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
+                * poses.rotation_link_4_yy
+                + d_qdot_itself_from_three_joint_3_y.three_joint_5_x_2)
+            + (inertias.composite_link_5_xx * wrench_link_4_mx_6
+                - inertias.composite_link_5_xy * wrench_link_4_mx_8
+                + inertias.composite_link_5_xz * wrench_link_4_mx_10
+                + (inertias.composite_link_5_hy * wrench_link_4_mx_12
+                    - inertias.composite_link_5_hz * wrench_link_4_mx_14));
+        let wrench_link_4_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
+            * poses.rotation_link_5_zz
+            - (d_qdot_itself_from_three_joint_3_y.three_joint_5_y_4
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+                    * poses.rotation_link_4_xy)
+            + (inertias.composite_link_5_xy * wrench_link_4_mx_6
+                - inertias.composite_link_5_yy * wrench_link_4_mx_8
+                + inertias.composite_link_5_yz * wrench_link_4_mx_10
+                + (inertias.composite_link_5_hz * wrench_link_4_my_12
+                    + inertias.minus_composite_link_5_hx * wrench_link_4_mx_12));
+        let wrench_link_4_mz = d_qdot_itself_from_three_joint_3_y.three_joint_5_z_0
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
+                * poses.rotation_link_4_yy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
+                    * poses.rotation_link_4_xy)
+            + (inertias.composite_link_5_xz * wrench_link_4_mx_6
+                - inertias.composite_link_5_yz * wrench_link_4_mx_8
+                + inertias.composite_link_5_zz * wrench_link_4_mx_10
+                - (inertias.minus_composite_link_5_hx * wrench_link_4_mx_14
+                    + inertias.composite_link_5_hy * wrench_link_4_my_12));
+        d_qdot[10][6] = reactions.reaction_joint_1_wx * wrench_link_4_mx
+            + reactions.reaction_joint_1_wy * wrench_link_4_my
+            + reactions.reaction_joint_1_wz * wrench_link_4_mz
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+                * screws.connection_joint_5_wx
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+                * screws.connection_joint_5_wy
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+                * screws.connection_joint_5_wz + 0.0;
+        let wrench_link_4_fx = wrench_link_4_my_12 * 6.0
+            - (wrench_link_4_mx_8 * inertias.composite_link_5_hz
+                + wrench_link_4_mx_10 * inertias.composite_link_5_hy)
+            - (poses.rotation_link_4_yy
+                * d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                + poses.rotation_link_5_zz
+                    * d_qdot_itself_from_wrench_base_my.factor_link_5_py);
+        let wrench_link_4_fy = poses.rotation_link_5_zz
+            * d_qdot_itself_from_wrench_base_my.factor_link_5_px
+            + poses.rotation_link_4_xy
+                * d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+            + (wrench_link_4_mx_14 * 6.0
+                - (wrench_link_4_mx_10 * inertias.minus_composite_link_5_hx
+                    + wrench_link_4_mx_6 * inertias.composite_link_5_hz));
+        let wrench_link_4_fz = poses.rotation_link_4_yy
+            * d_qdot_itself_from_wrench_base_my.factor_link_5_px
+            - poses.rotation_link_4_xy
+                * d_qdot_itself_from_wrench_base_my.factor_link_5_py
+            + (wrench_link_4_mx_12 * 6.0
+                + (wrench_link_4_mx_6 * inertias.composite_link_5_hy
+                    - wrench_link_4_mx_8 * inertias.minus_composite_link_5_hx));
+        d_qdot[10][7] = reactions.reaction_joint_2_wx * wrench_link_4_mx
+            + reactions.reaction_joint_2_wy * wrench_link_4_my
+            + reactions.reaction_joint_2_wz * wrench_link_4_mz
+            + reactions.reaction_joint_2_vx * wrench_link_4_fx
+            + reactions.reaction_joint_2_vy * wrench_link_4_fy
+            + reactions.reaction_joint_2_vz * wrench_link_4_fz
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * screws.connection_joint_5_wx
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+                * screws.connection_joint_5_wy
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+                * screws.connection_joint_5_wz + 0.0;
+        d_qdot[10][8] = reactions.reaction_joint_3_wx * wrench_link_4_mx
+            + reactions.reaction_joint_3_wy * wrench_link_4_my
+            + reactions.reaction_joint_3_wz * wrench_link_4_mz
+            + reactions.reaction_joint_3_vx * wrench_link_4_fx
+            + reactions.reaction_joint_3_vy * wrench_link_4_fy
+            + reactions.reaction_joint_3_vz * wrench_link_4_fz
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+                * screws.connection_joint_5_wx
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+                * screws.connection_joint_5_wy
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+                * screws.connection_joint_5_wz + 0.0;
+        d_qdot[10][9] = reactions.reaction_joint_4_wx * wrench_link_4_mx
+            + reactions.reaction_joint_4_wy * wrench_link_4_my
+            + reactions.reaction_joint_4_wz * wrench_link_4_mz
+            + reactions.reaction_joint_4_vx * wrench_link_4_fx
+            + reactions.reaction_joint_4_vy * wrench_link_4_fy
+            - reactions.minus_reaction_joint_4_vz * wrench_link_4_fz
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_x * screws.connection_joint_5_wx
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y * screws.connection_joint_5_wy
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z * screws.connection_joint_5_wz
+            + 0.0;
+        let factor_outside_link_5_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_xx_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_xx;
+        let factor_outside_link_5_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_yx_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yx;
+        let factor_outside_link_5_zx = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_4_zx_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zx;
+        let factor_outside_link_5_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_xy_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_xy;
+        let factor_outside_link_5_yy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_4_yy_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yy;
+        let factor_outside_link_5_zy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_4_zy_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zy;
+        let factor_outside_link_5_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            .factor_link_4_xz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_xz;
+        let factor_outside_link_5_yz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_4_yz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yz;
+        let factor_outside_link_5_zz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_4_zz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zz;
+        let factor_outside_link_5_px = d_qdot_itself_from_wrench_base_my
+            .factor_link_4_px_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_px;
+        let factor_outside_link_5_py = d_qdot_itself_from_wrench_base_my
+            .factor_link_4_py_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_py;
+        let factor_outside_link_5_pz = d_qdot_itself_from_wrench_base_my
+            .factor_link_4_pz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_pz;
+        let turn_joint_5_x_0 = factor_outside_link_5_xx * screws.connection_joint_5_wx;
+        let turn_joint_5_y_2 = factor_outside_link_5_yy * screws.connection_joint_5_wy;
+        let turn_joint_5_z_4 = factor_outside_link_5_zz * screws.connection_joint_5_wz;
+        let turn_joint_5_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xx
+            * reactions.reaction_joint_5_wx;
+        let turn_joint_5_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yy
+            * reactions.reaction_joint_5_wy;
+        let turn_joint_5_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zz
+            * reactions.reaction_joint_5_wz;
+        let turn_joint_5_x = turn_joint_5_x_0
+            + factor_outside_link_5_yx * screws.connection_joint_5_wy
+            + factor_outside_link_5_zx * screws.connection_joint_5_wz
+            + (factor_outside_link_5_py * screws.connection_joint_5_vz
+                - factor_outside_link_5_pz * screws.connection_joint_5_vy)
+            - (turn_joint_5_x_9
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+                    * reactions.reaction_joint_5_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
+                    * reactions.reaction_joint_5_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                    * reactions.reaction_joint_5_vz
+                    - d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                        * reactions.reaction_joint_5_vy));
+        let turn_joint_5_y = factor_outside_link_5_xy * screws.connection_joint_5_wx
+            + turn_joint_5_y_2 + factor_outside_link_5_zy * screws.connection_joint_5_wz
+            + (factor_outside_link_5_pz * screws.connection_joint_5_vx
+                - factor_outside_link_5_px * screws.connection_joint_5_vz)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
+                * reactions.reaction_joint_5_wx + turn_joint_5_y_11
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
+                    * reactions.reaction_joint_5_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                    * reactions.reaction_joint_5_vx
+                    - d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                        * reactions.reaction_joint_5_vz));
+        let turn_joint_5_z = factor_outside_link_5_xz * screws.connection_joint_5_wx
+            + factor_outside_link_5_yz * screws.connection_joint_5_wy + turn_joint_5_z_4
+            + (factor_outside_link_5_px * screws.connection_joint_5_vy
+                - factor_outside_link_5_py * screws.connection_joint_5_vx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+                * reactions.reaction_joint_5_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
+                    * reactions.reaction_joint_5_wy + turn_joint_5_z_13
+                + (d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                    * reactions.reaction_joint_5_vy
+                    - d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                        * reactions.reaction_joint_5_vx));
+        d_qdot[10][10] = reactions.reaction_joint_5_wx * wrench_link_4_mx
+            + reactions.reaction_joint_5_wy * wrench_link_4_my
+            + reactions.reaction_joint_5_wz * wrench_link_4_mz
+            + reactions.reaction_joint_5_vx * wrench_link_4_fx
+            + reactions.reaction_joint_5_vy * wrench_link_4_fy
+            + reactions.reaction_joint_5_vz * wrench_link_4_fz
+            + turn_joint_5_x * screws.connection_joint_5_wx
+            + turn_joint_5_y * screws.connection_joint_5_wy
+            + turn_joint_5_z * screws.connection_joint_5_wz + 0.0;
+        DQdotItselfFromWrenchOutsideLink3My {
+            factor_outside_link_5_xx,
+            factor_outside_link_5_yx,
+            factor_outside_link_5_zx,
+            factor_outside_link_5_xy,
+            factor_outside_link_5_yy,
+            factor_outside_link_5_zy,
+            factor_outside_link_5_xz,
+            factor_outside_link_5_yz,
+            factor_outside_link_5_zz,
+            factor_outside_link_5_px,
+            factor_outside_link_5_py,
+            factor_outside_link_5_pz,
+            wrench_link_4_mx_6,
+            wrench_link_4_mx_8,
+            wrench_link_4_mx_10,
+            wrench_link_4_my_12,
+            wrench_link_4_mx_14,
+            wrench_link_4_mx_12,
+            turn_joint_5_x_0,
+            turn_joint_5_y_2,
+            turn_joint_5_z_4,
+            turn_joint_5_x_9,
+            turn_joint_5_y_11,
+            turn_joint_5_z_13,
+            turn_joint_5_x,
+            turn_joint_5_y,
+            turn_joint_5_z,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromWrenchOutsideLink4Mx {
+        pub(super) wrench_link_5_mx_6: f64,
+        pub(super) wrench_link_5_mx_8: f64,
+        pub(super) wrench_link_5_mx_10: f64,
+        pub(super) wrench_link_5_my_12: f64,
+        pub(super) wrench_link_5_mx_14: f64,
+        pub(super) wrench_link_5_mx_12: f64,
+        pub(super) wrench_link_5_mx: f64,
+        pub(super) wrench_link_5_my: f64,
+        pub(super) wrench_link_5_mz: f64,
+        pub(super) wrench_link_5_fx: f64,
+        pub(super) wrench_link_5_fy: f64,
+        pub(super) wrench_link_5_fz: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_wrench_outside_link_4_mx(
+        poses: &Poses,
+        inertias: &Inertias,
+        complements: &Complements,
+        screws: &Screws,
+        reactions: &Reactions,
+        velocities: &Velocities,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
+        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
+        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot_itself_from_d_qdot_0_9: &DQdotItselfFromDQdot0_9,
+        d_qdot_itself_from_wrench_outside_link_3_my: &DQdotItselfFromWrenchOutsideLink3My,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromWrenchOutsideLink4Mx {
+        let wrench_outside_link_4_mx = d_qdot_itself_from_wrench_outside_link_3_my
+            .factor_outside_link_5_xz * screws.connection_joint_5_wz
+            + (d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xy
+                * screws.connection_joint_5_wy
+                + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x_0)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+                * reactions.reaction_joint_5_wz
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
+                    * reactions.reaction_joint_5_wy
+                    + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x_9))
+            + (complements.complement_link_5_xx
+                * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                - complements.complement_link_5_xy
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                + complements.complement_link_5_xz
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                + (complements.complement_link_5_hy
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_12
+                    - complements.complement_link_5_hz
+                        * d_qdot_itself_from_wrench_outside_link_3_my
+                            .wrench_link_4_mx_14));
+        let wrench_outside_link_4_my = d_qdot_itself_from_wrench_outside_link_3_my
+            .factor_outside_link_5_yz * screws.connection_joint_5_wz
+            + (d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y_2
+                + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yx
+                    * screws.connection_joint_5_wx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
+                * reactions.reaction_joint_5_wz
+                + (d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y_11
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+                        * reactions.reaction_joint_5_wx))
+            + (complements.complement_link_5_xy
+                * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                - complements.complement_link_5_yy
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                + complements.complement_link_5_yz
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                + (complements.complement_link_5_hz
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_my_12
+                    - complements.complement_link_5_hx
+                        * d_qdot_itself_from_wrench_outside_link_3_my
+                            .wrench_link_4_mx_12));
+        let wrench_outside_link_4_mz = d_qdot_itself_from_wrench_outside_link_3_my
+            .turn_joint_5_z_4
+            + (d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zy
+                * screws.connection_joint_5_wy
+                + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zx
+                    * screws.connection_joint_5_wx)
+            - (d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_z_13
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
+                    * reactions.reaction_joint_5_wy
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
+                        * reactions.reaction_joint_5_wx))
+            + (complements.complement_link_5_xz
+                * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                - complements.complement_link_5_yz
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                + complements.complement_link_5_zz
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                + (complements.complement_link_5_hx
+                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_14
+                    - complements.complement_link_5_hy
+                        * d_qdot_itself_from_wrench_outside_link_3_my
+                            .wrench_link_4_my_12));
+        let wrench_outside_link_4_fx = screws.connection_joint_5_wy
+            * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_pz
+            - screws.connection_joint_5_wz
+                * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_py
+            - (reactions.reaction_joint_5_wy
+                * d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                - reactions.reaction_joint_5_wz
+                    * d_qdot_itself_from_wrench_base_my.factor_link_5_py)
+            + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_my_12 * 11.5
+                - (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                    * complements.complement_link_5_hz
+                    + d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                        * complements.complement_link_5_hy));
+        let wrench_outside_link_4_fy = screws.connection_joint_5_wz
+            * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_px
+            - screws.connection_joint_5_wx
+                * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_pz
+            - (reactions.reaction_joint_5_wz
+                * d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                - reactions.reaction_joint_5_wx
+                    * d_qdot_itself_from_wrench_base_my.factor_link_5_pz)
+            + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_14 * 11.5
+                + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                    * complements.complement_link_5_hx
+                    - d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                        * complements.complement_link_5_hz));
+        let wrench_outside_link_4_fz = screws.connection_joint_5_wx
+            * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_py
+            - screws.connection_joint_5_wy
+                * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_px
+            - (reactions.reaction_joint_5_wx
+                * d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                - reactions.reaction_joint_5_wy
+                    * d_qdot_itself_from_wrench_base_my.factor_link_5_px)
+            + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_12 * 11.5
+                + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                    * complements.complement_link_5_hy
+                    + d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                        * complements.complement_link_5_hx));
+        // D_q\u{307} column joint_5
+        d_qdot[10][11] = wrench_outside_link_4_mx * screws.connection_joint_6_wx
+            + wrench_outside_link_4_my * screws.connection_joint_6_wy
+            + wrench_outside_link_4_mz * screws.connection_joint_6_wz
+            + wrench_outside_link_4_fx * screws.connection_joint_6_vx
+            + wrench_outside_link_4_fy * screws.connection_joint_6_vy
+            + wrench_outside_link_4_fz * screws.connection_joint_6_vz
+            + reactions.reaction_joint_5_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+            + reactions.reaction_joint_5_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+            + reactions.reaction_joint_5_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
+        d_qdot[10][12] = wrench_outside_link_4_mx * screws.connection_joint_7_wx
+            + wrench_outside_link_4_my * screws.connection_joint_7_wy
+            + wrench_outside_link_4_mz * screws.connection_joint_7_wz
+            + wrench_outside_link_4_fx * screws.connection_joint_7_vx
+            + wrench_outside_link_4_fy * screws.connection_joint_7_vy
+            + wrench_outside_link_4_fz * screws.connection_joint_7_vz
+            + reactions.reaction_joint_5_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+            + reactions.reaction_joint_5_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+            + reactions.reaction_joint_5_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+        // D_q\u{307} column joint_6
+        d_qdot[11][0] = 0.0;
+        d_qdot[11][1] = 0.0;
+        d_qdot[11][2] = 0.0;
+        d_qdot[11][3] = 0.0;
+        d_qdot[11][4] = 0.0;
+        d_qdot[11][5] = 0.0;
+        let wrench_link_5_mx_6 = velocities.velocity_link_6_wy * poses.rotation_link_6_zz
+            + velocities.velocity_link_6_wz * poses.rotation_link_5_yy;
+        let wrench_link_5_mx_8 = velocities.velocity_link_6_wz * poses.rotation_link_6_xz
+            - velocities.velocity_link_6_wx * poses.rotation_link_6_zz;
+        let wrench_link_5_mx_10 = velocities.velocity_link_6_wx
+            * poses.rotation_link_5_yy
+            + velocities.velocity_link_6_wy * poses.rotation_link_6_xz;
+        let wrench_link_5_my_12 = velocities.velocity_link_6_wy * screws.screw_joint_6_vz
+            - velocities.velocity_link_6_wz * screws.screw_joint_6_vy
+            + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
+                + velocities.velocity_link_6_vz * poses.rotation_link_5_yy);
+        let wrench_link_5_mx_14 = velocities.velocity_link_6_wz * screws.screw_joint_6_vx
+            - velocities.velocity_link_6_wx * screws.screw_joint_6_vz
+            + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
+                - velocities.velocity_link_6_vx * poses.rotation_link_6_zz);
+        let wrench_link_5_mx_12 = velocities.velocity_link_6_wx * screws.screw_joint_6_vy
+            - velocities.velocity_link_6_wy * screws.screw_joint_6_vx
+            - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
+                + velocities.velocity_link_6_vy * poses.rotation_link_6_xz);
+        let wrench_link_5_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
+            * poses.rotation_link_6_zz
+            + (d_qdot_itself_from_three_joint_3_y.three_joint_6_x_0
+                - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
+                    * poses.rotation_link_5_yy)
+            + (inertias.composite_link_6_xx * wrench_link_5_mx_6
+                + inertias.composite_link_6_xy * wrench_link_5_mx_8
+                - inertias.composite_link_6_xz * wrench_link_5_mx_10
+                - (inertias.minus_composite_link_6_hy * wrench_link_5_mx_12
+                    + inertias.composite_link_6_hz * wrench_link_5_mx_14));
+        let wrench_link_5_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
+            * poses.rotation_link_6_zz
+            + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+                * poses.rotation_link_6_xz
+                - d_qdot_itself_from_three_joint_3_y.three_joint_6_y_2)
+            + (inertias.composite_link_6_xy * wrench_link_5_mx_6
+                + inertias.composite_link_6_yy * wrench_link_5_mx_8
+                - inertias.composite_link_6_yz * wrench_link_5_mx_10
+                + (inertias.composite_link_6_hz * wrench_link_5_my_12
+                    + inertias.minus_composite_link_6_hx * wrench_link_5_mx_12));
+        let wrench_link_5_mz = d_qdot_itself_from_three_joint_3_y.three_joint_6_z_4
+            + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+                * poses.rotation_link_6_xz
+                - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+                    * poses.rotation_link_5_yy)
+            + (inertias.composite_link_6_xz * wrench_link_5_mx_6
+                + inertias.composite_link_6_yz * wrench_link_5_mx_8
+                - inertias.composite_link_6_zz * wrench_link_5_mx_10
+                + (inertias.minus_composite_link_6_hy * wrench_link_5_my_12
+                    - inertias.minus_composite_link_6_hx * wrench_link_5_mx_14));
+        d_qdot[11][6] = reactions.reaction_joint_1_wx * wrench_link_5_mx
+            + reactions.reaction_joint_1_wy * wrench_link_5_my
+            + reactions.reaction_joint_1_wz * wrench_link_5_mz
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+                * screws.connection_joint_6_wx
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+                * screws.connection_joint_6_wy
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+                * screws.connection_joint_6_wz + 0.0;
+        let wrench_link_5_fx = wrench_link_5_my_12 * 4.0
+            + (wrench_link_5_mx_8 * inertias.composite_link_6_hz
+                - wrench_link_5_mx_10 * inertias.minus_composite_link_6_hy)
+            - (poses.rotation_link_5_yy
+                * d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                + poses.rotation_link_6_zz
+                    * d_qdot_itself_from_wrench_base_my.factor_link_6_py);
+        let wrench_link_5_fy = poses.rotation_link_6_zz
+            * d_qdot_itself_from_wrench_base_my.factor_link_6_px
+            - poses.rotation_link_6_xz
+                * d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+            + (wrench_link_5_mx_14 * 4.0
+                + (wrench_link_5_mx_10 * inertias.minus_composite_link_6_hx
+                    - wrench_link_5_mx_6 * inertias.composite_link_6_hz));
+        let wrench_link_5_fz = poses.rotation_link_6_xz
+            * d_qdot_itself_from_wrench_base_my.factor_link_6_py
+            + poses.rotation_link_5_yy
+                * d_qdot_itself_from_wrench_base_my.factor_link_6_px
+            + (wrench_link_5_mx_12 * 4.0
+                + (wrench_link_5_mx_8 * inertias.minus_composite_link_6_hx
+                    - wrench_link_5_mx_6 * inertias.minus_composite_link_6_hy));
+        d_qdot[11][7] = reactions.reaction_joint_2_wx * wrench_link_5_mx
+            + reactions.reaction_joint_2_wy * wrench_link_5_my
+            + reactions.reaction_joint_2_wz * wrench_link_5_mz
+            + reactions.reaction_joint_2_vx * wrench_link_5_fx
+            + reactions.reaction_joint_2_vy * wrench_link_5_fy
+            + reactions.reaction_joint_2_vz * wrench_link_5_fz
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * screws.connection_joint_6_wx
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+                * screws.connection_joint_6_wy
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+                * screws.connection_joint_6_wz + 0.0;
+        d_qdot[11][8] = reactions.reaction_joint_3_wx * wrench_link_5_mx
+            + reactions.reaction_joint_3_wy * wrench_link_5_my
+            + reactions.reaction_joint_3_wz * wrench_link_5_mz
+            + reactions.reaction_joint_3_vx * wrench_link_5_fx
+            + reactions.reaction_joint_3_vy * wrench_link_5_fy
+            + reactions.reaction_joint_3_vz * wrench_link_5_fz
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+                * screws.connection_joint_6_wx
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+                * screws.connection_joint_6_wy
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+                * screws.connection_joint_6_wz + 0.0;
+        d_qdot[11][9] = reactions.reaction_joint_4_wx * wrench_link_5_mx
+            + reactions.reaction_joint_4_wy * wrench_link_5_my
+            + reactions.reaction_joint_4_wz * wrench_link_5_mz
+            + reactions.reaction_joint_4_vx * wrench_link_5_fx
+            + reactions.reaction_joint_4_vy * wrench_link_5_fy
+            - reactions.minus_reaction_joint_4_vz * wrench_link_5_fz
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_x * screws.connection_joint_6_wx
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y * screws.connection_joint_6_wy
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z * screws.connection_joint_6_wz
+            + 0.0;
+        DQdotItselfFromWrenchOutsideLink4Mx {
+            wrench_link_5_mx_6,
+            wrench_link_5_mx_8,
+            wrench_link_5_mx_10,
+            wrench_link_5_my_12,
+            wrench_link_5_mx_14,
+            wrench_link_5_mx_12,
+            wrench_link_5_mx,
+            wrench_link_5_my,
+            wrench_link_5_mz,
+            wrench_link_5_fx,
+            wrench_link_5_fy,
+            wrench_link_5_fz,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    pub(super) struct DQdotItselfFromDQdot10_11 {
+        pub(super) factor_outside_link_6_xx: f64,
+        pub(super) factor_outside_link_6_yx: f64,
+        pub(super) factor_outside_link_6_zx: f64,
+        pub(super) factor_outside_link_6_xy: f64,
+        pub(super) factor_outside_link_6_yy: f64,
+        pub(super) factor_outside_link_6_zy: f64,
+        pub(super) factor_outside_link_6_xz: f64,
+        pub(super) factor_outside_link_6_yz: f64,
+        pub(super) factor_outside_link_6_zz: f64,
+        pub(super) factor_outside_link_6_px: f64,
+        pub(super) factor_outside_link_6_py: f64,
+        pub(super) factor_outside_link_6_pz: f64,
+        pub(super) turn_joint_6_x: f64,
+        pub(super) turn_joint_6_y: f64,
+        pub(super) turn_joint_6_z: f64,
+        pub(super) wrench_link_6_mx_6: f64,
+        pub(super) wrench_link_6_mx_8: f64,
+        pub(super) wrench_link_6_mx_10: f64,
+        pub(super) wrench_link_6_my_12: f64,
+        pub(super) wrench_link_6_mx_14: f64,
+        pub(super) wrench_link_6_mx_12: f64,
+        pub(super) wrench_link_6_mx: f64,
+        pub(super) wrench_link_6_my: f64,
+        pub(super) wrench_link_6_mz: f64,
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_d_qdot_10_11(
+        poses: &Poses,
+        inertias: &Inertias,
+        complements: &Complements,
+        screws: &Screws,
+        reactions: &Reactions,
+        velocities: &Velocities,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
+        d_qdot_itself_from_wrench_outside_link_3_my: &DQdotItselfFromWrenchOutsideLink3My,
+        d_qdot_itself_from_wrench_outside_link_4_mx: &DQdotItselfFromWrenchOutsideLink4Mx,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) -> DQdotItselfFromDQdot10_11 {
+        // D_q\u{307} column joint_6
+        d_qdot[11][10] = reactions.reaction_joint_5_wx
+            * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx
+            + reactions.reaction_joint_5_wy
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my
+            + reactions.reaction_joint_5_wz
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mz
+            + reactions.reaction_joint_5_vx
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fx
+            + reactions.reaction_joint_5_vy
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fy
+            + reactions.reaction_joint_5_vz
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fz
+            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x
+                * screws.connection_joint_6_wx
+            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y
+                * screws.connection_joint_6_wy
+            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_z
+                * screws.connection_joint_6_wz + 0.0;
+        let factor_outside_link_6_xx = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_xx_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xx;
+        let factor_outside_link_6_yx = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_yx_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yx;
+        let factor_outside_link_6_zx = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_zx_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zx;
+        let factor_outside_link_6_xy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_xy_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xy;
+        let factor_outside_link_6_yy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_yy_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yy;
+        let factor_outside_link_6_zy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_zy_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zy;
+        let factor_outside_link_6_xz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_xz_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xz;
+        let factor_outside_link_6_yz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_yz_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yz;
+        let factor_outside_link_6_zz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_5_zz_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zz;
+        let factor_outside_link_6_px = d_qdot_itself_from_wrench_base_my
+            .factor_link_5_px_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_px;
+        let factor_outside_link_6_py = d_qdot_itself_from_wrench_base_my
+            .factor_link_5_py_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_py;
+        let factor_outside_link_6_pz = d_qdot_itself_from_wrench_base_my
+            .factor_link_5_pz_0
+            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_pz;
+        let turn_joint_6_x_0 = factor_outside_link_6_xx * screws.connection_joint_6_wx;
+        let turn_joint_6_y_2 = factor_outside_link_6_yy * screws.connection_joint_6_wy;
+        let turn_joint_6_z_4 = factor_outside_link_6_zz * screws.connection_joint_6_wz;
+        let turn_joint_6_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xx
+            * reactions.reaction_joint_6_wx;
+        let turn_joint_6_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yy
+            * reactions.reaction_joint_6_wy;
+        let turn_joint_6_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zz
+            * reactions.reaction_joint_6_wz;
+        let turn_joint_6_x = turn_joint_6_x_0
+            + factor_outside_link_6_yx * screws.connection_joint_6_wy
+            + factor_outside_link_6_zx * screws.connection_joint_6_wz
+            + (factor_outside_link_6_py * screws.connection_joint_6_vz
+                - factor_outside_link_6_pz * screws.connection_joint_6_vy)
+            - (turn_joint_6_x_9
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+                    * reactions.reaction_joint_6_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+                    * reactions.reaction_joint_6_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                    * reactions.reaction_joint_6_vz
+                    - d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                        * reactions.reaction_joint_6_vy));
+        let turn_joint_6_y = factor_outside_link_6_xy * screws.connection_joint_6_wx
+            + turn_joint_6_y_2 + factor_outside_link_6_zy * screws.connection_joint_6_wz
+            + (factor_outside_link_6_pz * screws.connection_joint_6_vx
+                - factor_outside_link_6_px * screws.connection_joint_6_vz)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
+                * reactions.reaction_joint_6_wx + turn_joint_6_y_11
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+                    * reactions.reaction_joint_6_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                    * reactions.reaction_joint_6_vx
+                    - d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                        * reactions.reaction_joint_6_vz));
+        let turn_joint_6_z = factor_outside_link_6_xz * screws.connection_joint_6_wx
+            + factor_outside_link_6_yz * screws.connection_joint_6_wy + turn_joint_6_z_4
+            + (factor_outside_link_6_px * screws.connection_joint_6_vy
+                - factor_outside_link_6_py * screws.connection_joint_6_vx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
+                * reactions.reaction_joint_6_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
+                    * reactions.reaction_joint_6_wy + turn_joint_6_z_13
+                + (d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                    * reactions.reaction_joint_6_vy
+                    - d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                        * reactions.reaction_joint_6_vx));
+        d_qdot[11][11] = reactions.reaction_joint_6_wx
+            * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx
+            + reactions.reaction_joint_6_wy
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my
+            + reactions.reaction_joint_6_wz
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mz
+            + reactions.reaction_joint_6_vx
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fx
+            + reactions.reaction_joint_6_vy
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fy
+            + reactions.reaction_joint_6_vz
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fz
+            + turn_joint_6_x * screws.connection_joint_6_wx
+            + turn_joint_6_y * screws.connection_joint_6_wy
+            + turn_joint_6_z * screws.connection_joint_6_wz + 0.0;
+        let wrench_outside_link_5_mx = factor_outside_link_6_xz
+            * screws.connection_joint_6_wz
+            + (factor_outside_link_6_xy * screws.connection_joint_6_wy
+                + turn_joint_6_x_0)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
+                * reactions.reaction_joint_6_wz
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
+                    * reactions.reaction_joint_6_wy + turn_joint_6_x_9))
+            + (complements.complement_link_6_xx
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                + complements.complement_link_6_xy
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                - complements.complement_link_6_xz
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                + (complements.complement_link_6_hy
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_12
+                    - complements.complement_link_6_hz
+                        * d_qdot_itself_from_wrench_outside_link_4_mx
+                            .wrench_link_5_mx_14));
+        let wrench_outside_link_5_my = factor_outside_link_6_yz
+            * screws.connection_joint_6_wz
+            + (turn_joint_6_y_2
+                + factor_outside_link_6_yx * screws.connection_joint_6_wx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
+                * reactions.reaction_joint_6_wz
+                + (turn_joint_6_y_11
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+                        * reactions.reaction_joint_6_wx))
+            + (complements.complement_link_6_xy
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                + complements.complement_link_6_yy
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                - complements.complement_link_6_yz
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                + (complements.complement_link_6_hz
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my_12
+                    - complements.complement_link_6_hx
+                        * d_qdot_itself_from_wrench_outside_link_4_mx
+                            .wrench_link_5_mx_12));
+        let wrench_outside_link_5_mz = turn_joint_6_z_4
+            + (factor_outside_link_6_zy * screws.connection_joint_6_wy
+                + factor_outside_link_6_zx * screws.connection_joint_6_wx)
+            - (turn_joint_6_z_13
+                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+                    * reactions.reaction_joint_6_wy
+                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+                        * reactions.reaction_joint_6_wx))
+            + (complements.complement_link_6_xz
+                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                + complements.complement_link_6_yz
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                - complements.complement_link_6_zz
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                + (complements.complement_link_6_hx
+                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_14
+                    - complements.complement_link_6_hy
+                        * d_qdot_itself_from_wrench_outside_link_4_mx
+                            .wrench_link_5_my_12));
+        let wrench_outside_link_5_fx = screws.connection_joint_6_wy
+            * factor_outside_link_6_pz
+            - screws.connection_joint_6_wz * factor_outside_link_6_py
+            - (reactions.reaction_joint_6_wy
+                * d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                - reactions.reaction_joint_6_wz
+                    * d_qdot_itself_from_wrench_base_my.factor_link_6_py)
+            + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my_12 * 13.5
+                + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                    * complements.complement_link_6_hz
+                    + d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                        * complements.complement_link_6_hy));
+        let wrench_outside_link_5_fy = screws.connection_joint_6_wz
+            * factor_outside_link_6_px
+            - screws.connection_joint_6_wx * factor_outside_link_6_pz
+            - (reactions.reaction_joint_6_wz
+                * d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                - reactions.reaction_joint_6_wx
+                    * d_qdot_itself_from_wrench_base_my.factor_link_6_pz)
+            + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_14 * 13.5
+                - (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                    * complements.complement_link_6_hx
+                    + d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                        * complements.complement_link_6_hz));
+        let wrench_outside_link_5_fz = screws.connection_joint_6_wx
+            * factor_outside_link_6_py
+            - screws.connection_joint_6_wy * factor_outside_link_6_px
+            - (reactions.reaction_joint_6_wx
+                * d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                - reactions.reaction_joint_6_wy
+                    * d_qdot_itself_from_wrench_base_my.factor_link_6_px)
+            + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_12 * 13.5
+                + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                    * complements.complement_link_6_hy
+                    - d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                        * complements.complement_link_6_hx));
+        d_qdot[11][12] = wrench_outside_link_5_mx * screws.connection_joint_7_wx
+            + wrench_outside_link_5_my * screws.connection_joint_7_wy
+            + wrench_outside_link_5_mz * screws.connection_joint_7_wz
+            + wrench_outside_link_5_fx * screws.connection_joint_7_vx
+            + wrench_outside_link_5_fy * screws.connection_joint_7_vy
+            + wrench_outside_link_5_fz * screws.connection_joint_7_vz
+            + reactions.reaction_joint_6_wx
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+            + reactions.reaction_joint_6_wy
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+            + reactions.reaction_joint_6_wz
+                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+        // D_q\u{307} column joint_7
+        d_qdot[12][0] = 0.0;
+        d_qdot[12][1] = 0.0;
+        d_qdot[12][2] = 0.0;
+        d_qdot[12][3] = 0.0;
+        d_qdot[12][4] = 0.0;
+        d_qdot[12][5] = 0.0;
+        let wrench_link_6_mx_6 = velocities.velocity_link_7_wy * poses.rotation_link_6_zy
+            + velocities.velocity_link_7_wz * poses.minus_rotation_link_6_yy;
+        let wrench_link_6_mx_8 = velocities.velocity_link_7_wz
+            * poses.minus_rotation_link_6_xy
+            + velocities.velocity_link_7_wx * poses.rotation_link_6_zy;
+        let wrench_link_6_mx_10 = velocities.velocity_link_7_wy
+            * poses.minus_rotation_link_6_xy
+            - velocities.velocity_link_7_wx * poses.minus_rotation_link_6_yy;
+        let wrench_link_6_my_12 = velocities.velocity_link_7_wy * screws.screw_joint_7_vz
+            - velocities.velocity_link_7_wz * screws.screw_joint_7_vy
+            + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
+                + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy);
+        let wrench_link_6_mx_14 = velocities.velocity_link_7_wz * screws.screw_joint_7_vx
+            - velocities.velocity_link_7_wx * screws.screw_joint_7_vz
+            - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
+                + velocities.velocity_link_7_vx * poses.rotation_link_6_zy);
+        let wrench_link_6_mx_12 = velocities.velocity_link_7_wx * screws.screw_joint_7_vy
+            - velocities.velocity_link_7_wy * screws.screw_joint_7_vx
+            + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
+                - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy);
+        let wrench_link_6_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xz
+            * poses.rotation_link_6_zy
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xy
+                * poses.minus_rotation_link_6_yy
+                + d_qdot_itself_from_three_joint_3_y.three_joint_7_x_2)
+            + (inertias.inertia_link_7_xx * wrench_link_6_mx_6
+                - inertias.inertia_link_7_xy * wrench_link_6_mx_8
+                + inertias.inertia_link_7_xz * wrench_link_6_mx_10
+                - (inertias.minus_inertia_link_7_hy * wrench_link_6_mx_12
+                    + inertias.inertia_link_7_hz * wrench_link_6_mx_14));
+        let wrench_link_6_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yz
+            * poses.rotation_link_6_zy
+            - (d_qdot_itself_from_three_joint_3_y.three_joint_7_y_4
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yx
+                    * poses.minus_rotation_link_6_xy)
+            + (inertias.inertia_link_7_xy * wrench_link_6_mx_6
+                - inertias.inertia_link_7_yy * wrench_link_6_mx_8
+                + inertias.inertia_link_7_yz * wrench_link_6_mx_10
+                + (inertias.inertia_link_7_hz * wrench_link_6_my_12
+                    + inertias.minus_inertia_link_7_hx * wrench_link_6_mx_12));
+        let wrench_link_6_mz = d_qdot_itself_from_three_joint_3_y.three_joint_7_z_0
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zy
+                * poses.minus_rotation_link_6_yy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zx
+                    * poses.minus_rotation_link_6_xy)
+            + (inertias.inertia_link_7_xz * wrench_link_6_mx_6
+                - inertias.inertia_link_7_yz * wrench_link_6_mx_8
+                + inertias.inertia_link_7_zz * wrench_link_6_mx_10
+                + (inertias.minus_inertia_link_7_hy * wrench_link_6_my_12
+                    - inertias.minus_inertia_link_7_hx * wrench_link_6_mx_14));
+        d_qdot[12][6] = reactions.reaction_joint_1_wx * wrench_link_6_mx
+            + reactions.reaction_joint_1_wy * wrench_link_6_my
+            + reactions.reaction_joint_1_wz * wrench_link_6_mz
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+                * screws.connection_joint_7_wx
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+                * screws.connection_joint_7_wy
+            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+                * screws.connection_joint_7_wz + 0.0;
+        DQdotItselfFromDQdot10_11 {
+            factor_outside_link_6_xx,
+            factor_outside_link_6_yx,
+            factor_outside_link_6_zx,
+            factor_outside_link_6_xy,
+            factor_outside_link_6_yy,
+            factor_outside_link_6_zy,
+            factor_outside_link_6_xz,
+            factor_outside_link_6_yz,
+            factor_outside_link_6_zz,
+            factor_outside_link_6_px,
+            factor_outside_link_6_py,
+            factor_outside_link_6_pz,
+            turn_joint_6_x,
+            turn_joint_6_y,
+            turn_joint_6_z,
+            wrench_link_6_mx_6,
+            wrench_link_6_mx_8,
+            wrench_link_6_mx_10,
+            wrench_link_6_my_12,
+            wrench_link_6_mx_14,
+            wrench_link_6_mx_12,
+            wrench_link_6_mx,
+            wrench_link_6_my,
+            wrench_link_6_mz,
+        }
+    }
+    /// What only `d_qdot` computes. Continued.
+    #[inline(never)]
+    pub(super) fn d_qdot_itself_from_wrench_link_6_fx(
+        poses: &Poses,
+        inertias: &Inertias,
+        screws: &Screws,
+        reactions: &Reactions,
+        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
+        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot_itself_from_d_qdot_0_9: &DQdotItselfFromDQdot0_9,
+        d_qdot_itself_from_wrench_outside_link_3_my: &DQdotItselfFromWrenchOutsideLink3My,
+        d_qdot_itself_from_d_qdot_10_11: &DQdotItselfFromDQdot10_11,
+        d_qdot: &mut [[f64; 13]; 13],
+    ) {
+        let wrench_link_6_fx = d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my_12 * 2.0
+            + (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_10
+                * inertias.minus_inertia_link_7_hy
+                - d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_8
+                    * inertias.inertia_link_7_hz)
+            - (poses.minus_rotation_link_6_yy
+                * d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                + poses.rotation_link_6_zy
+                    * d_qdot_itself_from_wrench_base_my.factor_link_7_py);
+        let wrench_link_6_fy = poses.rotation_link_6_zy
+            * d_qdot_itself_from_wrench_base_my.factor_link_7_px
+            + poses.minus_rotation_link_6_xy
+                * d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+            + (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_14 * 2.0
+                - (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_10
+                    * inertias.minus_inertia_link_7_hx
+                    + d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_6
+                        * inertias.inertia_link_7_hz));
+        let wrench_link_6_fz = poses.minus_rotation_link_6_yy
+            * d_qdot_itself_from_wrench_base_my.factor_link_7_px
+            - poses.minus_rotation_link_6_xy
+                * d_qdot_itself_from_wrench_base_my.factor_link_7_py
+            + (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_12 * 2.0
+                - (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_6
+                    * inertias.minus_inertia_link_7_hy
+                    + d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_8
+                        * inertias.minus_inertia_link_7_hx));
+        // D_q\u{307} column joint_7
+        d_qdot[12][7] = reactions.reaction_joint_2_wx
+            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            + reactions.reaction_joint_2_wy
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+            + reactions.reaction_joint_2_wz
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
+            + reactions.reaction_joint_2_vx * wrench_link_6_fx
+            + reactions.reaction_joint_2_vy * wrench_link_6_fy
+            + reactions.reaction_joint_2_vz * wrench_link_6_fz
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * screws.connection_joint_7_wx
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+                * screws.connection_joint_7_wy
+            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+                * screws.connection_joint_7_wz + 0.0;
+        d_qdot[12][8] = reactions.reaction_joint_3_wx
+            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            + reactions.reaction_joint_3_wy
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+            + reactions.reaction_joint_3_wz
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
+            + reactions.reaction_joint_3_vx * wrench_link_6_fx
+            + reactions.reaction_joint_3_vy * wrench_link_6_fy
+            + reactions.reaction_joint_3_vz * wrench_link_6_fz
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+                * screws.connection_joint_7_wx
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+                * screws.connection_joint_7_wy
+            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+                * screws.connection_joint_7_wz + 0.0;
+        d_qdot[12][9] = reactions.reaction_joint_4_wx
+            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            + reactions.reaction_joint_4_wy
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+            + reactions.reaction_joint_4_wz
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
+            + reactions.reaction_joint_4_vx * wrench_link_6_fx
+            + reactions.reaction_joint_4_vy * wrench_link_6_fy
+            - reactions.minus_reaction_joint_4_vz * wrench_link_6_fz
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_x * screws.connection_joint_7_wx
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y * screws.connection_joint_7_wy
+            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z * screws.connection_joint_7_wz
+            + 0.0;
+        d_qdot[12][10] = reactions.reaction_joint_5_wx
+            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            + reactions.reaction_joint_5_wy
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+            + reactions.reaction_joint_5_wz
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
+            + reactions.reaction_joint_5_vx * wrench_link_6_fx
+            + reactions.reaction_joint_5_vy * wrench_link_6_fy
+            + reactions.reaction_joint_5_vz * wrench_link_6_fz
+            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x
+                * screws.connection_joint_7_wx
+            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y
+                * screws.connection_joint_7_wy
+            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_z
+                * screws.connection_joint_7_wz + 0.0;
+        d_qdot[12][11] = reactions.reaction_joint_6_wx
+            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            + reactions.reaction_joint_6_wy
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+            + reactions.reaction_joint_6_wz
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
+            + reactions.reaction_joint_6_vx * wrench_link_6_fx
+            + reactions.reaction_joint_6_vy * wrench_link_6_fy
+            + reactions.reaction_joint_6_vz * wrench_link_6_fz
+            + d_qdot_itself_from_d_qdot_10_11.turn_joint_6_x
+                * screws.connection_joint_7_wx
+            + d_qdot_itself_from_d_qdot_10_11.turn_joint_6_y
+                * screws.connection_joint_7_wy
+            + d_qdot_itself_from_d_qdot_10_11.turn_joint_6_z
+                * screws.connection_joint_7_wz + 0.0;
+        let factor_outside_link_7_xx = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_xx_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_xx;
+        let factor_outside_link_7_yx = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_yx_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_yx;
+        let factor_outside_link_7_zx = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_zx_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_zx;
+        let factor_outside_link_7_xy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_xy_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_xy;
+        let factor_outside_link_7_yy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_yy_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_yy;
+        let factor_outside_link_7_zy = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_zy_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_zy;
+        let factor_outside_link_7_xz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_xz_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_xz;
+        let factor_outside_link_7_yz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_yz_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_yz;
+        let factor_outside_link_7_zz = d_qdot_itself_from_factor_link_4_yy_0
+            .factor_link_6_zz_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_zz;
+        let factor_outside_link_7_px = d_qdot_itself_from_wrench_base_my
+            .factor_link_6_px_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_px;
+        let factor_outside_link_7_py = d_qdot_itself_from_wrench_base_my
+            .factor_link_6_py_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_py;
+        let factor_outside_link_7_pz = d_qdot_itself_from_wrench_base_my
+            .factor_link_6_pz_0
+            + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_pz;
+        let turn_joint_7_x = factor_outside_link_7_xx * screws.connection_joint_7_wx
+            + factor_outside_link_7_yx * screws.connection_joint_7_wy
+            + factor_outside_link_7_zx * screws.connection_joint_7_wz
+            + (factor_outside_link_7_py * screws.connection_joint_7_vz
+                - factor_outside_link_7_pz * screws.connection_joint_7_vy)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xx
+                * reactions.reaction_joint_7_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yx
+                    * reactions.reaction_joint_7_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zx
+                    * reactions.reaction_joint_7_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_7_py
+                    * reactions.reaction_joint_7_vz
+                    - d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                        * reactions.reaction_joint_7_vy));
+        let turn_joint_7_y = factor_outside_link_7_xy * screws.connection_joint_7_wx
+            + factor_outside_link_7_yy * screws.connection_joint_7_wy
+            + factor_outside_link_7_zy * screws.connection_joint_7_wz
+            + (factor_outside_link_7_pz * screws.connection_joint_7_vx
+                - factor_outside_link_7_px * screws.connection_joint_7_vz)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xy
+                * reactions.reaction_joint_7_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yy
+                    * reactions.reaction_joint_7_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zy
+                    * reactions.reaction_joint_7_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                    * reactions.reaction_joint_7_vx
+                    - d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                        * reactions.reaction_joint_7_vz));
+        let turn_joint_7_z = factor_outside_link_7_xz * screws.connection_joint_7_wx
+            + factor_outside_link_7_yz * screws.connection_joint_7_wy
+            + factor_outside_link_7_zz * screws.connection_joint_7_wz
+            + (factor_outside_link_7_px * screws.connection_joint_7_vy
+                - factor_outside_link_7_py * screws.connection_joint_7_vx)
+            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xz
+                * reactions.reaction_joint_7_wx
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yz
+                    * reactions.reaction_joint_7_wy
+                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zz
+                    * reactions.reaction_joint_7_wz
+                + (d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                    * reactions.reaction_joint_7_vy
+                    - d_qdot_itself_from_wrench_base_my.factor_link_7_py
+                        * reactions.reaction_joint_7_vx));
+        d_qdot[12][12] = reactions.reaction_joint_7_wx
+            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            + reactions.reaction_joint_7_wy
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+            + reactions.reaction_joint_7_wz
+                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
+            + reactions.reaction_joint_7_vx * wrench_link_6_fx
+            + reactions.reaction_joint_7_vy * wrench_link_6_fy
+            + reactions.reaction_joint_7_vz * wrench_link_6_fz
+            + turn_joint_7_x * screws.connection_joint_7_wx
+            + turn_joint_7_y * screws.connection_joint_7_wy
+            + turn_joint_7_z * screws.connection_joint_7_wz + 0.0;
+    }
+}
 /// The block-diagonal inertia diag(Λ_b, Λ_q) and the connection A_l = Λ_b⁻¹ M_bq.
 ///
 /// - `q`: shape (7; rad, m)
@@ -6701,7 +10136,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 7]; 7]) {
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×7, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (7×7, by columns; kg·m²)
 ///
-/// 1746 operations: 810 + −, 933 ×, 3 ÷; 7 sin cos; about 20.7 KiB of code.
+/// 1828 operations: 865 + −, 960 ×, 3 ÷; 7 sin cos; about 21.7 KiB of code.
 pub fn inertia(
     q: &[f64; 7],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -6729,7 +10164,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (13×13, by columns; Λ's · 1/s)
 ///
-/// 3267 operations: 1596 + −, 1668 ×, 3 ÷; 7 sin cos; about 38.6 KiB of code.
+/// 3349 operations: 1651 + −, 1695 ×, 3 ÷; 7 sin cos; about 39.5 KiB of code.
 pub fn d_mu(q: &[f64; 7], mu: &[f64; 6], d_mu: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -6769,7 +10204,7 @@ pub fn d_mu(q: &[f64; 7], mu: &[f64; 6], d_mu: &mut [[f64; 13]; 13]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (7×7, by columns; kg·m²/s)
 ///
-/// 2608 operations: 1285 + −, 1320 ×, 3 ÷; 7 sin cos; about 30.8 KiB of code.
+/// 2690 operations: 1340 + −, 1347 ×, 3 ÷; 7 sin cos; about 31.8 KiB of code.
 pub fn b2(q: &[f64; 7], mu: &[f64; 6], b2: &mut [[f64; 7]; 7]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -6805,7 +10240,7 @@ pub fn b2(q: &[f64; 7], mu: &[f64; 6], b2: &mut [[f64; 7]; 7]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (13×13, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (7×7, by columns; kg·m²/s)
 ///
-/// 3655 operations: 1765 + −, 1887 ×, 3 ÷; 7 sin cos; about 43.1 KiB of code.
+/// 3737 operations: 1820 + −, 1914 ×, 3 ÷; 7 sin cos; about 44.1 KiB of code.
 pub fn matrices(
     q: &[f64; 7],
     mu: &[f64; 6],
@@ -6863,7 +10298,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (7; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (13×13, by columns; Λ's · 1/s)
 ///
-/// 5388 operations: 2702 + −, 2683 ×, 3 ÷; 7 sin cos; about 63.4 KiB of code.
+/// 5468 operations: 2757 + −, 2708 ×, 3 ÷; 7 sin cos; about 64.4 KiB of code.
 pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -6873,2259 +10308,149 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
     let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
-    let common_d_qdot_d_qdot_xi_kinetic_energy = common_d_qdot_d_qdot_xi_kinetic_energy(
+    let d_qdot_itself = d_qdot_itself(
+        qd,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+        &common_d_mu_and_7_more,
+        d_qdot,
+    );
+    let d_qdot_itself_from_factor_outside_link_1_yy_1 = d_qdot_itself_from_factor_outside_link_1_yy_1(
         &inertias,
         &velocities,
+        &d_qdot_itself,
     );
-    let d_qdot_0_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_qdot_0_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
-    let d_qdot_0_0_0 = d_qdot_0_0_0_1 + d_qdot_0_0_0_1;
-    let d_qdot_0_0_17_1_0 = (screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
-        + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
-        + screws.inside_joint_7_fz * qd[6]) * 0.5;
-    let d_qdot_0_0_17_0_0 = (screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
-        + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
-        + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6]) * 0.5;
-    let d_qdot_0_0_17_1 = d_qdot_0_0_17_1_0 * poses.com_z;
-    let d_qdot_0_0_17_0 = d_qdot_0_0_17_0_0 * poses.com_y;
-    let d_qdot_0_0_17 = d_qdot_0_0_17_0 + d_qdot_0_0_17_1;
-    // D_q\u{307} column 0
-    d_qdot[0][0] = ((d_qdot_0_0_0 - d_qdot_0_0_1) * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * 0.5
-        + d_qdot_0_0_17 + d_qdot_0_0_17 + 0.0;
-    let d_qdot_1_0_0 = ((inertias.composite_link_1_xx - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
-        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6]) * 0.5;
-    let d_qdot_1_0_1_0 = (screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
-        + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
-        + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6]) * 0.5;
-    let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.com_y;
-    let d_qdot_1_0_2 = d_qdot_0_0_17_0_0 * poses.com_x;
-    d_qdot[0][1] = d_qdot_1_0_0 - d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
-    let d_qdot_2_0_0 = (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
-        - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6]) * 0.5;
-    let d_qdot_2_0_1 = d_qdot_1_0_1_0 * poses.com_z;
-    let d_qdot_2_0_2 = d_qdot_0_0_17_1_0 * poses.com_x;
-    d_qdot[0][2] = d_qdot_2_0_0 - d_qdot_2_0_1 - d_qdot_2_0_2 + 0.0;
-    d_qdot[0][3] = 0.0;
-    d_qdot[0][4] = 0.0 - d_qdot_0_0_17_1_0;
-    d_qdot[0][5] = d_qdot_0_0_17_0_0 + 0.0;
-    d_qdot[0][6] = 0.0;
-    d_qdot[0][7] = 0.0;
-    d_qdot[0][8] = 0.0;
-    d_qdot[0][9] = 0.0;
-    d_qdot[0][10] = 0.0;
-    d_qdot[0][11] = 0.0;
-    d_qdot[0][12] = 0.0;
-    // D_q\u{307} column 1
-    d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 - d_qdot_1_0_1 + 0.0;
-    let d_qdot_1_1_1_1 = inertias.composite_link_1_hx * poses.com_y;
-    let d_qdot_1_1_1 = d_qdot_1_1_1_1 + d_qdot_1_1_1_1;
-    let d_qdot_1_1_17_0 = d_qdot_1_0_1_0 * poses.com_x;
-    let d_qdot_1_1_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_1;
-    d_qdot[1][1] = ((d_qdot_0_0_1 - d_qdot_1_1_1) * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * 0.5
-        + d_qdot_1_1_17 + d_qdot_1_1_17 + 0.0;
-    let d_qdot_2_1_0 = (screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6]) * 0.5;
-    let d_qdot_2_1_1 = d_qdot_0_0_17_0_0 * poses.com_z;
-    let d_qdot_2_1_2 = d_qdot_0_0_17_1_0 * poses.com_y;
-    d_qdot[1][2] = d_qdot_2_1_0 - d_qdot_2_1_1 - d_qdot_2_1_2 + 0.0;
-    d_qdot[1][3] = d_qdot_0_0_17_1_0 + 0.0;
-    d_qdot[1][4] = 0.0;
-    d_qdot[1][5] = 0.0 - d_qdot_1_0_1_0;
-    d_qdot[1][6] = 0.0;
-    d_qdot[1][7] = 0.0;
-    d_qdot[1][8] = 0.0;
-    d_qdot[1][9] = 0.0;
-    d_qdot[1][10] = 0.0;
-    d_qdot[1][11] = 0.0;
-    d_qdot[1][12] = 0.0;
-    // D_q\u{307} column 2
-    d_qdot[2][0] = d_qdot_2_0_0 - d_qdot_2_0_2 - d_qdot_2_0_1 + 0.0;
-    d_qdot[2][1] = d_qdot_2_1_0 - d_qdot_2_1_2 - d_qdot_2_1_1 + 0.0;
-    let d_qdot_2_2_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_0;
-    d_qdot[2][2] = ((d_qdot_0_0_0 - d_qdot_1_1_1) * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * 0.5 + d_qdot_2_2_17
-        + d_qdot_2_2_17 + 0.0;
-    d_qdot[2][3] = 0.0 - d_qdot_0_0_17_0_0;
-    d_qdot[2][4] = d_qdot_1_0_1_0 + 0.0;
-    d_qdot[2][5] = 0.0;
-    d_qdot[2][6] = 0.0;
-    d_qdot[2][7] = 0.0;
-    d_qdot[2][8] = 0.0;
-    d_qdot[2][9] = 0.0;
-    d_qdot[2][10] = 0.0;
-    d_qdot[2][11] = 0.0;
-    d_qdot[2][12] = 0.0;
-    // D_q\u{307} column 3
-    d_qdot[3][0] = 0.0;
-    d_qdot[3][1] = d_qdot_0_0_17_1_0 + 0.0;
-    d_qdot[3][2] = 0.0 - d_qdot_0_0_17_0_0;
-    d_qdot[3][3] = 0.0;
-    d_qdot[3][4] = 0.0;
-    d_qdot[3][5] = 0.0;
-    d_qdot[3][6] = 0.0;
-    d_qdot[3][7] = 0.0;
-    d_qdot[3][8] = 0.0;
-    d_qdot[3][9] = 0.0;
-    d_qdot[3][10] = 0.0;
-    d_qdot[3][11] = 0.0;
-    d_qdot[3][12] = 0.0;
-    // D_q\u{307} column 4
-    d_qdot[4][0] = 0.0 - d_qdot_0_0_17_1_0;
-    d_qdot[4][1] = 0.0;
-    d_qdot[4][2] = d_qdot_1_0_1_0 + 0.0;
-    d_qdot[4][3] = 0.0;
-    d_qdot[4][4] = 0.0;
-    d_qdot[4][5] = 0.0;
-    d_qdot[4][6] = 0.0;
-    d_qdot[4][7] = 0.0;
-    d_qdot[4][8] = 0.0;
-    d_qdot[4][9] = 0.0;
-    d_qdot[4][10] = 0.0;
-    d_qdot[4][11] = 0.0;
-    d_qdot[4][12] = 0.0;
-    // D_q\u{307} column 5
-    d_qdot[5][0] = d_qdot_0_0_17_0_0 + 0.0;
-    d_qdot[5][1] = 0.0 - d_qdot_1_0_1_0;
-    d_qdot[5][2] = 0.0;
-    d_qdot[5][3] = 0.0;
-    d_qdot[5][4] = 0.0;
-    d_qdot[5][5] = 0.0;
-    d_qdot[5][6] = 0.0;
-    d_qdot[5][7] = 0.0;
-    d_qdot[5][8] = 0.0;
-    d_qdot[5][9] = 0.0;
-    d_qdot[5][10] = 0.0;
-    d_qdot[5][11] = 0.0;
-    d_qdot[5][12] = 0.0;
-    // D_q\u{307} column joint_1
-    d_qdot[6][0] = 0.0;
-    d_qdot[6][1] = 0.0;
-    d_qdot[6][2] = 0.0;
-    d_qdot[6][3] = 0.0;
-    d_qdot[6][4] = 0.0;
-    d_qdot[6][5] = 0.0;
-    let factor_outside_link_1_yz_0_1 = (inertias.inertia_base_xx
-        + inertias.inertia_base_yy + inertias.inertia_base_zz) * 0.5;
-    let factor_outside_link_1_yz_0 = velocities.minus_velocity_base_wx
-        * factor_outside_link_1_yz_0_1
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_0_1;
-    let factor_outside_link_1_xz_2 = velocities.minus_velocity_base_wy
-        * factor_outside_link_1_yz_0_1
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xz_1_1;
-    let factor_outside_link_1_xy_4 = velocities.minus_velocity_base_wz
-        * factor_outside_link_1_yz_0_1
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xy_1_1;
-    let factor_outside_link_1_xx_2 = inertias.minus_inertia_base_hx
-        * velocities.velocity_base_vx;
-    let factor_outside_link_1_yy_2 = inertias.minus_inertia_base_hy
-        * velocities.minus_velocity_base_vy;
-    let factor_outside_link_1_zz_1 = inertias.minus_inertia_base_hz
-        * velocities.minus_velocity_base_vz;
-    let factor_outside_link_1_xx_3 = factor_outside_link_1_yy_2
-        - factor_outside_link_1_xx_2 + factor_outside_link_1_zz_1;
-    let factor_outside_link_1_xx_0 = velocities.minus_velocity_base_wy
-        * inertias.minus_inertia_base_xz;
-    let factor_outside_link_1_xx_1 = velocities.minus_velocity_base_wz
-        * inertias.minus_inertia_base_xy;
-    let factor_outside_link_1_xx = factor_outside_link_1_xx_0
-        - factor_outside_link_1_xx_1 + factor_outside_link_1_xx_2
-        + factor_outside_link_1_xx_3;
-    let factor_outside_link_1_xy = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_xy_0_0
-        - (velocities.minus_velocity_base_wz * inertias.inertia_base_xx
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xy_1_1_0)
-        + factor_outside_link_1_xy_4;
-    let factor_outside_link_1_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_xz_1_1_0
-        + velocities.minus_velocity_base_wy * inertias.inertia_base_xx;
-    let factor_outside_link_1_xz = factor_outside_link_1_xz_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xz_0_1
-        - factor_outside_link_1_xz_2;
-    let factor_outside_link_1_yx = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_xy_1_1_1
-        + velocities.minus_velocity_base_wz * inertias.inertia_base_yy
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yx_0_1
-        - factor_outside_link_1_xy_4;
-    let factor_outside_link_1_yy_1 = velocities.minus_velocity_base_wx
-        * inertias.minus_inertia_base_yz;
-    let factor_outside_link_1_yy = factor_outside_link_1_xx_1
-        - factor_outside_link_1_yy_1 - factor_outside_link_1_yy_2
-        + factor_outside_link_1_xx_3;
-    let factor_outside_link_1_yz_1 = velocities.minus_velocity_base_wx
-        * inertias.inertia_base_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_0_1_0;
-    let factor_outside_link_1_yz = factor_outside_link_1_yz_0
-        - (factor_outside_link_1_yz_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_1_1);
-    let factor_outside_link_1_zx = factor_outside_link_1_xz_2
-        - (velocities.minus_velocity_base_wy * inertias.inertia_base_zz
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xz_1_1_3
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_zx_1_1);
-    let factor_outside_link_1_zy = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_yz_0_1_3
-        + velocities.minus_velocity_base_wx * inertias.inertia_base_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_zy_0_1
-        - factor_outside_link_1_yz_0;
-    let factor_outside_link_1_zz_0 = factor_outside_link_1_yy_1
-        - factor_outside_link_1_xx_0;
-    let factor_outside_link_1_zz = factor_outside_link_1_zz_0
-        - factor_outside_link_1_zz_1 + factor_outside_link_1_xx_3;
-    let factor_link_1_yz_0_4_1 = (inertias.inertia_link_1_xx + inertias.inertia_link_1_yy
-        + inertias.inertia_link_1_zz) * 0.5;
-    let factor_link_1_yz_0_4 = velocities.minus_velocity_base_wx * factor_link_1_yz_0_4_1
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yz_0_1_1;
-    let factor_link_1_xz_0_4 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_xz_0_1_0
-        - velocities.minus_velocity_base_wy * factor_link_1_yz_0_4_1;
-    let factor_link_1_xy_0_4 = velocities.velocity_link_1_wz * factor_link_1_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xy_0_1_1;
-    let factor_link_1_xx_0_3_1 = inertias.minus_inertia_link_1_hx
-        * velocities.velocity_link_1_vx;
-    let factor_link_1_xx_0_3_0 = inertias.inertia_link_1_hy
-        * velocities.velocity_link_1_vy;
-    let factor_link_1_xx_0_3_2 = inertias.inertia_link_1_hz
-        * velocities.minus_velocity_base_vz;
-    let factor_link_1_xx_0_3 = factor_link_1_xx_0_3_0 - factor_link_1_xx_0_3_1
-        - factor_link_1_xx_0_3_2;
-    let factor_link_1_xx_0_1 = velocities.minus_velocity_base_wy
-        * inertias.inertia_link_1_xz;
-    let factor_link_1_xx_0_2 = velocities.velocity_link_1_wz
-        * inertias.inertia_link_1_xy;
-    let factor_link_1_xx_0 = factor_link_1_xx_0_3_1
-        - (factor_link_1_xx_0_1 + factor_link_1_xx_0_2) + factor_link_1_xx_0_3;
-    let factor_link_1_xy_0 = velocities.velocity_link_1_wz * inertias.inertia_link_1_xx
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xy_0_1_1_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xy_0_0_1
-        - factor_link_1_xy_0_4;
-    let factor_link_1_xz_0 = velocities.minus_velocity_base_wy
-        * inertias.inertia_link_1_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xz_0_1_0_0
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xz_0_0_1
-        + factor_link_1_xz_0_4;
-    let factor_link_1_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_xy_0_1_1_0
-        - velocities.velocity_link_1_wz * inertias.inertia_link_1_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yx_0_0_1
-        + factor_link_1_xy_0_4;
-    let factor_link_1_yy_0_1 = velocities.minus_velocity_base_wx
-        * inertias.minus_inertia_link_1_yz;
-    let factor_link_1_yy_0 = factor_link_1_xx_0_2 - factor_link_1_yy_0_1
-        - factor_link_1_xx_0_3_0 + factor_link_1_xx_0_3;
-    let factor_link_1_yz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_yz_0_1_1_3
-        - velocities.minus_velocity_base_wx * inertias.inertia_link_1_yy
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yz_0_0_1
-        + factor_link_1_yz_0_4;
-    let factor_link_1_zx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_xz_0_1_0_3
-        - velocities.minus_velocity_base_wy * inertias.inertia_link_1_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_zx_0_0_1
-        - factor_link_1_xz_0_4;
-    let factor_link_1_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_yz_0_1_1_0
-        + velocities.minus_velocity_base_wx * inertias.inertia_link_1_zz
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_zy_0_0_1
-        - factor_link_1_yz_0_4;
-    let factor_link_1_zz_0 = factor_link_1_yy_0_1 + factor_link_1_xx_0_1
-        + factor_link_1_xx_0_3_2 + factor_link_1_xx_0_3;
-    let factor_link_2_yz_0_4_1 = (inertias.inertia_link_2_xx + inertias.inertia_link_2_yy
-        + inertias.inertia_link_2_zz) * 0.5;
-    let factor_link_2_yz_0_4 = velocities.velocity_link_2_wx * factor_link_2_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yz_0_1_1;
-    let factor_link_2_xz_0_4 = velocities.minus_velocity_link_2_wy
-        * factor_link_2_yz_0_4_1
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xz_0_1_1;
-    let factor_link_2_xy_0_4 = velocities.velocity_link_1_wz * factor_link_2_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xy_0_1_1;
-    let factor_link_2_xx_0_0_0 = inertias.inertia_link_2_hx
-        * velocities.velocity_link_2_vx;
-    let factor_link_2_xx_0_0_1 = inertias.minus_inertia_link_2_hy
-        * velocities.velocity_link_2_vy;
-    let factor_link_2_xx_0_0_2 = inertias.inertia_link_2_hz
-        * velocities.velocity_link_2_vz;
-    let factor_link_2_xx_0_0 = factor_link_2_xx_0_0_0 - factor_link_2_xx_0_0_1
-        + factor_link_2_xx_0_0_2;
-    let factor_link_2_xx_0_1 = velocities.minus_velocity_link_2_wy
-        * inertias.inertia_link_2_xz;
-    let factor_link_2_xx_0_2 = velocities.velocity_link_1_wz
-        * inertias.inertia_link_2_xy;
-    let factor_link_2_xx_0 = factor_link_2_xx_0_0
-        - (factor_link_2_xx_0_1 + factor_link_2_xx_0_2 + factor_link_2_xx_0_0_0);
-    let factor_link_2_xy_0 = velocities.velocity_link_1_wz * inertias.inertia_link_2_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xy_0_1_1_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xy_0_0_1
-        - factor_link_2_xy_0_4;
-    let factor_link_2_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_xz_0_1_1_0
-        + velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xz_0_0_1
-        - factor_link_2_xz_0_4;
-    let factor_link_2_yx_0 = factor_link_2_xy_0_4
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xy_0_1_1_1
-            + velocities.velocity_link_1_wz * inertias.inertia_link_2_yy
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yx_0_1_1);
-    let factor_link_2_yy_0_1 = velocities.velocity_link_2_wx
-        * inertias.inertia_link_2_yz;
-    let factor_link_2_yy_0 = factor_link_2_xx_0_2 - factor_link_2_yy_0_1
-        + factor_link_2_xx_0_0_1 + factor_link_2_xx_0_0;
-    let factor_link_2_yz_0 = velocities.velocity_link_2_wx * inertias.inertia_link_2_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yz_0_1_1_2
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yz_0_0_1
-        - factor_link_2_yz_0_4;
-    let factor_link_2_zx_0 = factor_link_2_xz_0_4
-        - (velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_zz
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xz_0_1_1_3
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_zx_0_1_1);
-    let factor_link_2_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_yz_0_1_1_3
-        - velocities.velocity_link_2_wx * inertias.inertia_link_2_zz
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_zy_0_0_1
-        + factor_link_2_yz_0_4;
-    let factor_link_2_zz_0 = factor_link_2_yy_0_1 + factor_link_2_xx_0_1
-        - factor_link_2_xx_0_0_2 + factor_link_2_xx_0_0;
-    let factor_link_3_yz_0_4_1 = (inertias.inertia_link_3_xx + inertias.inertia_link_3_yy
-        + inertias.inertia_link_3_zz) * 0.5;
-    let factor_link_3_yz_0_4 = velocities.velocity_link_3_wx * factor_link_3_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yz_0_1_1;
-    let factor_link_3_xz_0_4 = velocities.minus_velocity_link_3_wy
-        * factor_link_3_yz_0_4_1
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xz_0_1_1;
-    let factor_link_3_xy_0_4 = velocities.velocity_link_3_wz * factor_link_3_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xy_0_1_1;
-    let factor_link_3_xx_0_0_0 = inertias.inertia_link_3_hx
-        * velocities.velocity_link_3_vx;
-    let factor_link_3_xx_0_0_1 = inertias.minus_inertia_link_3_hy
-        * velocities.velocity_link_3_vy;
-    let factor_link_3_xx_0_0_2 = inertias.inertia_link_3_hz
-        * velocities.velocity_link_3_vz;
-    let factor_link_3_xx_0_0 = factor_link_3_xx_0_0_0 - factor_link_3_xx_0_0_1
-        + factor_link_3_xx_0_0_2;
-    let factor_link_3_xx_0_1 = velocities.minus_velocity_link_3_wy
-        * inertias.inertia_link_3_xz;
-    let factor_link_3_xx_0_2 = velocities.velocity_link_3_wz
-        * inertias.inertia_link_3_xy;
-    let factor_link_3_xx_0 = factor_link_3_xx_0_0
-        - (factor_link_3_xx_0_1 + factor_link_3_xx_0_2 + factor_link_3_xx_0_0_0);
-    let factor_link_3_xy_0 = velocities.velocity_link_3_wz * inertias.inertia_link_3_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xy_0_1_1_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xy_0_0_1
-        - factor_link_3_xy_0_4;
-    let factor_link_3_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_xz_0_1_1_0
-        + velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xz_0_0_1
-        - factor_link_3_xz_0_4;
-    let factor_link_3_yx_0 = factor_link_3_xy_0_4
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xy_0_1_1_1
-            + velocities.velocity_link_3_wz * inertias.inertia_link_3_yy
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yx_0_1_1);
-    let factor_link_3_yy_0_1 = velocities.velocity_link_3_wx
-        * inertias.inertia_link_3_yz;
-    let factor_link_3_yy_0 = factor_link_3_xx_0_2 - factor_link_3_yy_0_1
-        + factor_link_3_xx_0_0_1 + factor_link_3_xx_0_0;
-    let factor_link_3_yz_0 = velocities.velocity_link_3_wx * inertias.inertia_link_3_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yz_0_1_1_2
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yz_0_0_1
-        - factor_link_3_yz_0_4;
-    let factor_link_3_zx_0 = factor_link_3_xz_0_4
-        - (velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_zz
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xz_0_1_1_3
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_zx_0_1_1);
-    let factor_link_3_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_yz_0_1_1_3
-        - velocities.velocity_link_3_wx * inertias.inertia_link_3_zz
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_zy_0_0_1
-        + factor_link_3_yz_0_4;
-    let factor_link_3_zz_0 = factor_link_3_yy_0_1 + factor_link_3_xx_0_1
-        - factor_link_3_xx_0_0_2 + factor_link_3_xx_0_0;
-    let factor_link_4_yz_0_4_1 = (inertias.inertia_link_4_xx + inertias.inertia_link_4_yy
-        + inertias.inertia_link_4_zz) * 0.5;
-    let factor_link_4_yz_0_4 = velocities.velocity_link_4_wx * factor_link_4_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yz_0_1_1;
-    let factor_link_4_xz_0_4 = velocities.velocity_link_4_wy * factor_link_4_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xz_0_1_1;
-    let factor_link_4_xy_0_4 = velocities.velocity_link_4_wz * factor_link_4_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xy_0_1_1;
-    let factor_link_4_xx_0_3_1 = inertias.minus_inertia_link_4_hx
-        * velocities.velocity_link_4_vx;
-    let factor_link_4_xx_0_3_0 = inertias.inertia_link_4_hy
-        * velocities.velocity_link_4_vy;
-    let factor_link_4_xx_0_3_2 = inertias.inertia_link_4_hz
-        * velocities.velocity_link_4_vz;
-    let factor_link_4_xx_0_3 = factor_link_4_xx_0_3_0 - factor_link_4_xx_0_3_1
-        + factor_link_4_xx_0_3_2;
-    let factor_link_4_xx_0_0 = velocities.velocity_link_4_wy
-        * inertias.inertia_link_4_xz;
-    let factor_link_4_xx_0_1 = velocities.velocity_link_4_wz
-        * inertias.inertia_link_4_xy;
-    let factor_link_4_xx_0 = factor_link_4_xx_0_0 - factor_link_4_xx_0_1
-        + factor_link_4_xx_0_3_1 + factor_link_4_xx_0_3;
-    let factor_link_4_xy_0 = velocities.velocity_link_4_wz * inertias.inertia_link_4_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xy_0_1_1_0
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xy_0_0_1
-        - factor_link_4_xy_0_4;
-    let factor_link_4_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_xz_0_1_1_0
-        - velocities.velocity_link_4_wy * inertias.inertia_link_4_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xz_0_0_1
-        + factor_link_4_xz_0_4;
-    let factor_link_4_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_xy_0_1_1_1
-        - velocities.velocity_link_4_wz * inertias.inertia_link_4_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yx_0_0_1
-        + factor_link_4_xy_0_4;
-    let factor_link_4_yy_0_1 = velocities.velocity_link_4_wx
-        * inertias.inertia_link_4_yz;
-    let factor_link_4_yy_0 = factor_link_4_xx_0_1 - factor_link_4_yy_0_1
-        - factor_link_4_xx_0_3_0 + factor_link_4_xx_0_3;
-    let factor_link_4_yz_0 = velocities.velocity_link_4_wx * inertias.inertia_link_4_yy
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yz_0_1_1_2
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yz_0_0_1
-        - factor_link_4_yz_0_4;
-    let factor_link_4_zx_0 = velocities.velocity_link_4_wy * inertias.inertia_link_4_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xz_0_1_1_3
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_zx_0_0_1
-        - factor_link_4_xz_0_4;
-    let factor_link_4_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_yz_0_1_1_3
-        - velocities.velocity_link_4_wx * inertias.inertia_link_4_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_zy_0_0_1
-        + factor_link_4_yz_0_4;
-    let factor_link_4_zz_0 = factor_link_4_yy_0_1 - factor_link_4_xx_0_0
-        - factor_link_4_xx_0_3_2 + factor_link_4_xx_0_3;
-    let factor_link_5_yz_0_4_1 = (inertias.inertia_link_5_xx + inertias.inertia_link_5_yy
-        + inertias.inertia_link_5_zz) * 0.5;
-    let factor_link_5_yz_0_4 = velocities.velocity_link_5_wx * factor_link_5_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yz_0_1_1;
-    let factor_link_5_xz_0_4 = velocities.velocity_link_5_wy * factor_link_5_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xz_0_1_1;
-    let factor_link_5_xy_0_4 = velocities.velocity_link_5_wz * factor_link_5_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xy_0_1_1;
-    let factor_link_5_xx_0_3_1 = inertias.minus_inertia_link_5_hx
-        * velocities.velocity_link_5_vx;
-    let factor_link_5_xx_0_3_0 = inertias.inertia_link_5_hy
-        * velocities.velocity_link_5_vy;
-    let factor_link_5_xx_0_3_2 = inertias.inertia_link_5_hz
-        * velocities.velocity_link_5_vz;
-    let factor_link_5_xx_0_3 = factor_link_5_xx_0_3_0 - factor_link_5_xx_0_3_1
-        + factor_link_5_xx_0_3_2;
-    let factor_link_5_xx_0_0 = velocities.velocity_link_5_wy
-        * inertias.inertia_link_5_xz;
-    let factor_link_5_xx_0_1 = velocities.velocity_link_5_wz
-        * inertias.inertia_link_5_xy;
-    let factor_link_5_xx_0 = factor_link_5_xx_0_0 - factor_link_5_xx_0_1
-        + factor_link_5_xx_0_3_1 + factor_link_5_xx_0_3;
-    let factor_link_5_xy_0 = velocities.velocity_link_5_wz * inertias.inertia_link_5_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xy_0_1_1_0
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xy_0_0_1
-        - factor_link_5_xy_0_4;
-    let factor_link_5_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_xz_0_1_1_0
-        - velocities.velocity_link_5_wy * inertias.inertia_link_5_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xz_0_0_1
-        + factor_link_5_xz_0_4;
-    let factor_link_5_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_xy_0_1_1_1
-        - velocities.velocity_link_5_wz * inertias.inertia_link_5_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yx_0_0_1
-        + factor_link_5_xy_0_4;
-    let factor_link_5_yy_0_1 = velocities.velocity_link_5_wx
-        * inertias.inertia_link_5_yz;
-    let factor_link_5_yy_0 = factor_link_5_xx_0_1 - factor_link_5_yy_0_1
-        - factor_link_5_xx_0_3_0 + factor_link_5_xx_0_3;
-    let factor_link_5_yz_0 = velocities.velocity_link_5_wx * inertias.inertia_link_5_yy
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yz_0_1_1_2
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yz_0_0_1
-        - factor_link_5_yz_0_4;
-    let factor_link_5_zx_0 = velocities.velocity_link_5_wy * inertias.inertia_link_5_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xz_0_1_1_3
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_zx_0_0_1
-        - factor_link_5_xz_0_4;
-    let factor_link_5_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_yz_0_1_1_3
-        - velocities.velocity_link_5_wx * inertias.inertia_link_5_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_zy_0_0_1
-        + factor_link_5_yz_0_4;
-    let factor_link_5_zz_0 = factor_link_5_yy_0_1 - factor_link_5_xx_0_0
-        - factor_link_5_xx_0_3_2 + factor_link_5_xx_0_3;
-    let factor_link_6_yz_0_4_1 = (inertias.inertia_link_6_xx + inertias.inertia_link_6_yy
-        + inertias.inertia_link_6_zz) * 0.5;
-    let factor_link_6_yz_0_4 = velocities.velocity_link_6_wx * factor_link_6_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yz_0_1_1;
-    let factor_link_6_xz_0_4 = velocities.velocity_link_6_wy * factor_link_6_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xz_0_1_1;
-    let factor_link_6_xy_0_4 = velocities.velocity_link_6_wz * factor_link_6_yz_0_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xy_0_1_1;
-    let factor_link_6_xx_0_3_1 = inertias.minus_inertia_link_6_hx
-        * velocities.velocity_link_6_vx;
-    let factor_link_6_xx_0_3_2 = inertias.minus_inertia_link_6_hy
-        * velocities.velocity_link_6_vy;
-    let factor_link_6_xx_0_3_0 = inertias.inertia_link_6_hz
-        * velocities.velocity_link_6_vz;
-    let factor_link_6_xx_0_3 = factor_link_6_xx_0_3_0
-        - (factor_link_6_xx_0_3_1 + factor_link_6_xx_0_3_2);
-    let factor_link_6_xx_0_0 = velocities.velocity_link_6_wy
-        * inertias.inertia_link_6_xz;
-    let factor_link_6_xx_0_1 = velocities.velocity_link_6_wz
-        * inertias.inertia_link_6_xy;
-    let factor_link_6_xx_0 = factor_link_6_xx_0_0 - factor_link_6_xx_0_1
-        + factor_link_6_xx_0_3_1 + factor_link_6_xx_0_3;
-    let factor_link_6_xy_0 = velocities.velocity_link_6_wz * inertias.inertia_link_6_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xy_0_1_1_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xy_0_0_1
-        - factor_link_6_xy_0_4;
-    let factor_link_6_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_xz_0_1_1_0
-        - velocities.velocity_link_6_wy * inertias.inertia_link_6_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xz_0_0_1
-        + factor_link_6_xz_0_4;
-    let factor_link_6_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_xy_0_1_1_1
-        - velocities.velocity_link_6_wz * inertias.inertia_link_6_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yx_0_0_1
-        + factor_link_6_xy_0_4;
-    let factor_link_6_yy_0_1 = velocities.velocity_link_6_wx
-        * inertias.inertia_link_6_yz;
-    let factor_link_6_yy_0 = factor_link_6_xx_0_1 - factor_link_6_yy_0_1
-        + factor_link_6_xx_0_3_2 + factor_link_6_xx_0_3;
-    let factor_link_6_yz_0 = velocities.velocity_link_6_wx * inertias.inertia_link_6_yy
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yz_0_1_1_2
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yz_0_0_1
-        - factor_link_6_yz_0_4;
-    let factor_link_6_zx_0 = velocities.velocity_link_6_wy * inertias.inertia_link_6_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xz_0_1_1_3
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_zx_0_0_1
-        - factor_link_6_xz_0_4;
-    let factor_link_6_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_yz_0_1_1_3
-        - velocities.velocity_link_6_wx * inertias.inertia_link_6_zz
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_zy_0_0_1
-        + factor_link_6_yz_0_4;
-    let factor_link_6_zz_0 = factor_link_6_yy_0_1 - factor_link_6_xx_0_0
-        - factor_link_6_xx_0_3_0 + factor_link_6_xx_0_3;
-    let factor_link_7_yz_4_1 = (inertias.inertia_link_7_xx + inertias.inertia_link_7_yy
-        + inertias.inertia_link_7_zz) * 0.5;
-    let factor_link_7_yz_4 = velocities.velocity_link_7_wx * factor_link_7_yz_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_1_1;
-    let factor_link_7_xz_4 = velocities.velocity_link_7_wy * factor_link_7_yz_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_1_1;
-    let factor_link_7_xy_4 = velocities.velocity_link_7_wz * factor_link_7_yz_4_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_1_1;
-    let factor_link_7_xx_2 = inertias.minus_inertia_link_7_hx
-        * velocities.velocity_link_7_vx;
-    let factor_link_7_yy_2 = inertias.minus_inertia_link_7_hy
-        * velocities.velocity_link_7_vy;
-    let factor_link_7_zz_2 = inertias.inertia_link_7_hz * velocities.velocity_link_7_vz;
-    let factor_link_7_xx_3 = factor_link_7_zz_2
-        - (factor_link_7_xx_2 + factor_link_7_yy_2);
-    let factor_link_7_xx_0 = velocities.velocity_link_7_wy * inertias.inertia_link_7_xz;
-    let factor_link_7_xx_1 = velocities.velocity_link_7_wz * inertias.inertia_link_7_xy;
-    let factor_link_7_xx = factor_link_7_xx_0 - factor_link_7_xx_1 + factor_link_7_xx_2
-        + factor_link_7_xx_3;
-    let factor_link_7_xy = velocities.velocity_link_7_wz * inertias.inertia_link_7_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_1_1_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_0_1
-        - factor_link_7_xy_4;
-    let factor_link_7_xz = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_1_1_0
-        - velocities.velocity_link_7_wy * inertias.inertia_link_7_xx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_0_1
-        + factor_link_7_xz_4;
-    let factor_link_7_yx = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_1_1_1
-        - velocities.velocity_link_7_wz * inertias.inertia_link_7_yy
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yx_0_1
-        + factor_link_7_xy_4;
-    let factor_link_7_yy_1 = velocities.velocity_link_7_wx * inertias.inertia_link_7_yz;
-    let factor_link_7_yy = factor_link_7_xx_1 - factor_link_7_yy_1 + factor_link_7_yy_2
-        + factor_link_7_xx_3;
-    let factor_link_7_yz = velocities.velocity_link_7_wx * inertias.inertia_link_7_yy
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_1_1_2
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_0_1
-        - factor_link_7_yz_4;
-    let factor_link_7_zx = velocities.velocity_link_7_wy * inertias.inertia_link_7_zz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_1_1_3
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_zx_0_1
-        - factor_link_7_xz_4;
-    let factor_link_7_zy = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_1_1_3
-        - velocities.velocity_link_7_wx * inertias.inertia_link_7_zz
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_zy_0_1
-        + factor_link_7_yz_4;
-    let factor_link_7_zz = factor_link_7_yy_1 - factor_link_7_xx_0 - factor_link_7_zz_2
-        + factor_link_7_xx_3;
-    let factor_link_6_xx = factor_link_6_xx_0 + factor_link_7_xx;
-    let factor_link_6_yx = factor_link_6_yx_0 + factor_link_7_yx;
-    let factor_link_6_zx = factor_link_6_zx_0 + factor_link_7_zx;
-    let factor_link_6_xy = factor_link_6_xy_0 + factor_link_7_xy;
-    let factor_link_6_yy = factor_link_6_yy_0 + factor_link_7_yy;
-    let factor_link_6_zy = factor_link_6_zy_0 + factor_link_7_zy;
-    let factor_link_6_xz = factor_link_6_xz_0 + factor_link_7_xz;
-    let factor_link_6_yz = factor_link_6_yz_0 + factor_link_7_yz;
-    let factor_link_6_zz = factor_link_6_zz_0 + factor_link_7_zz;
-    let factor_link_5_xx = factor_link_5_xx_0 + factor_link_6_xx;
-    let factor_link_5_yx = factor_link_5_yx_0 + factor_link_6_yx;
-    let factor_link_5_zx = factor_link_5_zx_0 + factor_link_6_zx;
-    let factor_link_5_xy = factor_link_5_xy_0 + factor_link_6_xy;
-    let factor_link_5_yy = factor_link_5_yy_0 + factor_link_6_yy;
-    let factor_link_5_zy = factor_link_5_zy_0 + factor_link_6_zy;
-    let factor_link_5_xz = factor_link_5_xz_0 + factor_link_6_xz;
-    let factor_link_5_yz = factor_link_5_yz_0 + factor_link_6_yz;
-    let factor_link_5_zz = factor_link_5_zz_0 + factor_link_6_zz;
-    let factor_link_4_xx = factor_link_4_xx_0 + factor_link_5_xx;
-    let factor_link_4_yx = factor_link_4_yx_0 + factor_link_5_yx;
-    let factor_link_4_zx = factor_link_4_zx_0 + factor_link_5_zx;
-    let factor_link_4_xy = factor_link_4_xy_0 + factor_link_5_xy;
-    let factor_link_4_yy = factor_link_4_yy_0 + factor_link_5_yy;
-    let factor_link_4_zy = factor_link_4_zy_0 + factor_link_5_zy;
-    let factor_link_4_xz = factor_link_4_xz_0 + factor_link_5_xz;
-    let factor_link_4_yz = factor_link_4_yz_0 + factor_link_5_yz;
-    let factor_link_4_zz = factor_link_4_zz_0 + factor_link_5_zz;
-    let factor_link_3_xx = factor_link_3_xx_0 + factor_link_4_xx;
-    let factor_link_3_yx = factor_link_3_yx_0 + factor_link_4_yx;
-    let factor_link_3_zx = factor_link_3_zx_0 + factor_link_4_zx;
-    let factor_link_3_xy = factor_link_3_xy_0 + factor_link_4_xy;
-    let factor_link_3_yy = factor_link_3_yy_0 + factor_link_4_yy;
-    let factor_link_3_zy = factor_link_3_zy_0 + factor_link_4_zy;
-    let factor_link_3_xz = factor_link_3_xz_0 + factor_link_4_xz;
-    let factor_link_3_yz = factor_link_3_yz_0 + factor_link_4_yz;
-    let factor_link_3_zz = factor_link_3_zz_0 + factor_link_4_zz;
-    let factor_link_2_xx = factor_link_2_xx_0 + factor_link_3_xx;
-    let factor_link_2_yx = factor_link_2_yx_0 + factor_link_3_yx;
-    let factor_link_2_zx = factor_link_2_zx_0 + factor_link_3_zx;
-    let factor_link_2_xy = factor_link_2_xy_0 + factor_link_3_xy;
-    let factor_link_2_yy = factor_link_2_yy_0 + factor_link_3_yy;
-    let factor_link_2_zy = factor_link_2_zy_0 + factor_link_3_zy;
-    let factor_link_2_xz = factor_link_2_xz_0 + factor_link_3_xz;
-    let factor_link_2_yz = factor_link_2_yz_0 + factor_link_3_yz;
-    let factor_link_2_zz = factor_link_2_zz_0 + factor_link_3_zz;
-    let factor_link_1_xx = factor_link_1_xx_0 + factor_link_2_xx;
-    let factor_link_1_yx = factor_link_1_yx_0 + factor_link_2_yx;
-    let factor_link_1_zx = factor_link_1_zx_0 + factor_link_2_zx;
-    let factor_link_1_xy = factor_link_1_xy_0 + factor_link_2_xy;
-    let factor_link_1_yy = factor_link_1_yy_0 + factor_link_2_yy;
-    let factor_link_1_zy = factor_link_1_zy_0 + factor_link_2_zy;
-    let factor_link_1_xz = factor_link_1_xz_0 + factor_link_2_xz;
-    let factor_link_1_yz = factor_link_1_yz_0 + factor_link_2_yz;
-    let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
-    let wrench_base_mx_8 = velocities.minus_velocity_base_wx * poses.com_x
-        + velocities.minus_velocity_base_wy * poses.com_y;
-    let wrench_base_my_6 = velocities.velocity_link_1_vy
-        - velocities.velocity_link_1_wz * poses.com_x;
-    let wrench_base_mx_6 = velocities.velocity_link_1_wz * poses.com_y
-        + velocities.velocity_link_1_vx;
-    let wrench_base_mx = factor_link_1_xz
-        + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
-            - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hz * wrench_base_mx_6
-                - inertias.composite_link_1_hy * wrench_base_mx_8));
-    let wrench_base_my = factor_link_1_yz
-        + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
-            - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hz * wrench_base_my_6
-                + inertias.composite_link_1_hx * wrench_base_mx_8));
-    let wrench_base_mz = factor_link_1_zz
-        + (inertias.composite_link_1_yz * velocities.minus_velocity_base_wx
-            - inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
-            - (inertias.composite_link_1_hx * wrench_base_mx_6
-                + inertias.composite_link_1_hy * wrench_base_my_6));
-    let turn_joint_1_x_0 = factor_outside_link_1_xx * screws.connection_joint_1_wx;
-    let turn_joint_1_y_2 = factor_outside_link_1_yy * screws.connection_joint_1_wy;
-    let turn_joint_1_z_4 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
-    let turn_joint_1_x_7 = factor_link_1_xx * reactions.reaction_joint_1_wx;
-    let turn_joint_1_y_9 = factor_link_1_yy * reactions.reaction_joint_1_wy;
-    let turn_joint_1_z_13 = factor_link_1_zz * reactions.reaction_joint_1_wz;
-    let turn_joint_1_x = turn_joint_1_x_0
-        + factor_outside_link_1_yx * screws.connection_joint_1_wy
-        + factor_outside_link_1_zx * screws.connection_joint_1_wz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
-            * screws.connection_joint_1_vy
-        - (turn_joint_1_x_7 + factor_link_1_yx * reactions.reaction_joint_1_wy
-            + factor_link_1_zx * reactions.reaction_joint_1_wz);
-    let turn_joint_1_y = factor_outside_link_1_xy * screws.connection_joint_1_wx
-        + turn_joint_1_y_2 + factor_outside_link_1_zy * screws.connection_joint_1_wz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
-            * screws.minus_connection_joint_1_vx
-        - (factor_link_1_xy * reactions.reaction_joint_1_wx + turn_joint_1_y_9
-            + factor_link_1_zy * reactions.reaction_joint_1_wz);
-    let turn_joint_1_z = factor_outside_link_1_xz * screws.connection_joint_1_wx
-        + factor_outside_link_1_yz * screws.connection_joint_1_wy + turn_joint_1_z_4
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
-            * screws.connection_joint_1_vy
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
-                * screws.minus_connection_joint_1_vx)
-        - (factor_link_1_xz * reactions.reaction_joint_1_wx
-            + factor_link_1_yz * reactions.reaction_joint_1_wy + turn_joint_1_z_13);
-    d_qdot[6][6] = reactions.reaction_joint_1_wx * wrench_base_mx
-        + reactions.reaction_joint_1_wy * wrench_base_my
-        + reactions.reaction_joint_1_wz * wrench_base_mz
-        + turn_joint_1_x * screws.connection_joint_1_wx
-        + turn_joint_1_y * screws.connection_joint_1_wy
-        + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
-    let factor_link_6_px = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_px_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px;
-    let factor_link_6_py = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_py_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py;
-    let factor_link_6_pz = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_pz_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz;
-    let factor_link_5_px = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_px_0
-        + factor_link_6_px;
-    let factor_link_5_py = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_py_0
-        + factor_link_6_py;
-    let factor_link_5_pz = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_pz_0
-        + factor_link_6_pz;
-    let factor_link_4_px = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_px_0
-        + factor_link_5_px;
-    let factor_link_4_py = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_py_0
-        + factor_link_5_py;
-    let factor_link_4_pz = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_pz_0
-        + factor_link_5_pz;
-    let factor_link_3_px = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_px_0
-        + factor_link_4_px;
-    let factor_link_3_py = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_py_0
-        + factor_link_4_py;
-    let factor_link_3_pz = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_pz_0
-        + factor_link_4_pz;
-    let factor_link_2_px = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_px_0
-        + factor_link_3_px;
-    let factor_link_2_py = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_py_0
-        + factor_link_3_py;
-    let factor_link_2_pz = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_pz_0
-        + factor_link_3_pz;
-    let factor_link_1_px = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
-        + factor_link_2_px;
-    let factor_link_1_py = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
-        + factor_link_2_py;
-    let factor_link_1_pz = factor_link_2_pz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1;
-    let wrench_outside_base_mx = factor_outside_link_1_xz * screws.connection_joint_1_wz
-        + (factor_outside_link_1_xy * screws.connection_joint_1_wy + turn_joint_1_x_0)
-        - (factor_link_1_xz * reactions.reaction_joint_1_wz
-            + (factor_link_1_xy * reactions.reaction_joint_1_wy + turn_joint_1_x_7))
-        + (inertias.minus_inertia_base_hy * wrench_base_mx_8
-            - inertias.minus_inertia_base_hz * wrench_base_mx_6
-            - factor_outside_link_1_xz_0);
-    let wrench_outside_base_my = factor_outside_link_1_yz * screws.connection_joint_1_wz
-        + (turn_joint_1_y_2 + factor_outside_link_1_yx * screws.connection_joint_1_wx)
-        - (factor_link_1_yz * reactions.reaction_joint_1_wz
-            + (turn_joint_1_y_9 + factor_link_1_yx * reactions.reaction_joint_1_wx))
-        + (factor_outside_link_1_yz_1
-            - (inertias.minus_inertia_base_hz * wrench_base_my_6
-                + inertias.minus_inertia_base_hx * wrench_base_mx_8));
-    let wrench_outside_base_mz = turn_joint_1_z_4
-        + (factor_outside_link_1_zy * screws.connection_joint_1_wy
-            + factor_outside_link_1_zx * screws.connection_joint_1_wx)
-        - (turn_joint_1_z_13
-            + (factor_link_1_zy * reactions.reaction_joint_1_wy
-                + factor_link_1_zx * reactions.reaction_joint_1_wx))
-        + (inertias.minus_inertia_base_hx * wrench_base_mx_6
-            + inertias.minus_inertia_base_hy * wrench_base_my_6
-            - factor_outside_link_1_zz_0);
-    let wrench_outside_base_fx = screws.connection_joint_1_wy
-        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
-        - screws.connection_joint_1_wz
-            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
-        - (reactions.reaction_joint_1_wy * factor_link_1_pz
-            - reactions.reaction_joint_1_wz * factor_link_1_py)
-        + (wrench_base_my_6 * 3.5
-            - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz);
-    let wrench_outside_base_fy = screws.connection_joint_1_wz
-        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
-        - screws.connection_joint_1_wx
-            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
-        - (reactions.reaction_joint_1_wz * factor_link_1_px
-            - reactions.reaction_joint_1_wx * factor_link_1_pz)
-        - (wrench_base_mx_6 * 3.5
-            + velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz);
-    let wrench_outside_base_fz = screws.connection_joint_1_wx
-        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
-        - screws.connection_joint_1_wy
-            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
-        - (reactions.reaction_joint_1_wx * factor_link_1_py
-            - reactions.reaction_joint_1_wy * factor_link_1_px)
-        + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hy
-            + velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hx
-            - wrench_base_mx_8 * 3.5);
-    let three_joint_2_x_0 = factor_link_2_xx * poses.sin_joint_1;
-    let three_joint_2_y_2 = factor_link_2_yy * poses.cos_joint_1;
-    let three_joint_2_x = three_joint_2_x_0 - factor_link_2_yx * poses.cos_joint_1
-        + (factor_link_2_py * screws.screw_joint_2_vz
-            - factor_link_2_pz * screws.screw_joint_2_vy);
-    let three_joint_2_y = factor_link_2_xy * poses.sin_joint_1 - three_joint_2_y_2
-        + (factor_link_2_pz * screws.screw_joint_2_vx
-            - factor_link_2_px * screws.screw_joint_2_vz);
-    let three_joint_2_z = factor_link_2_xz * poses.sin_joint_1
-        - factor_link_2_yz * poses.cos_joint_1
-        + (factor_link_2_px * screws.screw_joint_2_vy
-            - factor_link_2_py * screws.screw_joint_2_vx);
-    d_qdot[6][7] = wrench_outside_base_mx * screws.connection_joint_2_wx
-        + wrench_outside_base_my * screws.connection_joint_2_wy
-        + wrench_outside_base_mz * screws.connection_joint_2_wz
-        + wrench_outside_base_fx * screws.connection_joint_2_vx
-        + wrench_outside_base_fy * screws.connection_joint_2_vy
-        + wrench_outside_base_fz * screws.connection_joint_2_vz
-        + reactions.reaction_joint_1_wx * three_joint_2_x
-        + reactions.reaction_joint_1_wy * three_joint_2_y
-        + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
-    let three_joint_3_x_2 = factor_link_3_xx * poses.minus_rotation_link_2_xy;
-    let three_joint_3_y_4 = factor_link_3_yy * poses.minus_rotation_link_2_yy;
-    let three_joint_3_z_0 = factor_link_3_zz * poses.cos_joint_2;
-    let three_joint_3_x = factor_link_3_zx * poses.cos_joint_2
-        - (three_joint_3_x_2 + factor_link_3_yx * poses.minus_rotation_link_2_yy)
-        + (factor_link_3_py * screws.screw_joint_3_vz
-            - factor_link_3_pz * screws.screw_joint_3_vy);
-    let three_joint_3_y = factor_link_3_zy * poses.cos_joint_2
-        - (factor_link_3_xy * poses.minus_rotation_link_2_xy + three_joint_3_y_4)
-        + (factor_link_3_pz * screws.screw_joint_3_vx
-            - factor_link_3_px * screws.screw_joint_3_vz);
-    let three_joint_3_z = three_joint_3_z_0
-        - (factor_link_3_xz * poses.minus_rotation_link_2_xy
-            + factor_link_3_yz * poses.minus_rotation_link_2_yy)
-        + (factor_link_3_px * screws.screw_joint_3_vy
-            - factor_link_3_py * screws.screw_joint_3_vx);
-    d_qdot[6][8] = wrench_outside_base_mx * screws.connection_joint_3_wx
-        + wrench_outside_base_my * screws.connection_joint_3_wy
-        + wrench_outside_base_mz * screws.connection_joint_3_wz
-        + wrench_outside_base_fx * screws.connection_joint_3_vx
-        + wrench_outside_base_fy * screws.connection_joint_3_vy
-        + wrench_outside_base_fz * screws.connection_joint_3_vz
-        + reactions.reaction_joint_1_wx * three_joint_3_x
-        + reactions.reaction_joint_1_wy * three_joint_3_y
-        + reactions.reaction_joint_1_wz * three_joint_3_z + 0.0;
-    let three_joint_4_x_2 = factor_link_4_xx * poses.minus_rotation_link_3_xy;
-    let three_joint_4_y_0 = factor_link_4_yy * poses.rotation_link_3_yy;
-    let three_joint_4_z_4 = factor_link_4_zz * poses.minus_rotation_link_3_zy;
-    let three_joint_4_x = factor_link_4_yx * poses.rotation_link_3_yy - three_joint_4_x_2
-        - factor_link_4_zx * poses.minus_rotation_link_3_zy
-        + (factor_link_4_pz * screws.minus_screw_joint_4_vy
-            - factor_link_4_py * screws.minus_screw_joint_4_vz);
-    let three_joint_4_y = three_joint_4_y_0
-        - factor_link_4_xy * poses.minus_rotation_link_3_xy
-        - factor_link_4_zy * poses.minus_rotation_link_3_zy
-        + (factor_link_4_pz * screws.screw_joint_4_vx
-            + factor_link_4_px * screws.minus_screw_joint_4_vz);
-    let three_joint_4_z = factor_link_4_yz * poses.rotation_link_3_yy
-        - factor_link_4_xz * poses.minus_rotation_link_3_xy - three_joint_4_z_4
-        - (factor_link_4_px * screws.minus_screw_joint_4_vy
-            + factor_link_4_py * screws.screw_joint_4_vx);
-    d_qdot[6][9] = wrench_outside_base_mx * screws.connection_joint_4_wx
-        + wrench_outside_base_my * screws.connection_joint_4_wy
-        + wrench_outside_base_mz * screws.connection_joint_4_wz
-        + wrench_outside_base_fx * screws.connection_joint_4_vx
-        + wrench_outside_base_fy * screws.connection_joint_4_vy
-        + wrench_outside_base_fz * screws.connection_joint_4_vz
-        + reactions.reaction_joint_1_wx * three_joint_4_x
-        + reactions.reaction_joint_1_wy * three_joint_4_y
-        + reactions.reaction_joint_1_wz * three_joint_4_z + 0.0;
-    let three_joint_5_x_2 = factor_link_5_xx * poses.rotation_link_4_xy;
-    let three_joint_5_y_4 = factor_link_5_yy * poses.rotation_link_4_yy;
-    let three_joint_5_z_0 = factor_link_5_zz * poses.rotation_link_5_zz;
-    let three_joint_5_x = factor_link_5_zx * poses.rotation_link_5_zz
-        - (three_joint_5_x_2 + factor_link_5_yx * poses.rotation_link_4_yy)
-        + (factor_link_5_py * screws.screw_joint_5_vz
-            - factor_link_5_pz * screws.screw_joint_5_vy);
-    let three_joint_5_y = factor_link_5_zy * poses.rotation_link_5_zz
-        - (factor_link_5_xy * poses.rotation_link_4_xy + three_joint_5_y_4)
-        + (factor_link_5_pz * screws.screw_joint_5_vx
-            - factor_link_5_px * screws.screw_joint_5_vz);
-    let three_joint_5_z = three_joint_5_z_0
-        - (factor_link_5_xz * poses.rotation_link_4_xy
-            + factor_link_5_yz * poses.rotation_link_4_yy)
-        + (factor_link_5_px * screws.screw_joint_5_vy
-            - factor_link_5_py * screws.screw_joint_5_vx);
-    d_qdot[6][10] = wrench_outside_base_mx * screws.connection_joint_5_wx
-        + wrench_outside_base_my * screws.connection_joint_5_wy
-        + wrench_outside_base_mz * screws.connection_joint_5_wz
-        + wrench_outside_base_fx * screws.connection_joint_5_vx
-        + wrench_outside_base_fy * screws.connection_joint_5_vy
-        + wrench_outside_base_fz * screws.connection_joint_5_vz
-        + reactions.reaction_joint_1_wx * three_joint_5_x
-        + reactions.reaction_joint_1_wy * three_joint_5_y
-        + reactions.reaction_joint_1_wz * three_joint_5_z + 0.0;
-    let three_joint_6_x_0 = factor_link_6_xx * poses.rotation_link_6_xz;
-    let three_joint_6_y_2 = factor_link_6_yy * poses.rotation_link_5_yy;
-    let three_joint_6_z_4 = factor_link_6_zz * poses.rotation_link_6_zz;
-    let three_joint_6_x = three_joint_6_x_0 - factor_link_6_yx * poses.rotation_link_5_yy
-        + factor_link_6_zx * poses.rotation_link_6_zz
-        + (factor_link_6_py * screws.screw_joint_6_vz
-            - factor_link_6_pz * screws.screw_joint_6_vy);
-    let three_joint_6_y = factor_link_6_xy * poses.rotation_link_6_xz - three_joint_6_y_2
-        + factor_link_6_zy * poses.rotation_link_6_zz
-        + (factor_link_6_pz * screws.screw_joint_6_vx
-            - factor_link_6_px * screws.screw_joint_6_vz);
-    let three_joint_6_z = factor_link_6_xz * poses.rotation_link_6_xz
-        - factor_link_6_yz * poses.rotation_link_5_yy + three_joint_6_z_4
-        + (factor_link_6_px * screws.screw_joint_6_vy
-            - factor_link_6_py * screws.screw_joint_6_vx);
-    d_qdot[6][11] = wrench_outside_base_mx * screws.connection_joint_6_wx
-        + wrench_outside_base_my * screws.connection_joint_6_wy
-        + wrench_outside_base_mz * screws.connection_joint_6_wz
-        + wrench_outside_base_fx * screws.connection_joint_6_vx
-        + wrench_outside_base_fy * screws.connection_joint_6_vy
-        + wrench_outside_base_fz * screws.connection_joint_6_vz
-        + reactions.reaction_joint_1_wx * three_joint_6_x
-        + reactions.reaction_joint_1_wy * three_joint_6_y
-        + reactions.reaction_joint_1_wz * three_joint_6_z + 0.0;
-    let three_joint_7_x_2 = factor_link_7_xx * poses.minus_rotation_link_6_xy;
-    let three_joint_7_y_4 = factor_link_7_yy * poses.minus_rotation_link_6_yy;
-    let three_joint_7_z_0 = factor_link_7_zz * poses.rotation_link_6_zy;
-    let three_joint_7_x = factor_link_7_zx * poses.rotation_link_6_zy
-        - (three_joint_7_x_2 + factor_link_7_yx * poses.minus_rotation_link_6_yy)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-            * screws.screw_joint_7_vz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                * screws.screw_joint_7_vy);
-    let three_joint_7_y = factor_link_7_zy * poses.rotation_link_6_zy
-        - (factor_link_7_xy * poses.minus_rotation_link_6_xy + three_joint_7_y_4)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-            * screws.screw_joint_7_vx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                * screws.screw_joint_7_vz);
-    let three_joint_7_z = three_joint_7_z_0
-        - (factor_link_7_xz * poses.minus_rotation_link_6_xy
-            + factor_link_7_yz * poses.minus_rotation_link_6_yy)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-            * screws.screw_joint_7_vy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                * screws.screw_joint_7_vx);
-    d_qdot[6][12] = wrench_outside_base_mx * screws.connection_joint_7_wx
-        + wrench_outside_base_my * screws.connection_joint_7_wy
-        + wrench_outside_base_mz * screws.connection_joint_7_wz
-        + wrench_outside_base_fx * screws.connection_joint_7_vx
-        + wrench_outside_base_fy * screws.connection_joint_7_vy
-        + wrench_outside_base_fz * screws.connection_joint_7_vz
-        + reactions.reaction_joint_1_wx * three_joint_7_x
-        + reactions.reaction_joint_1_wy * three_joint_7_y
-        + reactions.reaction_joint_1_wz * three_joint_7_z + 0.0;
-    // D_q\u{307} column joint_2
-    d_qdot[7][0] = 0.0;
-    d_qdot[7][1] = 0.0;
-    d_qdot[7][2] = 0.0;
-    d_qdot[7][3] = 0.0;
-    d_qdot[7][4] = 0.0;
-    d_qdot[7][5] = 0.0;
-    let wrench_link_1_mx_4 = velocities.velocity_link_1_wz * poses.cos_joint_1;
-    let wrench_link_1_mx_6 = velocities.velocity_link_1_wz * poses.sin_joint_1;
-    let wrench_link_1_mx_8 = velocities.minus_velocity_link_2_wy * poses.sin_joint_1
-        - velocities.velocity_link_2_wx * poses.cos_joint_1;
-    let wrench_link_1_my_10 = velocities.velocity_link_2_vz * poses.cos_joint_1
-        - (velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vz
-            + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
-    let wrench_link_1_mx_12 = velocities.velocity_link_1_wz * screws.screw_joint_2_vx
-        - velocities.velocity_link_2_wx * screws.screw_joint_2_vz
-        + velocities.velocity_link_2_vz * poses.sin_joint_1;
-    let wrench_link_1_mx_10 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
-        + velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vx
-        - (velocities.velocity_link_2_vx * poses.cos_joint_1
-            + velocities.velocity_link_2_vy * poses.sin_joint_1);
-    let wrench_link_1_mx = three_joint_2_x_0 - factor_link_2_xy * poses.cos_joint_1
-        + (inertias.composite_link_2_xx * wrench_link_1_mx_4
-            + inertias.composite_link_2_xy * wrench_link_1_mx_6
-            + inertias.composite_link_2_xz * wrench_link_1_mx_8
-            + (inertias.composite_link_2_hy * wrench_link_1_mx_10
-                - inertias.composite_link_2_hz * wrench_link_1_mx_12));
-    let wrench_link_1_my = factor_link_2_yx * poses.sin_joint_1 - three_joint_2_y_2
-        + (inertias.composite_link_2_xy * wrench_link_1_mx_4
-            + inertias.composite_link_2_yy * wrench_link_1_mx_6
-            + inertias.composite_link_2_yz * wrench_link_1_mx_8
-            + (inertias.composite_link_2_hz * wrench_link_1_my_10
-                - inertias.composite_link_2_hx * wrench_link_1_mx_10));
-    let wrench_link_1_mz = factor_link_2_zx * poses.sin_joint_1
-        - factor_link_2_zy * poses.cos_joint_1
-        + (inertias.composite_link_2_xz * wrench_link_1_mx_4
-            + inertias.composite_link_2_yz * wrench_link_1_mx_6
-            + inertias.composite_link_2_zz * wrench_link_1_mx_8
-            + (inertias.composite_link_2_hx * wrench_link_1_mx_12
-                - inertias.composite_link_2_hy * wrench_link_1_my_10));
-    d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
-        + reactions.reaction_joint_1_wy * wrench_link_1_my
-        + reactions.reaction_joint_1_wz * wrench_link_1_mz
-        + turn_joint_1_x * screws.connection_joint_2_wx
-        + turn_joint_1_y * screws.connection_joint_2_wy
-        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
-    let factor_outside_link_2_xx = factor_link_1_xx_0 + factor_outside_link_1_xx;
-    let factor_outside_link_2_yx = factor_link_1_yx_0 + factor_outside_link_1_yx;
-    let factor_outside_link_2_zx = factor_link_1_zx_0 + factor_outside_link_1_zx;
-    let factor_outside_link_2_xy = factor_link_1_xy_0 + factor_outside_link_1_xy;
-    let factor_outside_link_2_yy = factor_link_1_yy_0 + factor_outside_link_1_yy;
-    let factor_outside_link_2_zy = factor_link_1_zy_0 + factor_outside_link_1_zy;
-    let factor_outside_link_2_xz = factor_link_1_xz_0 + factor_outside_link_1_xz;
-    let factor_outside_link_2_yz = factor_link_1_yz_0 + factor_outside_link_1_yz;
-    let factor_outside_link_2_zz = factor_link_1_zz_0 + factor_outside_link_1_zz;
-    let factor_outside_link_2_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_px_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px;
-    let factor_outside_link_2_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_py_0
-        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py;
-    let factor_outside_link_2_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_pz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1;
-    let wrench_link_1_fx = wrench_link_1_my_10 * 12.0
-        + (wrench_link_1_mx_6 * inertias.composite_link_2_hz
-            - wrench_link_1_mx_8 * inertias.composite_link_2_hy)
-        - poses.cos_joint_1 * factor_link_2_pz;
-    let wrench_link_1_fy = wrench_link_1_mx_12 * 12.0
-        + (wrench_link_1_mx_8 * inertias.composite_link_2_hx
-            - wrench_link_1_mx_4 * inertias.composite_link_2_hz)
-        - poses.sin_joint_1 * factor_link_2_pz;
-    let wrench_link_1_fz = poses.sin_joint_1 * factor_link_2_py
-        + poses.cos_joint_1 * factor_link_2_px
-        + (wrench_link_1_mx_10 * 12.0
-            + (wrench_link_1_mx_4 * inertias.composite_link_2_hy
-                - wrench_link_1_mx_6 * inertias.composite_link_2_hx));
-    let turn_joint_2_x_0 = factor_outside_link_2_xx * screws.connection_joint_2_wx;
-    let turn_joint_2_y_2 = factor_outside_link_2_yy * screws.connection_joint_2_wy;
-    let turn_joint_2_z_4 = factor_outside_link_2_zz * screws.connection_joint_2_wz;
-    let turn_joint_2_x_9 = factor_link_2_xx * reactions.reaction_joint_2_wx;
-    let turn_joint_2_y_11 = factor_link_2_yy * reactions.reaction_joint_2_wy;
-    let turn_joint_2_z_13 = factor_link_2_zz * reactions.reaction_joint_2_wz;
-    let turn_joint_2_x = turn_joint_2_x_0
-        + factor_outside_link_2_yx * screws.connection_joint_2_wy
-        + factor_outside_link_2_zx * screws.connection_joint_2_wz
-        + (factor_outside_link_2_py * screws.connection_joint_2_vz
-            - factor_outside_link_2_pz * screws.connection_joint_2_vy)
-        - (turn_joint_2_x_9 + factor_link_2_yx * reactions.reaction_joint_2_wy
-            + factor_link_2_zx * reactions.reaction_joint_2_wz
-            + (factor_link_2_py * reactions.reaction_joint_2_vz
-                - factor_link_2_pz * reactions.reaction_joint_2_vy));
-    let turn_joint_2_y = factor_outside_link_2_xy * screws.connection_joint_2_wx
-        + turn_joint_2_y_2 + factor_outside_link_2_zy * screws.connection_joint_2_wz
-        + (factor_outside_link_2_pz * screws.connection_joint_2_vx
-            - factor_outside_link_2_px * screws.connection_joint_2_vz)
-        - (factor_link_2_xy * reactions.reaction_joint_2_wx + turn_joint_2_y_11
-            + factor_link_2_zy * reactions.reaction_joint_2_wz
-            + (factor_link_2_pz * reactions.reaction_joint_2_vx
-                - factor_link_2_px * reactions.reaction_joint_2_vz));
-    let turn_joint_2_z = factor_outside_link_2_xz * screws.connection_joint_2_wx
-        + factor_outside_link_2_yz * screws.connection_joint_2_wy + turn_joint_2_z_4
-        + (factor_outside_link_2_px * screws.connection_joint_2_vy
-            - factor_outside_link_2_py * screws.connection_joint_2_vx)
-        - (factor_link_2_xz * reactions.reaction_joint_2_wx
-            + factor_link_2_yz * reactions.reaction_joint_2_wy + turn_joint_2_z_13
-            + (factor_link_2_px * reactions.reaction_joint_2_vy
-                - factor_link_2_py * reactions.reaction_joint_2_vx));
-    d_qdot[7][7] = reactions.reaction_joint_2_wx * wrench_link_1_mx
-        + reactions.reaction_joint_2_wy * wrench_link_1_my
-        + reactions.reaction_joint_2_wz * wrench_link_1_mz
-        + reactions.reaction_joint_2_vx * wrench_link_1_fx
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy
-        + reactions.reaction_joint_2_vz * wrench_link_1_fz
-        + turn_joint_2_x * screws.connection_joint_2_wx
-        + turn_joint_2_y * screws.connection_joint_2_wy
-        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
-    let wrench_outside_link_1_mx = factor_outside_link_2_xz
-        * screws.connection_joint_2_wz
-        + (factor_outside_link_2_xy * screws.connection_joint_2_wy + turn_joint_2_x_0)
-        - (factor_link_2_xz * reactions.reaction_joint_2_wz
-            + (factor_link_2_xy * reactions.reaction_joint_2_wy + turn_joint_2_x_9))
-        + (complements.complement_link_2_xx * wrench_link_1_mx_4
-            + complements.complement_link_2_xy * wrench_link_1_mx_6
-            + complements.complement_link_2_xz * wrench_link_1_mx_8
-            + (complements.complement_link_2_hy * wrench_link_1_mx_10
-                - complements.complement_link_2_hz * wrench_link_1_mx_12));
-    let wrench_outside_link_1_my = factor_outside_link_2_yz
-        * screws.connection_joint_2_wz
-        + (turn_joint_2_y_2 + factor_outside_link_2_yx * screws.connection_joint_2_wx)
-        - (factor_link_2_yz * reactions.reaction_joint_2_wz
-            + (turn_joint_2_y_11 + factor_link_2_yx * reactions.reaction_joint_2_wx))
-        + (complements.complement_link_2_xy * wrench_link_1_mx_4
-            + complements.complement_link_2_yy * wrench_link_1_mx_6
-            - complements.minus_complement_link_2_yz * wrench_link_1_mx_8
-            + (complements.complement_link_2_hz * wrench_link_1_my_10
-                + complements.minus_complement_link_2_hx * wrench_link_1_mx_10));
-    let wrench_outside_link_1_mz = turn_joint_2_z_4
-        + (factor_outside_link_2_zy * screws.connection_joint_2_wy
-            + factor_outside_link_2_zx * screws.connection_joint_2_wx)
-        - (turn_joint_2_z_13
-            + (factor_link_2_zy * reactions.reaction_joint_2_wy
-                + factor_link_2_zx * reactions.reaction_joint_2_wx))
-        + (complements.complement_link_2_xz * wrench_link_1_mx_4
-            - complements.minus_complement_link_2_yz * wrench_link_1_mx_6
-            + complements.complement_link_2_zz * wrench_link_1_mx_8
-            - (complements.minus_complement_link_2_hx * wrench_link_1_mx_12
-                + complements.complement_link_2_hy * wrench_link_1_my_10));
-    let wrench_outside_link_1_fx = screws.connection_joint_2_wy
-        * factor_outside_link_2_pz
-        - screws.connection_joint_2_wz * factor_outside_link_2_py
-        - (reactions.reaction_joint_2_wy * factor_link_2_pz
-            - reactions.reaction_joint_2_wz * factor_link_2_py)
-        + (wrench_link_1_my_10 * 5.5
-            + (wrench_link_1_mx_6 * complements.complement_link_2_hz
-                - wrench_link_1_mx_8 * complements.complement_link_2_hy));
-    let wrench_outside_link_1_fy = screws.connection_joint_2_wz
-        * factor_outside_link_2_px
-        - screws.connection_joint_2_wx * factor_outside_link_2_pz
-        - (reactions.reaction_joint_2_wz * factor_link_2_px
-            - reactions.reaction_joint_2_wx * factor_link_2_pz)
-        + (wrench_link_1_mx_12 * 5.5
-            - (wrench_link_1_mx_8 * complements.minus_complement_link_2_hx
-                + wrench_link_1_mx_4 * complements.complement_link_2_hz));
-    let wrench_outside_link_1_fz = screws.connection_joint_2_wx
-        * factor_outside_link_2_py
-        - screws.connection_joint_2_wy * factor_outside_link_2_px
-        - (reactions.reaction_joint_2_wx * factor_link_2_py
-            - reactions.reaction_joint_2_wy * factor_link_2_px)
-        + (wrench_link_1_mx_10 * 5.5
-            + (wrench_link_1_mx_4 * complements.complement_link_2_hy
-                + wrench_link_1_mx_6 * complements.minus_complement_link_2_hx));
-    d_qdot[7][8] = wrench_outside_link_1_mx * screws.connection_joint_3_wx
-        + wrench_outside_link_1_my * screws.connection_joint_3_wy
-        + wrench_outside_link_1_mz * screws.connection_joint_3_wz
-        + wrench_outside_link_1_fx * screws.connection_joint_3_vx
-        + wrench_outside_link_1_fy * screws.connection_joint_3_vy
-        + wrench_outside_link_1_fz * screws.connection_joint_3_vz
-        + reactions.reaction_joint_2_wx * three_joint_3_x
-        + reactions.reaction_joint_2_wy * three_joint_3_y
-        + reactions.reaction_joint_2_wz * three_joint_3_z + 0.0;
-    d_qdot[7][9] = wrench_outside_link_1_mx * screws.connection_joint_4_wx
-        + wrench_outside_link_1_my * screws.connection_joint_4_wy
-        + wrench_outside_link_1_mz * screws.connection_joint_4_wz
-        + wrench_outside_link_1_fx * screws.connection_joint_4_vx
-        + wrench_outside_link_1_fy * screws.connection_joint_4_vy
-        + wrench_outside_link_1_fz * screws.connection_joint_4_vz
-        + reactions.reaction_joint_2_wx * three_joint_4_x
-        + reactions.reaction_joint_2_wy * three_joint_4_y
-        + reactions.reaction_joint_2_wz * three_joint_4_z + 0.0;
-    d_qdot[7][10] = wrench_outside_link_1_mx * screws.connection_joint_5_wx
-        + wrench_outside_link_1_my * screws.connection_joint_5_wy
-        + wrench_outside_link_1_mz * screws.connection_joint_5_wz
-        + wrench_outside_link_1_fx * screws.connection_joint_5_vx
-        + wrench_outside_link_1_fy * screws.connection_joint_5_vy
-        + wrench_outside_link_1_fz * screws.connection_joint_5_vz
-        + reactions.reaction_joint_2_wx * three_joint_5_x
-        + reactions.reaction_joint_2_wy * three_joint_5_y
-        + reactions.reaction_joint_2_wz * three_joint_5_z + 0.0;
-    d_qdot[7][11] = wrench_outside_link_1_mx * screws.connection_joint_6_wx
-        + wrench_outside_link_1_my * screws.connection_joint_6_wy
-        + wrench_outside_link_1_mz * screws.connection_joint_6_wz
-        + wrench_outside_link_1_fx * screws.connection_joint_6_vx
-        + wrench_outside_link_1_fy * screws.connection_joint_6_vy
-        + wrench_outside_link_1_fz * screws.connection_joint_6_vz
-        + reactions.reaction_joint_2_wx * three_joint_6_x
-        + reactions.reaction_joint_2_wy * three_joint_6_y
-        + reactions.reaction_joint_2_wz * three_joint_6_z + 0.0;
-    d_qdot[7][12] = wrench_outside_link_1_mx * screws.connection_joint_7_wx
-        + wrench_outside_link_1_my * screws.connection_joint_7_wy
-        + wrench_outside_link_1_mz * screws.connection_joint_7_wz
-        + wrench_outside_link_1_fx * screws.connection_joint_7_vx
-        + wrench_outside_link_1_fy * screws.connection_joint_7_vy
-        + wrench_outside_link_1_fz * screws.connection_joint_7_vz
-        + reactions.reaction_joint_2_wx * three_joint_7_x
-        + reactions.reaction_joint_2_wy * three_joint_7_y
-        + reactions.reaction_joint_2_wz * three_joint_7_z + 0.0;
-    // D_q\u{307} column joint_3
-    d_qdot[8][0] = 0.0;
-    d_qdot[8][1] = 0.0;
-    d_qdot[8][2] = 0.0;
-    d_qdot[8][3] = 0.0;
-    d_qdot[8][4] = 0.0;
-    d_qdot[8][5] = 0.0;
-    let wrench_link_2_mx_6 = velocities.velocity_link_3_wz
-        * poses.minus_rotation_link_2_yy
-        - velocities.minus_velocity_link_3_wy * poses.cos_joint_2;
-    let wrench_link_2_mx_8 = velocities.velocity_link_3_wz
-        * poses.minus_rotation_link_2_xy
-        + velocities.velocity_link_3_wx * poses.cos_joint_2;
-    let wrench_link_2_mx_10 = velocities.velocity_link_3_wx
-        * poses.minus_rotation_link_2_yy
-        + velocities.minus_velocity_link_3_wy * poses.minus_rotation_link_2_xy;
-    let wrench_link_2_my_12 = velocities.velocity_link_3_vy * poses.cos_joint_2
-        + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy
-        - (velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vz
-            + velocities.velocity_link_3_wz * screws.screw_joint_3_vy);
-    let wrench_link_2_mx_14 = velocities.velocity_link_3_wz * screws.screw_joint_3_vx
-        - velocities.velocity_link_3_wx * screws.screw_joint_3_vz
-        - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
-            + velocities.velocity_link_3_vx * poses.cos_joint_2);
-    let wrench_link_2_mx_12 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
-        + velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vx
-        + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
-            - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy);
-    let wrench_link_2_mx = factor_link_3_xz * poses.cos_joint_2
-        - (factor_link_3_xy * poses.minus_rotation_link_2_yy + three_joint_3_x_2)
-        + (inertias.composite_link_3_xx * wrench_link_2_mx_6
-            - inertias.composite_link_3_xy * wrench_link_2_mx_8
-            - inertias.composite_link_3_xz * wrench_link_2_mx_10
-            + (inertias.composite_link_3_hy * wrench_link_2_mx_12
-                - inertias.composite_link_3_hz * wrench_link_2_mx_14));
-    let wrench_link_2_my = factor_link_3_yz * poses.cos_joint_2
-        - (three_joint_3_y_4 + factor_link_3_yx * poses.minus_rotation_link_2_xy)
-        + (inertias.composite_link_3_xy * wrench_link_2_mx_6
-            - inertias.composite_link_3_yy * wrench_link_2_mx_8
-            - inertias.composite_link_3_yz * wrench_link_2_mx_10
-            + (inertias.composite_link_3_hz * wrench_link_2_my_12
-                - inertias.composite_link_3_hx * wrench_link_2_mx_12));
-    let wrench_link_2_mz = three_joint_3_z_0
-        - (factor_link_3_zy * poses.minus_rotation_link_2_yy
-            + factor_link_3_zx * poses.minus_rotation_link_2_xy)
-        + (inertias.composite_link_3_xz * wrench_link_2_mx_6
-            - inertias.composite_link_3_yz * wrench_link_2_mx_8
-            - inertias.composite_link_3_zz * wrench_link_2_mx_10
-            + (inertias.composite_link_3_hx * wrench_link_2_mx_14
-                - inertias.composite_link_3_hy * wrench_link_2_my_12));
-    d_qdot[8][6] = reactions.reaction_joint_1_wx * wrench_link_2_mx
-        + reactions.reaction_joint_1_wy * wrench_link_2_my
-        + reactions.reaction_joint_1_wz * wrench_link_2_mz
-        + turn_joint_1_x * screws.connection_joint_3_wx
-        + turn_joint_1_y * screws.connection_joint_3_wy
-        + turn_joint_1_z * screws.connection_joint_3_wz + 0.0;
-    let wrench_link_2_fx = wrench_link_2_my_12 * 10.0
-        + (wrench_link_2_mx_10 * inertias.composite_link_3_hy
-            - wrench_link_2_mx_8 * inertias.composite_link_3_hz)
-        - (poses.minus_rotation_link_2_yy * factor_link_3_pz
-            + poses.cos_joint_2 * factor_link_3_py);
-    let wrench_link_2_fy = poses.cos_joint_2 * factor_link_3_px
-        + poses.minus_rotation_link_2_xy * factor_link_3_pz
-        + (wrench_link_2_mx_14 * 10.0
-            - (wrench_link_2_mx_10 * inertias.composite_link_3_hx
-                + wrench_link_2_mx_6 * inertias.composite_link_3_hz));
-    let wrench_link_2_fz = poses.minus_rotation_link_2_yy * factor_link_3_px
-        - poses.minus_rotation_link_2_xy * factor_link_3_py
-        + (wrench_link_2_mx_12 * 10.0
-            + (wrench_link_2_mx_6 * inertias.composite_link_3_hy
-                + wrench_link_2_mx_8 * inertias.composite_link_3_hx));
-    d_qdot[8][7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
-        + reactions.reaction_joint_2_wy * wrench_link_2_my
-        + reactions.reaction_joint_2_wz * wrench_link_2_mz
-        + reactions.reaction_joint_2_vx * wrench_link_2_fx
-        + reactions.reaction_joint_2_vy * wrench_link_2_fy
-        + reactions.reaction_joint_2_vz * wrench_link_2_fz
-        + turn_joint_2_x * screws.connection_joint_3_wx
-        + turn_joint_2_y * screws.connection_joint_3_wy
-        + turn_joint_2_z * screws.connection_joint_3_wz + 0.0;
-    let factor_outside_link_3_xx = factor_link_2_xx_0 + factor_outside_link_2_xx;
-    let factor_outside_link_3_yx = factor_link_2_yx_0 + factor_outside_link_2_yx;
-    let factor_outside_link_3_zx = factor_link_2_zx_0 + factor_outside_link_2_zx;
-    let factor_outside_link_3_xy = factor_link_2_xy_0 + factor_outside_link_2_xy;
-    let factor_outside_link_3_yy = factor_link_2_yy_0 + factor_outside_link_2_yy;
-    let factor_outside_link_3_zy = factor_link_2_zy_0 + factor_outside_link_2_zy;
-    let factor_outside_link_3_xz = factor_link_2_xz_0 + factor_outside_link_2_xz;
-    let factor_outside_link_3_yz = factor_link_2_yz_0 + factor_outside_link_2_yz;
-    let factor_outside_link_3_zz = factor_link_2_zz_0 + factor_outside_link_2_zz;
-    let factor_outside_link_3_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_px_0 + factor_outside_link_2_px;
-    let factor_outside_link_3_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_py_0 + factor_outside_link_2_py;
-    let factor_outside_link_3_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_pz_0 + factor_outside_link_2_pz;
-    let turn_joint_3_x_0 = factor_outside_link_3_xx * screws.connection_joint_3_wx;
-    let turn_joint_3_y_2 = factor_outside_link_3_yy * screws.connection_joint_3_wy;
-    let turn_joint_3_z_4 = factor_outside_link_3_zz * screws.connection_joint_3_wz;
-    let turn_joint_3_x_9 = factor_link_3_xx * reactions.reaction_joint_3_wx;
-    let turn_joint_3_y_11 = factor_link_3_yy * reactions.reaction_joint_3_wy;
-    let turn_joint_3_z_13 = factor_link_3_zz * reactions.reaction_joint_3_wz;
-    let turn_joint_3_x = turn_joint_3_x_0
-        + factor_outside_link_3_yx * screws.connection_joint_3_wy
-        + factor_outside_link_3_zx * screws.connection_joint_3_wz
-        + (factor_outside_link_3_py * screws.connection_joint_3_vz
-            - factor_outside_link_3_pz * screws.connection_joint_3_vy)
-        - (turn_joint_3_x_9 + factor_link_3_yx * reactions.reaction_joint_3_wy
-            + factor_link_3_zx * reactions.reaction_joint_3_wz
-            + (factor_link_3_py * reactions.reaction_joint_3_vz
-                - factor_link_3_pz * reactions.reaction_joint_3_vy));
-    let turn_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
-        + turn_joint_3_y_2 + factor_outside_link_3_zy * screws.connection_joint_3_wz
-        + (factor_outside_link_3_pz * screws.connection_joint_3_vx
-            - factor_outside_link_3_px * screws.connection_joint_3_vz)
-        - (factor_link_3_xy * reactions.reaction_joint_3_wx + turn_joint_3_y_11
-            + factor_link_3_zy * reactions.reaction_joint_3_wz
-            + (factor_link_3_pz * reactions.reaction_joint_3_vx
-                - factor_link_3_px * reactions.reaction_joint_3_vz));
-    let turn_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
-        + factor_outside_link_3_yz * screws.connection_joint_3_wy + turn_joint_3_z_4
-        + (factor_outside_link_3_px * screws.connection_joint_3_vy
-            - factor_outside_link_3_py * screws.connection_joint_3_vx)
-        - (factor_link_3_xz * reactions.reaction_joint_3_wx
-            + factor_link_3_yz * reactions.reaction_joint_3_wy + turn_joint_3_z_13
-            + (factor_link_3_px * reactions.reaction_joint_3_vy
-                - factor_link_3_py * reactions.reaction_joint_3_vx));
-    d_qdot[8][8] = reactions.reaction_joint_3_wx * wrench_link_2_mx
-        + reactions.reaction_joint_3_wy * wrench_link_2_my
-        + reactions.reaction_joint_3_wz * wrench_link_2_mz
-        + reactions.reaction_joint_3_vx * wrench_link_2_fx
-        + reactions.reaction_joint_3_vy * wrench_link_2_fy
-        + reactions.reaction_joint_3_vz * wrench_link_2_fz
-        + turn_joint_3_x * screws.connection_joint_3_wx
-        + turn_joint_3_y * screws.connection_joint_3_wy
-        + turn_joint_3_z * screws.connection_joint_3_wz + 0.0;
-    let wrench_outside_link_2_mx = factor_outside_link_3_xz
-        * screws.connection_joint_3_wz
-        + (factor_outside_link_3_xy * screws.connection_joint_3_wy + turn_joint_3_x_0)
-        - (factor_link_3_xz * reactions.reaction_joint_3_wz
-            + (factor_link_3_xy * reactions.reaction_joint_3_wy + turn_joint_3_x_9))
-        + (complements.complement_link_3_xx * wrench_link_2_mx_6
-            - complements.complement_link_3_xy * wrench_link_2_mx_8
-            - complements.complement_link_3_xz * wrench_link_2_mx_10
-            + (complements.complement_link_3_hy * wrench_link_2_mx_12
-                - complements.complement_link_3_hz * wrench_link_2_mx_14));
-    let wrench_outside_link_2_my = factor_outside_link_3_yz
-        * screws.connection_joint_3_wz
-        + (turn_joint_3_y_2 + factor_outside_link_3_yx * screws.connection_joint_3_wx)
-        - (factor_link_3_yz * reactions.reaction_joint_3_wz
-            + (turn_joint_3_y_11 + factor_link_3_yx * reactions.reaction_joint_3_wx))
-        + (complements.complement_link_3_xy * wrench_link_2_mx_6
-            - complements.complement_link_3_yy * wrench_link_2_mx_8
-            - complements.complement_link_3_yz * wrench_link_2_mx_10
-            + (complements.complement_link_3_hz * wrench_link_2_my_12
-                - complements.complement_link_3_hx * wrench_link_2_mx_12));
-    let wrench_outside_link_2_mz = turn_joint_3_z_4
-        + (factor_outside_link_3_zy * screws.connection_joint_3_wy
-            + factor_outside_link_3_zx * screws.connection_joint_3_wx)
-        - (turn_joint_3_z_13
-            + (factor_link_3_zy * reactions.reaction_joint_3_wy
-                + factor_link_3_zx * reactions.reaction_joint_3_wx))
-        + (complements.complement_link_3_xz * wrench_link_2_mx_6
-            - complements.complement_link_3_yz * wrench_link_2_mx_8
-            - complements.complement_link_3_zz * wrench_link_2_mx_10
-            + (complements.complement_link_3_hx * wrench_link_2_mx_14
-                - complements.complement_link_3_hy * wrench_link_2_my_12));
-    let wrench_outside_link_2_fx = screws.connection_joint_3_wy
-        * factor_outside_link_3_pz
-        - screws.connection_joint_3_wz * factor_outside_link_3_py
-        - (reactions.reaction_joint_3_wy * factor_link_3_pz
-            - reactions.reaction_joint_3_wz * factor_link_3_py)
-        + (wrench_link_2_my_12 * 7.5
-            + (wrench_link_2_mx_10 * complements.complement_link_3_hy
-                - wrench_link_2_mx_8 * complements.complement_link_3_hz));
-    let wrench_outside_link_2_fy = screws.connection_joint_3_wz
-        * factor_outside_link_3_px
-        - screws.connection_joint_3_wx * factor_outside_link_3_pz
-        - (reactions.reaction_joint_3_wz * factor_link_3_px
-            - reactions.reaction_joint_3_wx * factor_link_3_pz)
-        + (wrench_link_2_mx_14 * 7.5
-            - (wrench_link_2_mx_10 * complements.complement_link_3_hx
-                + wrench_link_2_mx_6 * complements.complement_link_3_hz));
-    let wrench_outside_link_2_fz = screws.connection_joint_3_wx
-        * factor_outside_link_3_py
-        - screws.connection_joint_3_wy * factor_outside_link_3_px
-        - (reactions.reaction_joint_3_wx * factor_link_3_py
-            - reactions.reaction_joint_3_wy * factor_link_3_px)
-        + (wrench_link_2_mx_12 * 7.5
-            + (wrench_link_2_mx_6 * complements.complement_link_3_hy
-                + wrench_link_2_mx_8 * complements.complement_link_3_hx));
-    d_qdot[8][9] = wrench_outside_link_2_mx * screws.connection_joint_4_wx
-        + wrench_outside_link_2_my * screws.connection_joint_4_wy
-        + wrench_outside_link_2_mz * screws.connection_joint_4_wz
-        + wrench_outside_link_2_fx * screws.connection_joint_4_vx
-        + wrench_outside_link_2_fy * screws.connection_joint_4_vy
-        + wrench_outside_link_2_fz * screws.connection_joint_4_vz
-        + reactions.reaction_joint_3_wx * three_joint_4_x
-        + reactions.reaction_joint_3_wy * three_joint_4_y
-        + reactions.reaction_joint_3_wz * three_joint_4_z + 0.0;
-    d_qdot[8][10] = wrench_outside_link_2_mx * screws.connection_joint_5_wx
-        + wrench_outside_link_2_my * screws.connection_joint_5_wy
-        + wrench_outside_link_2_mz * screws.connection_joint_5_wz
-        + wrench_outside_link_2_fx * screws.connection_joint_5_vx
-        + wrench_outside_link_2_fy * screws.connection_joint_5_vy
-        + wrench_outside_link_2_fz * screws.connection_joint_5_vz
-        + reactions.reaction_joint_3_wx * three_joint_5_x
-        + reactions.reaction_joint_3_wy * three_joint_5_y
-        + reactions.reaction_joint_3_wz * three_joint_5_z + 0.0;
-    d_qdot[8][11] = wrench_outside_link_2_mx * screws.connection_joint_6_wx
-        + wrench_outside_link_2_my * screws.connection_joint_6_wy
-        + wrench_outside_link_2_mz * screws.connection_joint_6_wz
-        + wrench_outside_link_2_fx * screws.connection_joint_6_vx
-        + wrench_outside_link_2_fy * screws.connection_joint_6_vy
-        + wrench_outside_link_2_fz * screws.connection_joint_6_vz
-        + reactions.reaction_joint_3_wx * three_joint_6_x
-        + reactions.reaction_joint_3_wy * three_joint_6_y
-        + reactions.reaction_joint_3_wz * three_joint_6_z + 0.0;
-    d_qdot[8][12] = wrench_outside_link_2_mx * screws.connection_joint_7_wx
-        + wrench_outside_link_2_my * screws.connection_joint_7_wy
-        + wrench_outside_link_2_mz * screws.connection_joint_7_wz
-        + wrench_outside_link_2_fx * screws.connection_joint_7_vx
-        + wrench_outside_link_2_fy * screws.connection_joint_7_vy
-        + wrench_outside_link_2_fz * screws.connection_joint_7_vz
-        + reactions.reaction_joint_3_wx * three_joint_7_x
-        + reactions.reaction_joint_3_wy * three_joint_7_y
-        + reactions.reaction_joint_3_wz * three_joint_7_z + 0.0;
-    // D_q\u{307} column joint_4
-    d_qdot[9][0] = 0.0;
-    d_qdot[9][1] = 0.0;
-    d_qdot[9][2] = 0.0;
-    d_qdot[9][3] = 0.0;
-    d_qdot[9][4] = 0.0;
-    d_qdot[9][5] = 0.0;
-    let wrench_link_3_mx_8 = velocities.velocity_link_4_wy
-        * poses.minus_rotation_link_3_zy
-        + velocities.velocity_link_4_wz * poses.rotation_link_3_yy;
-    let wrench_link_3_mx_6 = velocities.velocity_link_4_wx
-        * poses.minus_rotation_link_3_zy
-        - velocities.velocity_link_4_wz * poses.minus_rotation_link_3_xy;
-    let wrench_link_3_mx_10 = velocities.velocity_link_4_wx * poses.rotation_link_3_yy
-        + velocities.velocity_link_4_wy * poses.minus_rotation_link_3_xy;
-    let wrench_link_3_my_12 = velocities.velocity_link_4_wz
-        * screws.minus_screw_joint_4_vy
-        - velocities.velocity_link_4_wy * screws.minus_screw_joint_4_vz
-        - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
-            + velocities.velocity_link_4_vz * poses.rotation_link_3_yy);
-    let wrench_link_3_mx_14 = velocities.velocity_link_4_wz * screws.screw_joint_4_vx
-        + velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vz
-        + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
-            - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy);
-    let wrench_link_3_mx_12 = velocities.velocity_link_4_vx * poses.rotation_link_3_yy
-        + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
-        - (velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vy
-            + velocities.velocity_link_4_wy * screws.screw_joint_4_vx);
-    let wrench_link_3_mx = factor_link_4_xy * poses.rotation_link_3_yy
-        - three_joint_4_x_2 - factor_link_4_xz * poses.minus_rotation_link_3_zy
-        + (inertias.composite_link_4_xy * wrench_link_3_mx_6
-            - inertias.composite_link_4_xx * wrench_link_3_mx_8
-            + inertias.composite_link_4_xz * wrench_link_3_mx_10
-            + (inertias.composite_link_4_hy * wrench_link_3_mx_12
-                - inertias.composite_link_4_hz * wrench_link_3_mx_14));
-    let wrench_link_3_my = three_joint_4_y_0
-        - factor_link_4_yx * poses.minus_rotation_link_3_xy
-        - factor_link_4_yz * poses.minus_rotation_link_3_zy
-        + (inertias.composite_link_4_yy * wrench_link_3_mx_6
-            - inertias.composite_link_4_xy * wrench_link_3_mx_8
-            + inertias.composite_link_4_yz * wrench_link_3_mx_10
-            + (inertias.composite_link_4_hz * wrench_link_3_my_12
-                + inertias.minus_composite_link_4_hx * wrench_link_3_mx_12));
-    let wrench_link_3_mz = factor_link_4_zy * poses.rotation_link_3_yy
-        - factor_link_4_zx * poses.minus_rotation_link_3_xy - three_joint_4_z_4
-        + (inertias.composite_link_4_yz * wrench_link_3_mx_6
-            - inertias.composite_link_4_xz * wrench_link_3_mx_8
-            + inertias.composite_link_4_zz * wrench_link_3_mx_10
-            - (inertias.minus_composite_link_4_hx * wrench_link_3_mx_14
-                + inertias.composite_link_4_hy * wrench_link_3_my_12));
-    d_qdot[9][6] = reactions.reaction_joint_1_wx * wrench_link_3_mx
-        + reactions.reaction_joint_1_wy * wrench_link_3_my
-        + reactions.reaction_joint_1_wz * wrench_link_3_mz
-        + turn_joint_1_x * screws.connection_joint_4_wx
-        + turn_joint_1_y * screws.connection_joint_4_wy
-        + turn_joint_1_z * screws.connection_joint_4_wz + 0.0;
-    let wrench_link_3_fx = poses.rotation_link_3_yy * factor_link_4_pz
-        + poses.minus_rotation_link_3_zy * factor_link_4_py
-        + (wrench_link_3_my_12 * 8.0
-            + (wrench_link_3_mx_6 * inertias.composite_link_4_hz
-                - wrench_link_3_mx_10 * inertias.composite_link_4_hy));
-    let wrench_link_3_fy = poses.minus_rotation_link_3_xy * factor_link_4_pz
-        - poses.minus_rotation_link_3_zy * factor_link_4_px
-        + (wrench_link_3_mx_14 * 8.0
-            + (wrench_link_3_mx_8 * inertias.composite_link_4_hz
-                - wrench_link_3_mx_10 * inertias.minus_composite_link_4_hx));
-    let wrench_link_3_fz = wrench_link_3_mx_12 * 8.0
-        + (wrench_link_3_mx_6 * inertias.minus_composite_link_4_hx
-            - wrench_link_3_mx_8 * inertias.composite_link_4_hy)
-        - (poses.minus_rotation_link_3_xy * factor_link_4_py
-            + poses.rotation_link_3_yy * factor_link_4_px);
-    d_qdot[9][7] = reactions.reaction_joint_2_wx * wrench_link_3_mx
-        + reactions.reaction_joint_2_wy * wrench_link_3_my
-        + reactions.reaction_joint_2_wz * wrench_link_3_mz
-        + reactions.reaction_joint_2_vx * wrench_link_3_fx
-        + reactions.reaction_joint_2_vy * wrench_link_3_fy
-        + reactions.reaction_joint_2_vz * wrench_link_3_fz
-        + turn_joint_2_x * screws.connection_joint_4_wx
-        + turn_joint_2_y * screws.connection_joint_4_wy
-        + turn_joint_2_z * screws.connection_joint_4_wz + 0.0;
-    d_qdot[9][8] = reactions.reaction_joint_3_wx * wrench_link_3_mx
-        + reactions.reaction_joint_3_wy * wrench_link_3_my
-        + reactions.reaction_joint_3_wz * wrench_link_3_mz
-        + reactions.reaction_joint_3_vx * wrench_link_3_fx
-        + reactions.reaction_joint_3_vy * wrench_link_3_fy
-        + reactions.reaction_joint_3_vz * wrench_link_3_fz
-        + turn_joint_3_x * screws.connection_joint_4_wx
-        + turn_joint_3_y * screws.connection_joint_4_wy
-        + turn_joint_3_z * screws.connection_joint_4_wz + 0.0;
-    let factor_outside_link_4_xx = factor_link_3_xx_0 + factor_outside_link_3_xx;
-    let factor_outside_link_4_yx = factor_link_3_yx_0 + factor_outside_link_3_yx;
-    let factor_outside_link_4_zx = factor_link_3_zx_0 + factor_outside_link_3_zx;
-    let factor_outside_link_4_xy = factor_link_3_xy_0 + factor_outside_link_3_xy;
-    let factor_outside_link_4_yy = factor_link_3_yy_0 + factor_outside_link_3_yy;
-    let factor_outside_link_4_zy = factor_link_3_zy_0 + factor_outside_link_3_zy;
-    let factor_outside_link_4_xz = factor_link_3_xz_0 + factor_outside_link_3_xz;
-    let factor_outside_link_4_yz = factor_link_3_yz_0 + factor_outside_link_3_yz;
-    let factor_outside_link_4_zz = factor_link_3_zz_0 + factor_outside_link_3_zz;
-    let factor_outside_link_4_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_px_0 + factor_outside_link_3_px;
-    let factor_outside_link_4_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_py_0 + factor_outside_link_3_py;
-    let factor_outside_link_4_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_pz_0 + factor_outside_link_3_pz;
-    let turn_joint_4_x_0 = factor_outside_link_4_xx * screws.connection_joint_4_wx;
-    let turn_joint_4_y_2 = factor_outside_link_4_yy * screws.connection_joint_4_wy;
-    let turn_joint_4_z_4 = factor_outside_link_4_zz * screws.connection_joint_4_wz;
-    let turn_joint_4_x_9 = factor_link_4_xx * reactions.reaction_joint_4_wx;
-    let turn_joint_4_y_11 = factor_link_4_yy * reactions.reaction_joint_4_wy;
-    let turn_joint_4_z_13 = factor_link_4_zz * reactions.reaction_joint_4_wz;
-    let turn_joint_4_x = turn_joint_4_x_0
-        + factor_outside_link_4_yx * screws.connection_joint_4_wy
-        + factor_outside_link_4_zx * screws.connection_joint_4_wz
-        + (factor_outside_link_4_py * screws.connection_joint_4_vz
-            - factor_outside_link_4_pz * screws.connection_joint_4_vy)
-        - (turn_joint_4_x_9 + factor_link_4_yx * reactions.reaction_joint_4_wy
-            + factor_link_4_zx * reactions.reaction_joint_4_wz
-            - (factor_link_4_py * reactions.minus_reaction_joint_4_vz
-                + factor_link_4_pz * reactions.reaction_joint_4_vy));
-    let turn_joint_4_y = factor_outside_link_4_xy * screws.connection_joint_4_wx
-        + turn_joint_4_y_2 + factor_outside_link_4_zy * screws.connection_joint_4_wz
-        + (factor_outside_link_4_pz * screws.connection_joint_4_vx
-            - factor_outside_link_4_px * screws.connection_joint_4_vz)
-        - (factor_link_4_xy * reactions.reaction_joint_4_wx + turn_joint_4_y_11
-            + factor_link_4_zy * reactions.reaction_joint_4_wz
-            + (factor_link_4_pz * reactions.reaction_joint_4_vx
-                + factor_link_4_px * reactions.minus_reaction_joint_4_vz));
-    let turn_joint_4_z = factor_outside_link_4_xz * screws.connection_joint_4_wx
-        + factor_outside_link_4_yz * screws.connection_joint_4_wy + turn_joint_4_z_4
-        + (factor_outside_link_4_px * screws.connection_joint_4_vy
-            - factor_outside_link_4_py * screws.connection_joint_4_vx)
-        - (factor_link_4_xz * reactions.reaction_joint_4_wx
-            + factor_link_4_yz * reactions.reaction_joint_4_wy + turn_joint_4_z_13
-            + (factor_link_4_px * reactions.reaction_joint_4_vy
-                - factor_link_4_py * reactions.reaction_joint_4_vx));
-    d_qdot[9][9] = reactions.reaction_joint_4_wx * wrench_link_3_mx
-        + reactions.reaction_joint_4_wy * wrench_link_3_my
-        + reactions.reaction_joint_4_wz * wrench_link_3_mz
-        + reactions.reaction_joint_4_vx * wrench_link_3_fx
-        + reactions.reaction_joint_4_vy * wrench_link_3_fy
-        - reactions.minus_reaction_joint_4_vz * wrench_link_3_fz
-        + turn_joint_4_x * screws.connection_joint_4_wx
-        + turn_joint_4_y * screws.connection_joint_4_wy
-        + turn_joint_4_z * screws.connection_joint_4_wz + 0.0;
-    let wrench_outside_link_3_mx = factor_outside_link_4_xz
-        * screws.connection_joint_4_wz
-        + (factor_outside_link_4_xy * screws.connection_joint_4_wy + turn_joint_4_x_0)
-        - (factor_link_4_xz * reactions.reaction_joint_4_wz
-            + (factor_link_4_xy * reactions.reaction_joint_4_wy + turn_joint_4_x_9))
-        + (complements.complement_link_4_xy * wrench_link_3_mx_6
-            - complements.complement_link_4_xx * wrench_link_3_mx_8
-            + complements.complement_link_4_xz * wrench_link_3_mx_10
-            + (complements.complement_link_4_hy * wrench_link_3_mx_12
-                - complements.complement_link_4_hz * wrench_link_3_mx_14));
-    let wrench_outside_link_3_my = factor_outside_link_4_yz
-        * screws.connection_joint_4_wz
-        + (turn_joint_4_y_2 + factor_outside_link_4_yx * screws.connection_joint_4_wx)
-        - (factor_link_4_yz * reactions.reaction_joint_4_wz
-            + (turn_joint_4_y_11 + factor_link_4_yx * reactions.reaction_joint_4_wx))
-        + (complements.complement_link_4_yy * wrench_link_3_mx_6
-            - complements.complement_link_4_xy * wrench_link_3_mx_8
-            + complements.complement_link_4_yz * wrench_link_3_mx_10
-            + (complements.complement_link_4_hz * wrench_link_3_my_12
-                - complements.complement_link_4_hx * wrench_link_3_mx_12));
-    let wrench_outside_link_3_mz = turn_joint_4_z_4
-        + (factor_outside_link_4_zy * screws.connection_joint_4_wy
-            + factor_outside_link_4_zx * screws.connection_joint_4_wx)
-        - (turn_joint_4_z_13
-            + (factor_link_4_zy * reactions.reaction_joint_4_wy
-                + factor_link_4_zx * reactions.reaction_joint_4_wx))
-        + (complements.complement_link_4_yz * wrench_link_3_mx_6
-            - complements.complement_link_4_xz * wrench_link_3_mx_8
-            + complements.complement_link_4_zz * wrench_link_3_mx_10
-            + (complements.complement_link_4_hx * wrench_link_3_mx_14
-                - complements.complement_link_4_hy * wrench_link_3_my_12));
-    let wrench_outside_link_3_fx = screws.connection_joint_4_wy
-        * factor_outside_link_4_pz
-        - screws.connection_joint_4_wz * factor_outside_link_4_py
-        - (reactions.reaction_joint_4_wy * factor_link_4_pz
-            - reactions.reaction_joint_4_wz * factor_link_4_py)
-        + (wrench_link_3_my_12 * 9.5
-            + (wrench_link_3_mx_6 * complements.complement_link_4_hz
-                - wrench_link_3_mx_10 * complements.complement_link_4_hy));
-    let wrench_outside_link_3_fy = screws.connection_joint_4_wz
-        * factor_outside_link_4_px
-        - screws.connection_joint_4_wx * factor_outside_link_4_pz
-        - (reactions.reaction_joint_4_wz * factor_link_4_px
-            - reactions.reaction_joint_4_wx * factor_link_4_pz)
-        + (wrench_link_3_mx_14 * 9.5
-            + (wrench_link_3_mx_10 * complements.complement_link_4_hx
-                + wrench_link_3_mx_8 * complements.complement_link_4_hz));
-    let wrench_outside_link_3_fz = screws.connection_joint_4_wx
-        * factor_outside_link_4_py
-        - screws.connection_joint_4_wy * factor_outside_link_4_px
-        - (reactions.reaction_joint_4_wx * factor_link_4_py
-            - reactions.reaction_joint_4_wy * factor_link_4_px)
-        + (wrench_link_3_mx_12 * 9.5
-            - (wrench_link_3_mx_8 * complements.complement_link_4_hy
-                + wrench_link_3_mx_6 * complements.complement_link_4_hx));
-    d_qdot[9][10] = wrench_outside_link_3_mx * screws.connection_joint_5_wx
-        + wrench_outside_link_3_my * screws.connection_joint_5_wy
-        + wrench_outside_link_3_mz * screws.connection_joint_5_wz
-        + wrench_outside_link_3_fx * screws.connection_joint_5_vx
-        + wrench_outside_link_3_fy * screws.connection_joint_5_vy
-        + wrench_outside_link_3_fz * screws.connection_joint_5_vz
-        + reactions.reaction_joint_4_wx * three_joint_5_x
-        + reactions.reaction_joint_4_wy * three_joint_5_y
-        + reactions.reaction_joint_4_wz * three_joint_5_z + 0.0;
-    d_qdot[9][11] = wrench_outside_link_3_mx * screws.connection_joint_6_wx
-        + wrench_outside_link_3_my * screws.connection_joint_6_wy
-        + wrench_outside_link_3_mz * screws.connection_joint_6_wz
-        + wrench_outside_link_3_fx * screws.connection_joint_6_vx
-        + wrench_outside_link_3_fy * screws.connection_joint_6_vy
-        + wrench_outside_link_3_fz * screws.connection_joint_6_vz
-        + reactions.reaction_joint_4_wx * three_joint_6_x
-        + reactions.reaction_joint_4_wy * three_joint_6_y
-        + reactions.reaction_joint_4_wz * three_joint_6_z + 0.0;
-    d_qdot[9][12] = wrench_outside_link_3_mx * screws.connection_joint_7_wx
-        + wrench_outside_link_3_my * screws.connection_joint_7_wy
-        + wrench_outside_link_3_mz * screws.connection_joint_7_wz
-        + wrench_outside_link_3_fx * screws.connection_joint_7_vx
-        + wrench_outside_link_3_fy * screws.connection_joint_7_vy
-        + wrench_outside_link_3_fz * screws.connection_joint_7_vz
-        + reactions.reaction_joint_4_wx * three_joint_7_x
-        + reactions.reaction_joint_4_wy * three_joint_7_y
-        + reactions.reaction_joint_4_wz * three_joint_7_z + 0.0;
-    // D_q\u{307} column joint_5
-    d_qdot[10][0] = 0.0;
-    d_qdot[10][1] = 0.0;
-    d_qdot[10][2] = 0.0;
-    d_qdot[10][3] = 0.0;
-    d_qdot[10][4] = 0.0;
-    d_qdot[10][5] = 0.0;
-    let wrench_link_4_mx_6 = velocities.velocity_link_5_wy * poses.rotation_link_5_zz
-        + velocities.velocity_link_5_wz * poses.rotation_link_4_yy;
-    let wrench_link_4_mx_8 = velocities.velocity_link_5_wz * poses.rotation_link_4_xy
-        + velocities.velocity_link_5_wx * poses.rotation_link_5_zz;
-    let wrench_link_4_mx_10 = velocities.velocity_link_5_wy * poses.rotation_link_4_xy
-        - velocities.velocity_link_5_wx * poses.rotation_link_4_yy;
-    let wrench_link_4_my_12 = velocities.velocity_link_5_wy * screws.screw_joint_5_vz
-        - velocities.velocity_link_5_wz * screws.screw_joint_5_vy
-        + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
-            + velocities.velocity_link_5_vz * poses.rotation_link_4_yy);
-    let wrench_link_4_mx_14 = velocities.velocity_link_5_wz * screws.screw_joint_5_vx
-        - velocities.velocity_link_5_wx * screws.screw_joint_5_vz
-        - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
-            + velocities.velocity_link_5_vx * poses.rotation_link_5_zz);
-    let wrench_link_4_mx_12 = velocities.velocity_link_5_wx * screws.screw_joint_5_vy
-        - velocities.velocity_link_5_wy * screws.screw_joint_5_vx
-        + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
-            - velocities.velocity_link_5_vx * poses.rotation_link_4_yy);
-    let wrench_link_4_mx = factor_link_5_xz * poses.rotation_link_5_zz
-        - (factor_link_5_xy * poses.rotation_link_4_yy + three_joint_5_x_2)
-        + (inertias.composite_link_5_xx * wrench_link_4_mx_6
-            - inertias.composite_link_5_xy * wrench_link_4_mx_8
-            + inertias.composite_link_5_xz * wrench_link_4_mx_10
-            + (inertias.composite_link_5_hy * wrench_link_4_mx_12
-                - inertias.composite_link_5_hz * wrench_link_4_mx_14));
-    let wrench_link_4_my = factor_link_5_yz * poses.rotation_link_5_zz
-        - (three_joint_5_y_4 + factor_link_5_yx * poses.rotation_link_4_xy)
-        + (inertias.composite_link_5_xy * wrench_link_4_mx_6
-            - inertias.composite_link_5_yy * wrench_link_4_mx_8
-            + inertias.composite_link_5_yz * wrench_link_4_mx_10
-            + (inertias.composite_link_5_hz * wrench_link_4_my_12
-                + inertias.minus_composite_link_5_hx * wrench_link_4_mx_12));
-    let wrench_link_4_mz = three_joint_5_z_0
-        - (factor_link_5_zy * poses.rotation_link_4_yy
-            + factor_link_5_zx * poses.rotation_link_4_xy)
-        + (inertias.composite_link_5_xz * wrench_link_4_mx_6
-            - inertias.composite_link_5_yz * wrench_link_4_mx_8
-            + inertias.composite_link_5_zz * wrench_link_4_mx_10
-            - (inertias.minus_composite_link_5_hx * wrench_link_4_mx_14
-                + inertias.composite_link_5_hy * wrench_link_4_my_12));
-    d_qdot[10][6] = reactions.reaction_joint_1_wx * wrench_link_4_mx
-        + reactions.reaction_joint_1_wy * wrench_link_4_my
-        + reactions.reaction_joint_1_wz * wrench_link_4_mz
-        + turn_joint_1_x * screws.connection_joint_5_wx
-        + turn_joint_1_y * screws.connection_joint_5_wy
-        + turn_joint_1_z * screws.connection_joint_5_wz + 0.0;
-    let wrench_link_4_fx = wrench_link_4_my_12 * 6.0
-        - (wrench_link_4_mx_8 * inertias.composite_link_5_hz
-            + wrench_link_4_mx_10 * inertias.composite_link_5_hy)
-        - (poses.rotation_link_4_yy * factor_link_5_pz
-            + poses.rotation_link_5_zz * factor_link_5_py);
-    let wrench_link_4_fy = poses.rotation_link_5_zz * factor_link_5_px
-        + poses.rotation_link_4_xy * factor_link_5_pz
-        + (wrench_link_4_mx_14 * 6.0
-            - (wrench_link_4_mx_10 * inertias.minus_composite_link_5_hx
-                + wrench_link_4_mx_6 * inertias.composite_link_5_hz));
-    let wrench_link_4_fz = poses.rotation_link_4_yy * factor_link_5_px
-        - poses.rotation_link_4_xy * factor_link_5_py
-        + (wrench_link_4_mx_12 * 6.0
-            + (wrench_link_4_mx_6 * inertias.composite_link_5_hy
-                - wrench_link_4_mx_8 * inertias.minus_composite_link_5_hx));
-    d_qdot[10][7] = reactions.reaction_joint_2_wx * wrench_link_4_mx
-        + reactions.reaction_joint_2_wy * wrench_link_4_my
-        + reactions.reaction_joint_2_wz * wrench_link_4_mz
-        + reactions.reaction_joint_2_vx * wrench_link_4_fx
-        + reactions.reaction_joint_2_vy * wrench_link_4_fy
-        + reactions.reaction_joint_2_vz * wrench_link_4_fz
-        + turn_joint_2_x * screws.connection_joint_5_wx
-        + turn_joint_2_y * screws.connection_joint_5_wy
-        + turn_joint_2_z * screws.connection_joint_5_wz + 0.0;
-    d_qdot[10][8] = reactions.reaction_joint_3_wx * wrench_link_4_mx
-        + reactions.reaction_joint_3_wy * wrench_link_4_my
-        + reactions.reaction_joint_3_wz * wrench_link_4_mz
-        + reactions.reaction_joint_3_vx * wrench_link_4_fx
-        + reactions.reaction_joint_3_vy * wrench_link_4_fy
-        + reactions.reaction_joint_3_vz * wrench_link_4_fz
-        + turn_joint_3_x * screws.connection_joint_5_wx
-        + turn_joint_3_y * screws.connection_joint_5_wy
-        + turn_joint_3_z * screws.connection_joint_5_wz + 0.0;
-    d_qdot[10][9] = reactions.reaction_joint_4_wx * wrench_link_4_mx
-        + reactions.reaction_joint_4_wy * wrench_link_4_my
-        + reactions.reaction_joint_4_wz * wrench_link_4_mz
-        + reactions.reaction_joint_4_vx * wrench_link_4_fx
-        + reactions.reaction_joint_4_vy * wrench_link_4_fy
-        - reactions.minus_reaction_joint_4_vz * wrench_link_4_fz
-        + turn_joint_4_x * screws.connection_joint_5_wx
-        + turn_joint_4_y * screws.connection_joint_5_wy
-        + turn_joint_4_z * screws.connection_joint_5_wz + 0.0;
-    let factor_outside_link_5_xx = factor_link_4_xx_0 + factor_outside_link_4_xx;
-    let factor_outside_link_5_yx = factor_link_4_yx_0 + factor_outside_link_4_yx;
-    let factor_outside_link_5_zx = factor_link_4_zx_0 + factor_outside_link_4_zx;
-    let factor_outside_link_5_xy = factor_link_4_xy_0 + factor_outside_link_4_xy;
-    let factor_outside_link_5_yy = factor_link_4_yy_0 + factor_outside_link_4_yy;
-    let factor_outside_link_5_zy = factor_link_4_zy_0 + factor_outside_link_4_zy;
-    let factor_outside_link_5_xz = factor_link_4_xz_0 + factor_outside_link_4_xz;
-    let factor_outside_link_5_yz = factor_link_4_yz_0 + factor_outside_link_4_yz;
-    let factor_outside_link_5_zz = factor_link_4_zz_0 + factor_outside_link_4_zz;
-    let factor_outside_link_5_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_px_0 + factor_outside_link_4_px;
-    let factor_outside_link_5_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_py_0 + factor_outside_link_4_py;
-    let factor_outside_link_5_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_pz_0 + factor_outside_link_4_pz;
-    let turn_joint_5_x_0 = factor_outside_link_5_xx * screws.connection_joint_5_wx;
-    let turn_joint_5_y_2 = factor_outside_link_5_yy * screws.connection_joint_5_wy;
-    let turn_joint_5_z_4 = factor_outside_link_5_zz * screws.connection_joint_5_wz;
-    let turn_joint_5_x_9 = factor_link_5_xx * reactions.reaction_joint_5_wx;
-    let turn_joint_5_y_11 = factor_link_5_yy * reactions.reaction_joint_5_wy;
-    let turn_joint_5_z_13 = factor_link_5_zz * reactions.reaction_joint_5_wz;
-    let turn_joint_5_x = turn_joint_5_x_0
-        + factor_outside_link_5_yx * screws.connection_joint_5_wy
-        + factor_outside_link_5_zx * screws.connection_joint_5_wz
-        + (factor_outside_link_5_py * screws.connection_joint_5_vz
-            - factor_outside_link_5_pz * screws.connection_joint_5_vy)
-        - (turn_joint_5_x_9 + factor_link_5_yx * reactions.reaction_joint_5_wy
-            + factor_link_5_zx * reactions.reaction_joint_5_wz
-            + (factor_link_5_py * reactions.reaction_joint_5_vz
-                - factor_link_5_pz * reactions.reaction_joint_5_vy));
-    let turn_joint_5_y = factor_outside_link_5_xy * screws.connection_joint_5_wx
-        + turn_joint_5_y_2 + factor_outside_link_5_zy * screws.connection_joint_5_wz
-        + (factor_outside_link_5_pz * screws.connection_joint_5_vx
-            - factor_outside_link_5_px * screws.connection_joint_5_vz)
-        - (factor_link_5_xy * reactions.reaction_joint_5_wx + turn_joint_5_y_11
-            + factor_link_5_zy * reactions.reaction_joint_5_wz
-            + (factor_link_5_pz * reactions.reaction_joint_5_vx
-                - factor_link_5_px * reactions.reaction_joint_5_vz));
-    let turn_joint_5_z = factor_outside_link_5_xz * screws.connection_joint_5_wx
-        + factor_outside_link_5_yz * screws.connection_joint_5_wy + turn_joint_5_z_4
-        + (factor_outside_link_5_px * screws.connection_joint_5_vy
-            - factor_outside_link_5_py * screws.connection_joint_5_vx)
-        - (factor_link_5_xz * reactions.reaction_joint_5_wx
-            + factor_link_5_yz * reactions.reaction_joint_5_wy + turn_joint_5_z_13
-            + (factor_link_5_px * reactions.reaction_joint_5_vy
-                - factor_link_5_py * reactions.reaction_joint_5_vx));
-    d_qdot[10][10] = reactions.reaction_joint_5_wx * wrench_link_4_mx
-        + reactions.reaction_joint_5_wy * wrench_link_4_my
-        + reactions.reaction_joint_5_wz * wrench_link_4_mz
-        + reactions.reaction_joint_5_vx * wrench_link_4_fx
-        + reactions.reaction_joint_5_vy * wrench_link_4_fy
-        + reactions.reaction_joint_5_vz * wrench_link_4_fz
-        + turn_joint_5_x * screws.connection_joint_5_wx
-        + turn_joint_5_y * screws.connection_joint_5_wy
-        + turn_joint_5_z * screws.connection_joint_5_wz + 0.0;
-    let wrench_outside_link_4_mx = factor_outside_link_5_xz
-        * screws.connection_joint_5_wz
-        + (factor_outside_link_5_xy * screws.connection_joint_5_wy + turn_joint_5_x_0)
-        - (factor_link_5_xz * reactions.reaction_joint_5_wz
-            + (factor_link_5_xy * reactions.reaction_joint_5_wy + turn_joint_5_x_9))
-        + (complements.complement_link_5_xx * wrench_link_4_mx_6
-            - complements.complement_link_5_xy * wrench_link_4_mx_8
-            + complements.complement_link_5_xz * wrench_link_4_mx_10
-            + (complements.complement_link_5_hy * wrench_link_4_mx_12
-                - complements.complement_link_5_hz * wrench_link_4_mx_14));
-    let wrench_outside_link_4_my = factor_outside_link_5_yz
-        * screws.connection_joint_5_wz
-        + (turn_joint_5_y_2 + factor_outside_link_5_yx * screws.connection_joint_5_wx)
-        - (factor_link_5_yz * reactions.reaction_joint_5_wz
-            + (turn_joint_5_y_11 + factor_link_5_yx * reactions.reaction_joint_5_wx))
-        + (complements.complement_link_5_xy * wrench_link_4_mx_6
-            - complements.complement_link_5_yy * wrench_link_4_mx_8
-            + complements.complement_link_5_yz * wrench_link_4_mx_10
-            + (complements.complement_link_5_hz * wrench_link_4_my_12
-                - complements.complement_link_5_hx * wrench_link_4_mx_12));
-    let wrench_outside_link_4_mz = turn_joint_5_z_4
-        + (factor_outside_link_5_zy * screws.connection_joint_5_wy
-            + factor_outside_link_5_zx * screws.connection_joint_5_wx)
-        - (turn_joint_5_z_13
-            + (factor_link_5_zy * reactions.reaction_joint_5_wy
-                + factor_link_5_zx * reactions.reaction_joint_5_wx))
-        + (complements.complement_link_5_xz * wrench_link_4_mx_6
-            - complements.complement_link_5_yz * wrench_link_4_mx_8
-            + complements.complement_link_5_zz * wrench_link_4_mx_10
-            + (complements.complement_link_5_hx * wrench_link_4_mx_14
-                - complements.complement_link_5_hy * wrench_link_4_my_12));
-    let wrench_outside_link_4_fx = screws.connection_joint_5_wy
-        * factor_outside_link_5_pz
-        - screws.connection_joint_5_wz * factor_outside_link_5_py
-        - (reactions.reaction_joint_5_wy * factor_link_5_pz
-            - reactions.reaction_joint_5_wz * factor_link_5_py)
-        + (wrench_link_4_my_12 * 11.5
-            - (wrench_link_4_mx_8 * complements.complement_link_5_hz
-                + wrench_link_4_mx_10 * complements.complement_link_5_hy));
-    let wrench_outside_link_4_fy = screws.connection_joint_5_wz
-        * factor_outside_link_5_px
-        - screws.connection_joint_5_wx * factor_outside_link_5_pz
-        - (reactions.reaction_joint_5_wz * factor_link_5_px
-            - reactions.reaction_joint_5_wx * factor_link_5_pz)
-        + (wrench_link_4_mx_14 * 11.5
-            + (wrench_link_4_mx_10 * complements.complement_link_5_hx
-                - wrench_link_4_mx_6 * complements.complement_link_5_hz));
-    let wrench_outside_link_4_fz = screws.connection_joint_5_wx
-        * factor_outside_link_5_py
-        - screws.connection_joint_5_wy * factor_outside_link_5_px
-        - (reactions.reaction_joint_5_wx * factor_link_5_py
-            - reactions.reaction_joint_5_wy * factor_link_5_px)
-        + (wrench_link_4_mx_12 * 11.5
-            + (wrench_link_4_mx_6 * complements.complement_link_5_hy
-                + wrench_link_4_mx_8 * complements.complement_link_5_hx));
-    d_qdot[10][11] = wrench_outside_link_4_mx * screws.connection_joint_6_wx
-        + wrench_outside_link_4_my * screws.connection_joint_6_wy
-        + wrench_outside_link_4_mz * screws.connection_joint_6_wz
-        + wrench_outside_link_4_fx * screws.connection_joint_6_vx
-        + wrench_outside_link_4_fy * screws.connection_joint_6_vy
-        + wrench_outside_link_4_fz * screws.connection_joint_6_vz
-        + reactions.reaction_joint_5_wx * three_joint_6_x
-        + reactions.reaction_joint_5_wy * three_joint_6_y
-        + reactions.reaction_joint_5_wz * three_joint_6_z + 0.0;
-    d_qdot[10][12] = wrench_outside_link_4_mx * screws.connection_joint_7_wx
-        + wrench_outside_link_4_my * screws.connection_joint_7_wy
-        + wrench_outside_link_4_mz * screws.connection_joint_7_wz
-        + wrench_outside_link_4_fx * screws.connection_joint_7_vx
-        + wrench_outside_link_4_fy * screws.connection_joint_7_vy
-        + wrench_outside_link_4_fz * screws.connection_joint_7_vz
-        + reactions.reaction_joint_5_wx * three_joint_7_x
-        + reactions.reaction_joint_5_wy * three_joint_7_y
-        + reactions.reaction_joint_5_wz * three_joint_7_z + 0.0;
-    // D_q\u{307} column joint_6
-    d_qdot[11][0] = 0.0;
-    d_qdot[11][1] = 0.0;
-    d_qdot[11][2] = 0.0;
-    d_qdot[11][3] = 0.0;
-    d_qdot[11][4] = 0.0;
-    d_qdot[11][5] = 0.0;
-    let wrench_link_5_mx_6 = velocities.velocity_link_6_wy * poses.rotation_link_6_zz
-        + velocities.velocity_link_6_wz * poses.rotation_link_5_yy;
-    let wrench_link_5_mx_8 = velocities.velocity_link_6_wz * poses.rotation_link_6_xz
-        - velocities.velocity_link_6_wx * poses.rotation_link_6_zz;
-    let wrench_link_5_mx_10 = velocities.velocity_link_6_wx * poses.rotation_link_5_yy
-        + velocities.velocity_link_6_wy * poses.rotation_link_6_xz;
-    let wrench_link_5_my_12 = velocities.velocity_link_6_wy * screws.screw_joint_6_vz
-        - velocities.velocity_link_6_wz * screws.screw_joint_6_vy
-        + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
-            + velocities.velocity_link_6_vz * poses.rotation_link_5_yy);
-    let wrench_link_5_mx_14 = velocities.velocity_link_6_wz * screws.screw_joint_6_vx
-        - velocities.velocity_link_6_wx * screws.screw_joint_6_vz
-        + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
-            - velocities.velocity_link_6_vx * poses.rotation_link_6_zz);
-    let wrench_link_5_mx_12 = velocities.velocity_link_6_wx * screws.screw_joint_6_vy
-        - velocities.velocity_link_6_wy * screws.screw_joint_6_vx
-        - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
-            + velocities.velocity_link_6_vy * poses.rotation_link_6_xz);
-    let wrench_link_5_mx = factor_link_6_xz * poses.rotation_link_6_zz
-        + (three_joint_6_x_0 - factor_link_6_xy * poses.rotation_link_5_yy)
-        + (inertias.composite_link_6_xx * wrench_link_5_mx_6
-            + inertias.composite_link_6_xy * wrench_link_5_mx_8
-            - inertias.composite_link_6_xz * wrench_link_5_mx_10
-            - (inertias.minus_composite_link_6_hy * wrench_link_5_mx_12
-                + inertias.composite_link_6_hz * wrench_link_5_mx_14));
-    let wrench_link_5_my = factor_link_6_yz * poses.rotation_link_6_zz
-        + (factor_link_6_yx * poses.rotation_link_6_xz - three_joint_6_y_2)
-        + (inertias.composite_link_6_xy * wrench_link_5_mx_6
-            + inertias.composite_link_6_yy * wrench_link_5_mx_8
-            - inertias.composite_link_6_yz * wrench_link_5_mx_10
-            + (inertias.composite_link_6_hz * wrench_link_5_my_12
-                + inertias.minus_composite_link_6_hx * wrench_link_5_mx_12));
-    let wrench_link_5_mz = three_joint_6_z_4
-        + (factor_link_6_zx * poses.rotation_link_6_xz
-            - factor_link_6_zy * poses.rotation_link_5_yy)
-        + (inertias.composite_link_6_xz * wrench_link_5_mx_6
-            + inertias.composite_link_6_yz * wrench_link_5_mx_8
-            - inertias.composite_link_6_zz * wrench_link_5_mx_10
-            + (inertias.minus_composite_link_6_hy * wrench_link_5_my_12
-                - inertias.minus_composite_link_6_hx * wrench_link_5_mx_14));
-    d_qdot[11][6] = reactions.reaction_joint_1_wx * wrench_link_5_mx
-        + reactions.reaction_joint_1_wy * wrench_link_5_my
-        + reactions.reaction_joint_1_wz * wrench_link_5_mz
-        + turn_joint_1_x * screws.connection_joint_6_wx
-        + turn_joint_1_y * screws.connection_joint_6_wy
-        + turn_joint_1_z * screws.connection_joint_6_wz + 0.0;
-    let wrench_link_5_fx = wrench_link_5_my_12 * 4.0
-        + (wrench_link_5_mx_8 * inertias.composite_link_6_hz
-            - wrench_link_5_mx_10 * inertias.minus_composite_link_6_hy)
-        - (poses.rotation_link_5_yy * factor_link_6_pz
-            + poses.rotation_link_6_zz * factor_link_6_py);
-    let wrench_link_5_fy = poses.rotation_link_6_zz * factor_link_6_px
-        - poses.rotation_link_6_xz * factor_link_6_pz
-        + (wrench_link_5_mx_14 * 4.0
-            + (wrench_link_5_mx_10 * inertias.minus_composite_link_6_hx
-                - wrench_link_5_mx_6 * inertias.composite_link_6_hz));
-    let wrench_link_5_fz = poses.rotation_link_6_xz * factor_link_6_py
-        + poses.rotation_link_5_yy * factor_link_6_px
-        + (wrench_link_5_mx_12 * 4.0
-            + (wrench_link_5_mx_8 * inertias.minus_composite_link_6_hx
-                - wrench_link_5_mx_6 * inertias.minus_composite_link_6_hy));
-    d_qdot[11][7] = reactions.reaction_joint_2_wx * wrench_link_5_mx
-        + reactions.reaction_joint_2_wy * wrench_link_5_my
-        + reactions.reaction_joint_2_wz * wrench_link_5_mz
-        + reactions.reaction_joint_2_vx * wrench_link_5_fx
-        + reactions.reaction_joint_2_vy * wrench_link_5_fy
-        + reactions.reaction_joint_2_vz * wrench_link_5_fz
-        + turn_joint_2_x * screws.connection_joint_6_wx
-        + turn_joint_2_y * screws.connection_joint_6_wy
-        + turn_joint_2_z * screws.connection_joint_6_wz + 0.0;
-    d_qdot[11][8] = reactions.reaction_joint_3_wx * wrench_link_5_mx
-        + reactions.reaction_joint_3_wy * wrench_link_5_my
-        + reactions.reaction_joint_3_wz * wrench_link_5_mz
-        + reactions.reaction_joint_3_vx * wrench_link_5_fx
-        + reactions.reaction_joint_3_vy * wrench_link_5_fy
-        + reactions.reaction_joint_3_vz * wrench_link_5_fz
-        + turn_joint_3_x * screws.connection_joint_6_wx
-        + turn_joint_3_y * screws.connection_joint_6_wy
-        + turn_joint_3_z * screws.connection_joint_6_wz + 0.0;
-    d_qdot[11][9] = reactions.reaction_joint_4_wx * wrench_link_5_mx
-        + reactions.reaction_joint_4_wy * wrench_link_5_my
-        + reactions.reaction_joint_4_wz * wrench_link_5_mz
-        + reactions.reaction_joint_4_vx * wrench_link_5_fx
-        + reactions.reaction_joint_4_vy * wrench_link_5_fy
-        - reactions.minus_reaction_joint_4_vz * wrench_link_5_fz
-        + turn_joint_4_x * screws.connection_joint_6_wx
-        + turn_joint_4_y * screws.connection_joint_6_wy
-        + turn_joint_4_z * screws.connection_joint_6_wz + 0.0;
-    d_qdot[11][10] = reactions.reaction_joint_5_wx * wrench_link_5_mx
-        + reactions.reaction_joint_5_wy * wrench_link_5_my
-        + reactions.reaction_joint_5_wz * wrench_link_5_mz
-        + reactions.reaction_joint_5_vx * wrench_link_5_fx
-        + reactions.reaction_joint_5_vy * wrench_link_5_fy
-        + reactions.reaction_joint_5_vz * wrench_link_5_fz
-        + turn_joint_5_x * screws.connection_joint_6_wx
-        + turn_joint_5_y * screws.connection_joint_6_wy
-        + turn_joint_5_z * screws.connection_joint_6_wz + 0.0;
-    let factor_outside_link_6_xx = factor_link_5_xx_0 + factor_outside_link_5_xx;
-    let factor_outside_link_6_yx = factor_link_5_yx_0 + factor_outside_link_5_yx;
-    let factor_outside_link_6_zx = factor_link_5_zx_0 + factor_outside_link_5_zx;
-    let factor_outside_link_6_xy = factor_link_5_xy_0 + factor_outside_link_5_xy;
-    let factor_outside_link_6_yy = factor_link_5_yy_0 + factor_outside_link_5_yy;
-    let factor_outside_link_6_zy = factor_link_5_zy_0 + factor_outside_link_5_zy;
-    let factor_outside_link_6_xz = factor_link_5_xz_0 + factor_outside_link_5_xz;
-    let factor_outside_link_6_yz = factor_link_5_yz_0 + factor_outside_link_5_yz;
-    let factor_outside_link_6_zz = factor_link_5_zz_0 + factor_outside_link_5_zz;
-    let factor_outside_link_6_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_px_0 + factor_outside_link_5_px;
-    let factor_outside_link_6_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_py_0 + factor_outside_link_5_py;
-    let factor_outside_link_6_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_pz_0 + factor_outside_link_5_pz;
-    let turn_joint_6_x_0 = factor_outside_link_6_xx * screws.connection_joint_6_wx;
-    let turn_joint_6_y_2 = factor_outside_link_6_yy * screws.connection_joint_6_wy;
-    let turn_joint_6_z_4 = factor_outside_link_6_zz * screws.connection_joint_6_wz;
-    let turn_joint_6_x_9 = factor_link_6_xx * reactions.reaction_joint_6_wx;
-    let turn_joint_6_y_11 = factor_link_6_yy * reactions.reaction_joint_6_wy;
-    let turn_joint_6_z_13 = factor_link_6_zz * reactions.reaction_joint_6_wz;
-    let turn_joint_6_x = turn_joint_6_x_0
-        + factor_outside_link_6_yx * screws.connection_joint_6_wy
-        + factor_outside_link_6_zx * screws.connection_joint_6_wz
-        + (factor_outside_link_6_py * screws.connection_joint_6_vz
-            - factor_outside_link_6_pz * screws.connection_joint_6_vy)
-        - (turn_joint_6_x_9 + factor_link_6_yx * reactions.reaction_joint_6_wy
-            + factor_link_6_zx * reactions.reaction_joint_6_wz
-            + (factor_link_6_py * reactions.reaction_joint_6_vz
-                - factor_link_6_pz * reactions.reaction_joint_6_vy));
-    let turn_joint_6_y = factor_outside_link_6_xy * screws.connection_joint_6_wx
-        + turn_joint_6_y_2 + factor_outside_link_6_zy * screws.connection_joint_6_wz
-        + (factor_outside_link_6_pz * screws.connection_joint_6_vx
-            - factor_outside_link_6_px * screws.connection_joint_6_vz)
-        - (factor_link_6_xy * reactions.reaction_joint_6_wx + turn_joint_6_y_11
-            + factor_link_6_zy * reactions.reaction_joint_6_wz
-            + (factor_link_6_pz * reactions.reaction_joint_6_vx
-                - factor_link_6_px * reactions.reaction_joint_6_vz));
-    let turn_joint_6_z = factor_outside_link_6_xz * screws.connection_joint_6_wx
-        + factor_outside_link_6_yz * screws.connection_joint_6_wy + turn_joint_6_z_4
-        + (factor_outside_link_6_px * screws.connection_joint_6_vy
-            - factor_outside_link_6_py * screws.connection_joint_6_vx)
-        - (factor_link_6_xz * reactions.reaction_joint_6_wx
-            + factor_link_6_yz * reactions.reaction_joint_6_wy + turn_joint_6_z_13
-            + (factor_link_6_px * reactions.reaction_joint_6_vy
-                - factor_link_6_py * reactions.reaction_joint_6_vx));
-    d_qdot[11][11] = reactions.reaction_joint_6_wx * wrench_link_5_mx
-        + reactions.reaction_joint_6_wy * wrench_link_5_my
-        + reactions.reaction_joint_6_wz * wrench_link_5_mz
-        + reactions.reaction_joint_6_vx * wrench_link_5_fx
-        + reactions.reaction_joint_6_vy * wrench_link_5_fy
-        + reactions.reaction_joint_6_vz * wrench_link_5_fz
-        + turn_joint_6_x * screws.connection_joint_6_wx
-        + turn_joint_6_y * screws.connection_joint_6_wy
-        + turn_joint_6_z * screws.connection_joint_6_wz + 0.0;
-    let wrench_outside_link_5_mx = factor_outside_link_6_xz
-        * screws.connection_joint_6_wz
-        + (factor_outside_link_6_xy * screws.connection_joint_6_wy + turn_joint_6_x_0)
-        - (factor_link_6_xz * reactions.reaction_joint_6_wz
-            + (factor_link_6_xy * reactions.reaction_joint_6_wy + turn_joint_6_x_9))
-        + (complements.complement_link_6_xx * wrench_link_5_mx_6
-            + complements.complement_link_6_xy * wrench_link_5_mx_8
-            - complements.complement_link_6_xz * wrench_link_5_mx_10
-            + (complements.complement_link_6_hy * wrench_link_5_mx_12
-                - complements.complement_link_6_hz * wrench_link_5_mx_14));
-    let wrench_outside_link_5_my = factor_outside_link_6_yz
-        * screws.connection_joint_6_wz
-        + (turn_joint_6_y_2 + factor_outside_link_6_yx * screws.connection_joint_6_wx)
-        - (factor_link_6_yz * reactions.reaction_joint_6_wz
-            + (turn_joint_6_y_11 + factor_link_6_yx * reactions.reaction_joint_6_wx))
-        + (complements.complement_link_6_xy * wrench_link_5_mx_6
-            + complements.complement_link_6_yy * wrench_link_5_mx_8
-            - complements.complement_link_6_yz * wrench_link_5_mx_10
-            + (complements.complement_link_6_hz * wrench_link_5_my_12
-                - complements.complement_link_6_hx * wrench_link_5_mx_12));
-    let wrench_outside_link_5_mz = turn_joint_6_z_4
-        + (factor_outside_link_6_zy * screws.connection_joint_6_wy
-            + factor_outside_link_6_zx * screws.connection_joint_6_wx)
-        - (turn_joint_6_z_13
-            + (factor_link_6_zy * reactions.reaction_joint_6_wy
-                + factor_link_6_zx * reactions.reaction_joint_6_wx))
-        + (complements.complement_link_6_xz * wrench_link_5_mx_6
-            + complements.complement_link_6_yz * wrench_link_5_mx_8
-            - complements.complement_link_6_zz * wrench_link_5_mx_10
-            + (complements.complement_link_6_hx * wrench_link_5_mx_14
-                - complements.complement_link_6_hy * wrench_link_5_my_12));
-    let wrench_outside_link_5_fx = screws.connection_joint_6_wy
-        * factor_outside_link_6_pz
-        - screws.connection_joint_6_wz * factor_outside_link_6_py
-        - (reactions.reaction_joint_6_wy * factor_link_6_pz
-            - reactions.reaction_joint_6_wz * factor_link_6_py)
-        + (wrench_link_5_my_12 * 13.5
-            + (wrench_link_5_mx_8 * complements.complement_link_6_hz
-                + wrench_link_5_mx_10 * complements.complement_link_6_hy));
-    let wrench_outside_link_5_fy = screws.connection_joint_6_wz
-        * factor_outside_link_6_px
-        - screws.connection_joint_6_wx * factor_outside_link_6_pz
-        - (reactions.reaction_joint_6_wz * factor_link_6_px
-            - reactions.reaction_joint_6_wx * factor_link_6_pz)
-        + (wrench_link_5_mx_14 * 13.5
-            - (wrench_link_5_mx_10 * complements.complement_link_6_hx
-                + wrench_link_5_mx_6 * complements.complement_link_6_hz));
-    let wrench_outside_link_5_fz = screws.connection_joint_6_wx
-        * factor_outside_link_6_py
-        - screws.connection_joint_6_wy * factor_outside_link_6_px
-        - (reactions.reaction_joint_6_wx * factor_link_6_py
-            - reactions.reaction_joint_6_wy * factor_link_6_px)
-        + (wrench_link_5_mx_12 * 13.5
-            + (wrench_link_5_mx_6 * complements.complement_link_6_hy
-                - wrench_link_5_mx_8 * complements.complement_link_6_hx));
-    d_qdot[11][12] = wrench_outside_link_5_mx * screws.connection_joint_7_wx
-        + wrench_outside_link_5_my * screws.connection_joint_7_wy
-        + wrench_outside_link_5_mz * screws.connection_joint_7_wz
-        + wrench_outside_link_5_fx * screws.connection_joint_7_vx
-        + wrench_outside_link_5_fy * screws.connection_joint_7_vy
-        + wrench_outside_link_5_fz * screws.connection_joint_7_vz
-        + reactions.reaction_joint_6_wx * three_joint_7_x
-        + reactions.reaction_joint_6_wy * three_joint_7_y
-        + reactions.reaction_joint_6_wz * three_joint_7_z + 0.0;
-    // D_q\u{307} column joint_7
-    d_qdot[12][0] = 0.0;
-    d_qdot[12][1] = 0.0;
-    d_qdot[12][2] = 0.0;
-    d_qdot[12][3] = 0.0;
-    d_qdot[12][4] = 0.0;
-    d_qdot[12][5] = 0.0;
-    let wrench_link_6_mx_6 = velocities.velocity_link_7_wy * poses.rotation_link_6_zy
-        + velocities.velocity_link_7_wz * poses.minus_rotation_link_6_yy;
-    let wrench_link_6_mx_8 = velocities.velocity_link_7_wz
-        * poses.minus_rotation_link_6_xy
-        + velocities.velocity_link_7_wx * poses.rotation_link_6_zy;
-    let wrench_link_6_mx_10 = velocities.velocity_link_7_wy
-        * poses.minus_rotation_link_6_xy
-        - velocities.velocity_link_7_wx * poses.minus_rotation_link_6_yy;
-    let wrench_link_6_my_12 = velocities.velocity_link_7_wy * screws.screw_joint_7_vz
-        - velocities.velocity_link_7_wz * screws.screw_joint_7_vy
-        + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
-            + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy);
-    let wrench_link_6_mx_14 = velocities.velocity_link_7_wz * screws.screw_joint_7_vx
-        - velocities.velocity_link_7_wx * screws.screw_joint_7_vz
-        - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
-            + velocities.velocity_link_7_vx * poses.rotation_link_6_zy);
-    let wrench_link_6_mx_12 = velocities.velocity_link_7_wx * screws.screw_joint_7_vy
-        - velocities.velocity_link_7_wy * screws.screw_joint_7_vx
-        + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
-            - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy);
-    let wrench_link_6_mx = factor_link_7_xz * poses.rotation_link_6_zy
-        - (factor_link_7_xy * poses.minus_rotation_link_6_yy + three_joint_7_x_2)
-        + (inertias.inertia_link_7_xx * wrench_link_6_mx_6
-            - inertias.inertia_link_7_xy * wrench_link_6_mx_8
-            + inertias.inertia_link_7_xz * wrench_link_6_mx_10
-            - (inertias.minus_inertia_link_7_hy * wrench_link_6_mx_12
-                + inertias.inertia_link_7_hz * wrench_link_6_mx_14));
-    let wrench_link_6_my = factor_link_7_yz * poses.rotation_link_6_zy
-        - (three_joint_7_y_4 + factor_link_7_yx * poses.minus_rotation_link_6_xy)
-        + (inertias.inertia_link_7_xy * wrench_link_6_mx_6
-            - inertias.inertia_link_7_yy * wrench_link_6_mx_8
-            + inertias.inertia_link_7_yz * wrench_link_6_mx_10
-            + (inertias.inertia_link_7_hz * wrench_link_6_my_12
-                + inertias.minus_inertia_link_7_hx * wrench_link_6_mx_12));
-    let wrench_link_6_mz = three_joint_7_z_0
-        - (factor_link_7_zy * poses.minus_rotation_link_6_yy
-            + factor_link_7_zx * poses.minus_rotation_link_6_xy)
-        + (inertias.inertia_link_7_xz * wrench_link_6_mx_6
-            - inertias.inertia_link_7_yz * wrench_link_6_mx_8
-            + inertias.inertia_link_7_zz * wrench_link_6_mx_10
-            + (inertias.minus_inertia_link_7_hy * wrench_link_6_my_12
-                - inertias.minus_inertia_link_7_hx * wrench_link_6_mx_14));
-    d_qdot[12][6] = reactions.reaction_joint_1_wx * wrench_link_6_mx
-        + reactions.reaction_joint_1_wy * wrench_link_6_my
-        + reactions.reaction_joint_1_wz * wrench_link_6_mz
-        + turn_joint_1_x * screws.connection_joint_7_wx
-        + turn_joint_1_y * screws.connection_joint_7_wy
-        + turn_joint_1_z * screws.connection_joint_7_wz + 0.0;
-    let wrench_link_6_fx = wrench_link_6_my_12 * 2.0
-        + (wrench_link_6_mx_10 * inertias.minus_inertia_link_7_hy
-            - wrench_link_6_mx_8 * inertias.inertia_link_7_hz)
-        - (poses.minus_rotation_link_6_yy
-            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-            + poses.rotation_link_6_zy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py);
-    let wrench_link_6_fy = poses.rotation_link_6_zy
-        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-        + poses.minus_rotation_link_6_xy
-            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-        + (wrench_link_6_mx_14 * 2.0
-            - (wrench_link_6_mx_10 * inertias.minus_inertia_link_7_hx
-                + wrench_link_6_mx_6 * inertias.inertia_link_7_hz));
-    let wrench_link_6_fz = poses.minus_rotation_link_6_yy
-        * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-        - poses.minus_rotation_link_6_xy
-            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-        + (wrench_link_6_mx_12 * 2.0
-            - (wrench_link_6_mx_6 * inertias.minus_inertia_link_7_hy
-                + wrench_link_6_mx_8 * inertias.minus_inertia_link_7_hx));
-    d_qdot[12][7] = reactions.reaction_joint_2_wx * wrench_link_6_mx
-        + reactions.reaction_joint_2_wy * wrench_link_6_my
-        + reactions.reaction_joint_2_wz * wrench_link_6_mz
-        + reactions.reaction_joint_2_vx * wrench_link_6_fx
-        + reactions.reaction_joint_2_vy * wrench_link_6_fy
-        + reactions.reaction_joint_2_vz * wrench_link_6_fz
-        + turn_joint_2_x * screws.connection_joint_7_wx
-        + turn_joint_2_y * screws.connection_joint_7_wy
-        + turn_joint_2_z * screws.connection_joint_7_wz + 0.0;
-    d_qdot[12][8] = reactions.reaction_joint_3_wx * wrench_link_6_mx
-        + reactions.reaction_joint_3_wy * wrench_link_6_my
-        + reactions.reaction_joint_3_wz * wrench_link_6_mz
-        + reactions.reaction_joint_3_vx * wrench_link_6_fx
-        + reactions.reaction_joint_3_vy * wrench_link_6_fy
-        + reactions.reaction_joint_3_vz * wrench_link_6_fz
-        + turn_joint_3_x * screws.connection_joint_7_wx
-        + turn_joint_3_y * screws.connection_joint_7_wy
-        + turn_joint_3_z * screws.connection_joint_7_wz + 0.0;
-    d_qdot[12][9] = reactions.reaction_joint_4_wx * wrench_link_6_mx
-        + reactions.reaction_joint_4_wy * wrench_link_6_my
-        + reactions.reaction_joint_4_wz * wrench_link_6_mz
-        + reactions.reaction_joint_4_vx * wrench_link_6_fx
-        + reactions.reaction_joint_4_vy * wrench_link_6_fy
-        - reactions.minus_reaction_joint_4_vz * wrench_link_6_fz
-        + turn_joint_4_x * screws.connection_joint_7_wx
-        + turn_joint_4_y * screws.connection_joint_7_wy
-        + turn_joint_4_z * screws.connection_joint_7_wz + 0.0;
-    d_qdot[12][10] = reactions.reaction_joint_5_wx * wrench_link_6_mx
-        + reactions.reaction_joint_5_wy * wrench_link_6_my
-        + reactions.reaction_joint_5_wz * wrench_link_6_mz
-        + reactions.reaction_joint_5_vx * wrench_link_6_fx
-        + reactions.reaction_joint_5_vy * wrench_link_6_fy
-        + reactions.reaction_joint_5_vz * wrench_link_6_fz
-        + turn_joint_5_x * screws.connection_joint_7_wx
-        + turn_joint_5_y * screws.connection_joint_7_wy
-        + turn_joint_5_z * screws.connection_joint_7_wz + 0.0;
-    d_qdot[12][11] = reactions.reaction_joint_6_wx * wrench_link_6_mx
-        + reactions.reaction_joint_6_wy * wrench_link_6_my
-        + reactions.reaction_joint_6_wz * wrench_link_6_mz
-        + reactions.reaction_joint_6_vx * wrench_link_6_fx
-        + reactions.reaction_joint_6_vy * wrench_link_6_fy
-        + reactions.reaction_joint_6_vz * wrench_link_6_fz
-        + turn_joint_6_x * screws.connection_joint_7_wx
-        + turn_joint_6_y * screws.connection_joint_7_wy
-        + turn_joint_6_z * screws.connection_joint_7_wz + 0.0;
-    let factor_outside_link_7_xx = factor_link_6_xx_0 + factor_outside_link_6_xx;
-    let factor_outside_link_7_yx = factor_link_6_yx_0 + factor_outside_link_6_yx;
-    let factor_outside_link_7_zx = factor_link_6_zx_0 + factor_outside_link_6_zx;
-    let factor_outside_link_7_xy = factor_link_6_xy_0 + factor_outside_link_6_xy;
-    let factor_outside_link_7_yy = factor_link_6_yy_0 + factor_outside_link_6_yy;
-    let factor_outside_link_7_zy = factor_link_6_zy_0 + factor_outside_link_6_zy;
-    let factor_outside_link_7_xz = factor_link_6_xz_0 + factor_outside_link_6_xz;
-    let factor_outside_link_7_yz = factor_link_6_yz_0 + factor_outside_link_6_yz;
-    let factor_outside_link_7_zz = factor_link_6_zz_0 + factor_outside_link_6_zz;
-    let factor_outside_link_7_px = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_px_0 + factor_outside_link_6_px;
-    let factor_outside_link_7_py = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_py_0 + factor_outside_link_6_py;
-    let factor_outside_link_7_pz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_pz_0 + factor_outside_link_6_pz;
-    let turn_joint_7_x = factor_outside_link_7_xx * screws.connection_joint_7_wx
-        + factor_outside_link_7_yx * screws.connection_joint_7_wy
-        + factor_outside_link_7_zx * screws.connection_joint_7_wz
-        + (factor_outside_link_7_py * screws.connection_joint_7_vz
-            - factor_outside_link_7_pz * screws.connection_joint_7_vy)
-        - (factor_link_7_xx * reactions.reaction_joint_7_wx
-            + factor_link_7_yx * reactions.reaction_joint_7_wy
-            + factor_link_7_zx * reactions.reaction_joint_7_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                * reactions.reaction_joint_7_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                    * reactions.reaction_joint_7_vy));
-    let turn_joint_7_y = factor_outside_link_7_xy * screws.connection_joint_7_wx
-        + factor_outside_link_7_yy * screws.connection_joint_7_wy
-        + factor_outside_link_7_zy * screws.connection_joint_7_wz
-        + (factor_outside_link_7_pz * screws.connection_joint_7_vx
-            - factor_outside_link_7_px * screws.connection_joint_7_vz)
-        - (factor_link_7_xy * reactions.reaction_joint_7_wx
-            + factor_link_7_yy * reactions.reaction_joint_7_wy
-            + factor_link_7_zy * reactions.reaction_joint_7_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                * reactions.reaction_joint_7_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                    * reactions.reaction_joint_7_vz));
-    let turn_joint_7_z = factor_outside_link_7_xz * screws.connection_joint_7_wx
-        + factor_outside_link_7_yz * screws.connection_joint_7_wy
-        + factor_outside_link_7_zz * screws.connection_joint_7_wz
-        + (factor_outside_link_7_px * screws.connection_joint_7_vy
-            - factor_outside_link_7_py * screws.connection_joint_7_vx)
-        - (factor_link_7_xz * reactions.reaction_joint_7_wx
-            + factor_link_7_yz * reactions.reaction_joint_7_wy
-            + factor_link_7_zz * reactions.reaction_joint_7_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                * reactions.reaction_joint_7_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                    * reactions.reaction_joint_7_vx));
-    d_qdot[12][12] = reactions.reaction_joint_7_wx * wrench_link_6_mx
-        + reactions.reaction_joint_7_wy * wrench_link_6_my
-        + reactions.reaction_joint_7_wz * wrench_link_6_mz
-        + reactions.reaction_joint_7_vx * wrench_link_6_fx
-        + reactions.reaction_joint_7_vy * wrench_link_6_fy
-        + reactions.reaction_joint_7_vz * wrench_link_6_fz
-        + turn_joint_7_x * screws.connection_joint_7_wx
-        + turn_joint_7_y * screws.connection_joint_7_wy
-        + turn_joint_7_z * screws.connection_joint_7_wz + 0.0;
+    let d_qdot_itself_from_factor_link_4_yy_0 = d_qdot_itself_from_factor_link_4_yy_0(
+        &poses,
+        &inertias,
+        &velocities,
+        &d_qdot_itself_from_factor_outside_link_1_yy_1,
+    );
+    let d_qdot_itself_from_wrench_base_my = d_qdot_itself_from_wrench_base_my(
+        &poses,
+        &inertias,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself,
+        &d_qdot_itself_from_factor_outside_link_1_yy_1,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        d_qdot,
+    );
+    let d_qdot_itself_from_three_joint_3_y = d_qdot_itself_from_three_joint_3_y(
+        &poses,
+        &inertias,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself,
+        &d_qdot_itself_from_factor_outside_link_1_yy_1,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        d_qdot,
+    );
+    let d_qdot_itself_from_wrench_link_1_fy = d_qdot_itself_from_wrench_link_1_fy(
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_three_joint_3_y,
+        d_qdot,
+    );
+    let d_qdot_itself_from_wrench_link_2_my = d_qdot_itself_from_wrench_link_2_my(
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+        &d_qdot_itself_from_factor_outside_link_1_yy_1,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_three_joint_3_y,
+        &d_qdot_itself_from_wrench_link_1_fy,
+        d_qdot,
+    );
+    let d_qdot_itself_from_d_qdot_0_9 = d_qdot_itself_from_d_qdot_0_9(
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself_from_factor_outside_link_1_yy_1,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_three_joint_3_y,
+        &d_qdot_itself_from_wrench_link_1_fy,
+        &d_qdot_itself_from_wrench_link_2_my,
+        d_qdot,
+    );
+    let d_qdot_itself_from_wrench_outside_link_3_my = d_qdot_itself_from_wrench_outside_link_3_my(
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself_from_factor_outside_link_1_yy_1,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_three_joint_3_y,
+        &d_qdot_itself_from_wrench_link_1_fy,
+        &d_qdot_itself_from_wrench_link_2_my,
+        &d_qdot_itself_from_d_qdot_0_9,
+        d_qdot,
+    );
+    let d_qdot_itself_from_wrench_outside_link_4_mx = d_qdot_itself_from_wrench_outside_link_4_mx(
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_three_joint_3_y,
+        &d_qdot_itself_from_wrench_link_1_fy,
+        &d_qdot_itself_from_wrench_link_2_my,
+        &d_qdot_itself_from_d_qdot_0_9,
+        &d_qdot_itself_from_wrench_outside_link_3_my,
+        d_qdot,
+    );
+    let d_qdot_itself_from_d_qdot_10_11 = d_qdot_itself_from_d_qdot_10_11(
+        &poses,
+        &inertias,
+        &complements,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_three_joint_3_y,
+        &d_qdot_itself_from_wrench_outside_link_3_my,
+        &d_qdot_itself_from_wrench_outside_link_4_mx,
+        d_qdot,
+    );
+    d_qdot_itself_from_wrench_link_6_fx(
+        &poses,
+        &inertias,
+        &screws,
+        &reactions,
+        &d_qdot_itself_from_factor_link_4_yy_0,
+        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_wrench_link_1_fy,
+        &d_qdot_itself_from_wrench_link_2_my,
+        &d_qdot_itself_from_d_qdot_0_9,
+        &d_qdot_itself_from_wrench_outside_link_3_my,
+        &d_qdot_itself_from_d_qdot_10_11,
+        d_qdot,
+    );
 }
 /// The (μ, μ) term of the shape equation.
 ///
@@ -9133,7 +10458,7 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (7; N·m, N)
 ///
-/// 2663 operations: 1178 + −, 1482 ×, 3 ÷; 7 sin cos; about 31.5 KiB of code.
+/// 2304 operations: 1014 + −, 1287 ×, 3 ÷; 7 sin cos; about 27.3 KiB of code.
 pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 7]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -9143,7 +10468,6 @@ pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 
     let reactions = reactions(&inertias, &outside);
     let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
         mu,
-        &poses,
         &inertias,
         &complements,
         &screws,
@@ -9165,7 +10489,7 @@ pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (13; N·m, N)
 ///
-/// 4137 operations: 1944 + −, 2190 ×, 3 ÷; 7 sin cos; about 48.8 KiB of code.
+/// 3775 operations: 1777 + −, 1995 ×, 3 ÷; 7 sin cos; about 44.5 KiB of code.
 pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -9177,7 +10501,6 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
     let common_coupling_torque_d_mu_xi = common_coupling_torque_d_mu_xi(
         mu,
-        &poses,
         &inertias,
         &complements,
         &screws,
@@ -9188,7 +10511,7 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let d_mu_xi_0_2 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let d_mu_xi_0_8_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_xi_0_8_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_mu_xi_0_8_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let d_mu_xi_0_8_0 = d_mu_xi_0_8_0_1 + d_mu_xi_0_8_0_1;
     let d_mu_xi_0_11_2_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
     let d_mu_xi_0_9_2_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
@@ -9226,8 +10549,6 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let d_mu_xi_0_11_1 = mu[0] - velocities.minus_velocity_base_wx;
     let d_mu_xi_0_9_1 = mu[1] - velocities.minus_velocity_base_wy;
     let d_mu_xi_0_11_3 = mu[2] - velocities.minus_velocity_base_wz;
-    let d_mu_xi_0_7 = d_mu_xi_0_9_2_0 - velocities.minus_velocity_base_vy;
-    let d_mu_xi_0_5 = d_mu_xi_0_11_0_0 - velocities.minus_velocity_base_vz;
     let d_mu_xi_0_8 = (((d_mu_xi_0_8_0 - d_mu_xi_0_8_1) * qd[0]
         + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
         + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
@@ -9243,11 +10564,12 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
         - (mu[0] * d_mu_xi_0_8_20 - mu[1] * d_mu_xi_0_11_5) * 0.5;
     // D_μ ξ
     d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_11_3 - d_mu_xi_0_2 * d_mu_xi_0_9_1
-        + (d_mu_xi_0_9_2 * d_mu_xi_0_5 - d_mu_xi_0_11_0 * d_mu_xi_0_7) - d_mu_xi_0_8
+        + (d_mu_xi_0_11_0 * velocities.minus_velocity_base_vy
+            - d_mu_xi_0_9_2 * velocities.minus_velocity_base_vz) - d_mu_xi_0_8
         + (d_mu_xi_0_9 * poses.com_y - d_mu_xi_0_11 * poses.com_z) + 0.0;
     let d_mu_xi_1_2 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let d_mu_xi_1_8_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_mu_xi_1_8_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_mu_xi_1_8_3 = d_mu_xi_1_8_3_1 + d_mu_xi_1_8_3_1;
     let d_mu_xi_1_8_18 = screws.inside_joint_1_mx * qd[0]
         + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
@@ -9256,7 +10578,6 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
         + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
         + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
         + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
-    let d_mu_xi_1_5 = d_mu_xi_0_11_2_0 + velocities.velocity_base_vx;
     let d_mu_xi_1_8 = (d_mu_xi_0_8_16 * mu[0]
         + ((d_mu_xi_0_8_1 - d_mu_xi_1_8_3) * qd[0]
             + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
@@ -9270,10 +10591,12 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let d_mu_xi_1_9 = d_mu_xi_0_9_2 * d_mu_xi_0_11_3 - d_mu_xi_0_11_0 * d_mu_xi_0_9_1
         - (mu[1] * d_mu_xi_0_8_22 - mu[2] * d_mu_xi_0_8_20) * 0.5;
     d_mu_xi[1] = d_mu_xi_0_2 * d_mu_xi_0_11_1 - d_mu_xi_1_2 * d_mu_xi_0_11_3
-        + (d_mu_xi_0_11_0 * d_mu_xi_1_5 - d_mu_xi_0_11_2 * d_mu_xi_0_5) - d_mu_xi_1_8
+        + (d_mu_xi_0_11_0 * velocities.velocity_base_vx
+            + d_mu_xi_0_11_2 * velocities.minus_velocity_base_vz) - d_mu_xi_1_8
         + (d_mu_xi_1_9 * poses.com_z - d_mu_xi_0_9 * poses.com_x) + 0.0;
     let d_mu_xi_2_0 = d_mu_xi_1_2 * d_mu_xi_0_9_1 - d_mu_xi_0_0 * d_mu_xi_0_11_1
-        + (d_mu_xi_0_11_2 * d_mu_xi_0_7 - d_mu_xi_0_9_2 * d_mu_xi_1_5)
+        - (d_mu_xi_0_11_2 * velocities.minus_velocity_base_vy
+            + d_mu_xi_0_9_2 * velocities.velocity_base_vx)
         - (d_mu_xi_0_8_18 * mu[0] + d_mu_xi_1_8_18 * mu[1]
             + ((d_mu_xi_0_8_0 - d_mu_xi_1_8_3) * qd[0]
                 + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
@@ -9323,11 +10646,11 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let wrench_outside_link_1_mx_5 = mu[0] * velocities.minus_velocity_base_vy
         + mu[1] * velocities.velocity_base_vx;
     let wrench_outside_link_1_my_0 = mu[0] * wrench_outside_link_1_my_0_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_0_46_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_26;
     let wrench_outside_link_1_mx_2 = mu[1] * wrench_outside_link_1_my_0_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_0_48_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_28;
     let wrench_outside_link_1_mx_0 = mu[2] * wrench_outside_link_1_my_0_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_0_37_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_0_21;
     let wrench_outside_link_1_mx = wrench_outside_link_1_mx_0
         * velocities.minus_velocity_base_wy
         - wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wz
@@ -9517,11 +10840,11 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let wrench_link_7_mx_5 = mu[0] * velocities.velocity_link_7_vy
         - mu[1] * velocities.velocity_link_7_vx;
     let wrench_link_7_my_2 = mu[0] * wrench_link_7_my_2_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_6_19_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_6_11;
     let wrench_link_7_mx_0 = mu[1] * wrench_link_7_my_2_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_6_21_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_6_13;
     let wrench_link_7_mx_2 = mu[2] * wrench_link_7_my_2_1
-        - common_coupling_torque_d_mu_xi.coupling_torque_6_10_0;
+        - common_coupling_torque_d_mu_xi.coupling_torque_6_6;
     let wrench_link_7_mx = wrench_link_7_mx_0 * velocities.velocity_link_7_wz
         - wrench_link_7_mx_2 * velocities.velocity_link_7_wy
         - (inertias.minus_inertia_link_7_hy * wrench_link_7_mx_5
@@ -9804,7 +11127,7 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (13; N·m, N)
 ///
-/// 3467 operations: 1670 + −, 1794 ×, 3 ÷; 7 sin cos; about 40.9 KiB of code.
+/// 3549 operations: 1725 + −, 1821 ×, 3 ÷; 7 sin cos; about 41.9 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -9814,12 +11137,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
     let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
-    let common_d_qdot_d_qdot_xi_kinetic_energy = common_d_qdot_d_qdot_xi_kinetic_energy(
-        &inertias,
-        &velocities,
-    );
     let d_qdot_xi_0_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_qdot_xi_0_0_0_1 = inertias.composite_link_1_hy * poses.com_x;
+    let d_qdot_xi_0_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let d_qdot_xi_0_0_0 = d_qdot_xi_0_0_0_1 + d_qdot_xi_0_0_0_1;
     let d_qdot_xi_0_0_23 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
     let d_qdot_xi_0_0_21 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
@@ -9865,7 +11184,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
     // D_q\u{307} ξ
     d_qdot_xi[0] = d_qdot_xi_0_0
         + (d_qdot_xi_0_1 * poses.com_y - d_qdot_xi_0_3 * poses.com_z) + 0.0;
-    let d_qdot_xi_1_0_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_qdot_xi_1_0_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_qdot_xi_1_0_3 = d_qdot_xi_1_0_3_1 + d_qdot_xi_1_0_3_1;
     let d_qdot_xi_1_0_21 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
     let d_qdot_xi_1_0_18 = screws.inside_joint_1_mx * qd[0]
@@ -9903,85 +11222,159 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
     d_qdot_xi[3] = d_qdot_xi_1_1 + 0.0;
     d_qdot_xi[4] = d_qdot_xi_0_3 + 0.0;
     d_qdot_xi[5] = d_qdot_xi_0_1 + 0.0;
-    let minus_wrench_outside_link_1_my_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_yz_0_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_zy_0_1
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_1_1);
-    let minus_wrench_outside_link_1_mx_2 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_xz_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xz_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_zx_1_1);
-    let minus_wrench_outside_link_1_mx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_xy_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yx_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_xy_0_0);
+    let minus_wrench_outside_link_1_my_6 = velocities.velocity_base_vx * 3.5
+        + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
+            - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy);
+    let minus_wrench_outside_link_1_mx_6 = velocities.minus_velocity_base_wz
+        * inertias.minus_inertia_base_hx
+        - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz
+        - velocities.minus_velocity_base_vy * 3.5;
+    let minus_wrench_outside_link_1_mx_4 = velocities.minus_velocity_base_wx
+        * inertias.minus_inertia_base_hy
+        - velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hx
+        - velocities.minus_velocity_base_vz * 3.5;
+    let wrench_outside_link_2_fy_6 = velocities.velocity_link_1_vx * 2.0
+        - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
+            + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
+    let wrench_outside_link_2_fx_4 = velocities.velocity_link_1_vy * 2.0
+        + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
+            - velocities.velocity_link_1_wz * inertias.minus_inertia_link_1_hx);
+    let wrench_outside_link_2_fx_6 = velocities.minus_velocity_base_vz * 2.0
+        + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
+            + velocities.minus_velocity_base_wy * inertias.minus_inertia_link_1_hx);
+    let wrench_link_2_my_0_16 = velocities.velocity_link_2_vx * 2.0
+        + (velocities.velocity_link_1_wz * inertias.minus_inertia_link_2_hy
+            - velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_hz);
+    let wrench_link_2_mx_0_14 = velocities.velocity_link_2_vy * 2.0
+        + (velocities.velocity_link_1_wz * inertias.inertia_link_2_hx
+            - velocities.velocity_link_2_wx * inertias.inertia_link_2_hz);
+    let wrench_link_2_mx_0_16 = velocities.velocity_link_2_vz * 2.0
+        + (velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_hx
+            - velocities.velocity_link_2_wx * inertias.minus_inertia_link_2_hy);
+    let wrench_link_3_my_0_16 = velocities.velocity_link_3_vx * 2.0
+        + (velocities.velocity_link_3_wz * inertias.minus_inertia_link_3_hy
+            - velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_hz);
+    let wrench_link_3_mx_0_14 = velocities.velocity_link_3_vy * 2.0
+        + (velocities.velocity_link_3_wz * inertias.inertia_link_3_hx
+            - velocities.velocity_link_3_wx * inertias.inertia_link_3_hz);
+    let wrench_link_3_mx_0_16 = velocities.velocity_link_3_vz * 2.0
+        + (velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_hx
+            - velocities.velocity_link_3_wx * inertias.minus_inertia_link_3_hy);
+    let wrench_link_4_my_0_16 = velocities.velocity_link_4_vx * 2.0
+        + (velocities.velocity_link_4_wy * inertias.inertia_link_4_hz
+            - velocities.velocity_link_4_wz * inertias.inertia_link_4_hy);
+    let wrench_link_4_mx_0_14 = velocities.velocity_link_4_vy * 2.0
+        - (velocities.velocity_link_4_wz * inertias.minus_inertia_link_4_hx
+            + velocities.velocity_link_4_wx * inertias.inertia_link_4_hz);
+    let wrench_link_4_mx_0_16 = velocities.velocity_link_4_vz * 2.0
+        + (velocities.velocity_link_4_wx * inertias.inertia_link_4_hy
+            + velocities.velocity_link_4_wy * inertias.minus_inertia_link_4_hx);
+    let wrench_link_5_my_0_16 = velocities.velocity_link_5_vx * 2.0
+        + (velocities.velocity_link_5_wy * inertias.inertia_link_5_hz
+            - velocities.velocity_link_5_wz * inertias.inertia_link_5_hy);
+    let wrench_link_5_mx_0_14 = velocities.velocity_link_5_vy * 2.0
+        - (velocities.velocity_link_5_wz * inertias.minus_inertia_link_5_hx
+            + velocities.velocity_link_5_wx * inertias.inertia_link_5_hz);
+    let wrench_link_5_mx_0_16 = velocities.velocity_link_5_vz * 2.0
+        + (velocities.velocity_link_5_wx * inertias.inertia_link_5_hy
+            + velocities.velocity_link_5_wy * inertias.minus_inertia_link_5_hx);
+    let wrench_link_6_my_0_16 = velocities.velocity_link_6_vx * 2.0
+        + (velocities.velocity_link_6_wy * inertias.inertia_link_6_hz
+            + velocities.velocity_link_6_wz * inertias.minus_inertia_link_6_hy);
+    let wrench_link_6_mx_0_14 = velocities.velocity_link_6_vy * 2.0
+        - (velocities.velocity_link_6_wz * inertias.minus_inertia_link_6_hx
+            + velocities.velocity_link_6_wx * inertias.inertia_link_6_hz);
+    let wrench_link_6_mx_0_16 = velocities.velocity_link_6_vz * 2.0
+        + (velocities.velocity_link_6_wy * inertias.minus_inertia_link_6_hx
+            - velocities.velocity_link_6_wx * inertias.minus_inertia_link_6_hy);
+    let wrench_link_7_my_16 = velocities.velocity_link_7_vx * 2.0
+        + (velocities.velocity_link_7_wy * inertias.inertia_link_7_hz
+            + velocities.velocity_link_7_wz * inertias.minus_inertia_link_7_hy);
+    let wrench_link_7_mx_14 = velocities.velocity_link_7_vy * 2.0
+        - (velocities.velocity_link_7_wz * inertias.minus_inertia_link_7_hx
+            + velocities.velocity_link_7_wx * inertias.inertia_link_7_hz);
+    let wrench_link_7_mx_16 = velocities.velocity_link_7_vz * 2.0
+        + (velocities.velocity_link_7_wy * inertias.minus_inertia_link_7_hx
+            - velocities.velocity_link_7_wx * inertias.minus_inertia_link_7_hy);
+    let minus_wrench_outside_link_1_my_0 = inertias.minus_inertia_base_xy
+        * velocities.minus_velocity_base_wy
+        - inertias.inertia_base_xx * velocities.minus_velocity_base_wx
+        + inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wz
+        + (velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hy
+            - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
+    let minus_wrench_outside_link_1_mx_2 = inertias.minus_inertia_base_xy
+        * velocities.minus_velocity_base_wx
+        - inertias.inertia_base_yy * velocities.minus_velocity_base_wy
+        + inertias.minus_inertia_base_yz * velocities.minus_velocity_base_wz
+        - (velocities.velocity_base_vx * inertias.minus_inertia_base_hz
+            + velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
+    let minus_wrench_outside_link_1_mx_0 = inertias.minus_inertia_base_xz
+        * velocities.minus_velocity_base_wx
+        + inertias.minus_inertia_base_yz * velocities.minus_velocity_base_wy
+        - inertias.inertia_base_zz * velocities.minus_velocity_base_wz
+        + (velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
+            + velocities.velocity_base_vx * inertias.minus_inertia_base_hy);
     let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
         * velocities.minus_velocity_base_wy
         - minus_wrench_outside_link_1_mx_2 * velocities.minus_velocity_base_wz
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
-            * velocities.minus_velocity_base_vy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
-                * velocities.minus_velocity_base_vz);
+        + (minus_wrench_outside_link_1_mx_4 * velocities.minus_velocity_base_vy
+            - minus_wrench_outside_link_1_mx_6 * velocities.minus_velocity_base_vz);
     let minus_wrench_outside_link_1_my = minus_wrench_outside_link_1_my_0
         * velocities.minus_velocity_base_wz
         - minus_wrench_outside_link_1_mx_0 * velocities.minus_velocity_base_wx
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
-            * velocities.velocity_base_vx
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
-                * velocities.minus_velocity_base_vz);
+        + (minus_wrench_outside_link_1_mx_4 * velocities.velocity_base_vx
+            + minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_vz);
     let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_mx_2
         * velocities.minus_velocity_base_wx
         - minus_wrench_outside_link_1_my_0 * velocities.minus_velocity_base_wy
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
-            * velocities.minus_velocity_base_vy
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
-                * velocities.velocity_base_vx);
-    let minus_wrench_outside_link_1_fx = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_pz * velocities.minus_velocity_base_wy
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
-            * velocities.minus_velocity_base_wz;
-    let minus_wrench_outside_link_1_fy = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_px * velocities.minus_velocity_base_wz
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz
-            * velocities.minus_velocity_base_wx;
+        - (minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_vy
+            + minus_wrench_outside_link_1_mx_6 * velocities.velocity_base_vx);
+    let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4
+        * velocities.minus_velocity_base_wy
+        - minus_wrench_outside_link_1_mx_6 * velocities.minus_velocity_base_wz;
+    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_my_6
+        * velocities.minus_velocity_base_wz
+        - minus_wrench_outside_link_1_mx_4 * velocities.minus_velocity_base_wx;
     let minus_twist_link_1_wx = velocities.minus_velocity_base_wy * qd[0];
     let twist_link_1_wy = velocities.minus_velocity_base_wx * qd[0];
     let twist_link_1_vx = (velocities.velocity_link_1_vy
-        - velocities.velocity_link_1_wz * poses.com_x) * qd[0];
-    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz * poses.com_y
-        + velocities.velocity_link_1_vx) * qd[0];
-    let minus_twist_link_1_vz = (velocities.minus_velocity_base_wx * poses.com_x
-        + velocities.minus_velocity_base_wy * poses.com_y) * qd[0];
-    let wrench_link_1_my_0_14 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_yz_0_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_zy_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yz_0_0_1);
-    let wrench_link_1_mx_0_8 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_xz_0_0_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_zx_0_0_1
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xz_0_1_0;
-    let wrench_link_1_mx_0_10 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_1_xy_0_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yx_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xy_0_0_1);
+        - velocities.velocity_link_1_wz * poses.minus_origin_base_x) * qd[0];
+    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz
+        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
+    let minus_twist_link_1_vz = (velocities.minus_velocity_base_wx
+        * poses.minus_origin_base_x
+        + velocities.minus_velocity_base_wy * poses.minus_origin_base_y) * qd[0];
+    let wrench_link_1_my_0_14 = inertias.inertia_link_1_xz
+        * velocities.velocity_link_1_wz
+        - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
+            + inertias.inertia_link_1_xy * velocities.minus_velocity_base_wy)
+        - (velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
+            + velocities.velocity_link_1_vy * inertias.inertia_link_1_hz);
+    let wrench_link_1_mx_0_8 = velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
+        - velocities.minus_velocity_base_vz * inertias.minus_inertia_link_1_hx
+        - (inertias.inertia_link_1_xy * velocities.minus_velocity_base_wx
+            + inertias.inertia_link_1_yy * velocities.minus_velocity_base_wy
+            + inertias.minus_inertia_link_1_yz * velocities.velocity_link_1_wz);
+    let wrench_link_1_mx_0_10 = inertias.minus_inertia_link_1_yz
+        * velocities.minus_velocity_base_wy
+        - inertias.inertia_link_1_xz * velocities.minus_velocity_base_wx
+        + inertias.inertia_link_1_zz * velocities.velocity_link_1_wz
+        - (velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
+            + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy);
     let wrench_link_1_mx_0 = inertias.inertia_link_1_xy * twist_link_1_wy
         - inertias.inertia_link_1_xx * minus_twist_link_1_wx
         + (inertias.inertia_link_1_hz * minus_twist_link_1_vy
             - inertias.inertia_link_1_hy * minus_twist_link_1_vz)
         - (wrench_link_1_mx_0_8 * velocities.velocity_link_1_wz
             + wrench_link_1_mx_0_10 * velocities.minus_velocity_base_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
-                * velocities.velocity_link_1_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
-                    * velocities.minus_velocity_base_vz));
+            + (wrench_outside_link_2_fx_6 * velocities.velocity_link_1_vy
+                - wrench_outside_link_2_fx_4 * velocities.minus_velocity_base_vz));
     let wrench_link_1_my_0 = inertias.inertia_link_1_yy * twist_link_1_wy
         - inertias.inertia_link_1_xy * minus_twist_link_1_wx
         + (inertias.inertia_link_1_hz * twist_link_1_vx
             - inertias.minus_inertia_link_1_hx * minus_twist_link_1_vz)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
-            * velocities.minus_velocity_base_vz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
-                * velocities.velocity_link_1_vx
+        - (wrench_outside_link_2_fy_6 * velocities.minus_velocity_base_vz
+            - wrench_outside_link_2_fx_6 * velocities.velocity_link_1_vx
             - (wrench_link_1_mx_0_10 * velocities.minus_velocity_base_wx
                 + wrench_link_1_my_0_14 * velocities.velocity_link_1_wz));
     let wrench_link_1_mz_0 = inertias.minus_inertia_link_1_hx * minus_twist_link_1_vy
@@ -9990,10 +11383,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.minus_inertia_link_1_yz * twist_link_1_wy)
         - (wrench_link_1_mx_0_8 * velocities.minus_velocity_base_wx
             - wrench_link_1_my_0_14 * velocities.minus_velocity_base_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
-                * velocities.velocity_link_1_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
-                    * velocities.velocity_link_1_vx));
+            + (wrench_outside_link_2_fy_6 * velocities.velocity_link_1_vy
+                - wrench_outside_link_2_fx_4 * velocities.velocity_link_1_vx));
     let twist_link_2_wz = (velocities.minus_velocity_link_2_wy * poses.sin_joint_1
         - velocities.velocity_link_2_wx * poses.cos_joint_1) * qd[1];
     let twist_link_2_wx = velocities.velocity_link_1_wz * poses.cos_joint_1 * qd[1]
@@ -10013,18 +11404,24 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
         - (velocities.velocity_link_2_vx * poses.cos_joint_1
             + velocities.velocity_link_2_vy * poses.sin_joint_1)) * qd[1]
         - minus_twist_link_1_vz;
-    let wrench_link_2_my_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_yz_0_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_zy_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yz_0_0_1);
-    let wrench_link_2_mx_0_10 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_xz_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xz_0_0_1
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_zx_0_1_1);
-    let wrench_link_2_mx_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_2_xy_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yx_0_1_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xy_0_0_1);
+    let wrench_link_2_my_0_12 = inertias.inertia_link_2_xx
+        * velocities.velocity_link_2_wx
+        - inertias.inertia_link_2_xy * velocities.minus_velocity_link_2_wy
+        + inertias.inertia_link_2_xz * velocities.velocity_link_1_wz
+        - (velocities.velocity_link_2_vz * inertias.minus_inertia_link_2_hy
+            + velocities.velocity_link_2_vy * inertias.inertia_link_2_hz);
+    let wrench_link_2_mx_0_10 = inertias.inertia_link_2_xy
+        * velocities.velocity_link_2_wx
+        - inertias.inertia_link_2_yy * velocities.minus_velocity_link_2_wy
+        + inertias.inertia_link_2_yz * velocities.velocity_link_1_wz
+        + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
+            - velocities.velocity_link_2_vz * inertias.inertia_link_2_hx);
+    let wrench_link_2_mx_0_12 = inertias.inertia_link_2_xz
+        * velocities.velocity_link_2_wx
+        - inertias.inertia_link_2_yz * velocities.minus_velocity_link_2_wy
+        + inertias.inertia_link_2_zz * velocities.velocity_link_1_wz
+        + (velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
+            + velocities.velocity_link_2_vx * inertias.minus_inertia_link_2_hy);
     let wrench_link_2_mx_0 = inertias.inertia_link_2_xx * twist_link_2_wx
         + inertias.inertia_link_2_xy * twist_link_2_wy
         + inertias.inertia_link_2_xz * twist_link_2_wz
@@ -10032,10 +11429,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.inertia_link_2_hz * twist_link_2_vy)
         - (wrench_link_2_mx_0_10 * velocities.velocity_link_1_wz
             + wrench_link_2_mx_0_12 * velocities.minus_velocity_link_2_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_py_0
-                * velocities.velocity_link_2_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_pz_0
-                    * velocities.velocity_link_2_vy));
+            + (wrench_link_2_mx_0_14 * velocities.velocity_link_2_vz
+                - wrench_link_2_mx_0_16 * velocities.velocity_link_2_vy));
     let wrench_link_2_my_0 = inertias.inertia_link_2_xy * twist_link_2_wx
         + inertias.inertia_link_2_yy * twist_link_2_wy
         + inertias.inertia_link_2_yz * twist_link_2_wz
@@ -10043,19 +11438,15 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.inertia_link_2_hx * twist_link_2_vz)
         - (wrench_link_2_mx_0_12 * velocities.velocity_link_2_wx
             - wrench_link_2_my_0_12 * velocities.velocity_link_1_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_pz_0
-                * velocities.velocity_link_2_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_px_0
-                    * velocities.velocity_link_2_vz));
+            + (wrench_link_2_mx_0_16 * velocities.velocity_link_2_vx
+                - wrench_link_2_my_0_16 * velocities.velocity_link_2_vz));
     let wrench_link_2_mz_0 = inertias.inertia_link_2_xz * twist_link_2_wx
         + inertias.inertia_link_2_yz * twist_link_2_wy
         + inertias.inertia_link_2_zz * twist_link_2_wz
         + (inertias.inertia_link_2_hx * twist_link_2_vy
             + inertias.minus_inertia_link_2_hy * twist_link_2_vx)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_px_0
-            * velocities.velocity_link_2_vy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_py_0
-                * velocities.velocity_link_2_vx
+        - (wrench_link_2_my_0_16 * velocities.velocity_link_2_vy
+            - wrench_link_2_mx_0_14 * velocities.velocity_link_2_vx
             - (wrench_link_2_my_0_12 * velocities.minus_velocity_link_2_wy
                 + wrench_link_2_mx_0_10 * velocities.velocity_link_2_wx));
     let twist_link_3_wx = twist_link_2_wx
@@ -10084,18 +11475,24 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
                 - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy))
             * qd[2];
-    let wrench_link_3_my_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_yz_0_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_zy_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yz_0_0_1);
-    let wrench_link_3_mx_0_10 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_xz_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xz_0_0_1
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_zx_0_1_1);
-    let wrench_link_3_mx_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_3_xy_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yx_0_1_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xy_0_0_1);
+    let wrench_link_3_my_0_12 = inertias.inertia_link_3_xx
+        * velocities.velocity_link_3_wx
+        - inertias.inertia_link_3_xy * velocities.minus_velocity_link_3_wy
+        + inertias.inertia_link_3_xz * velocities.velocity_link_3_wz
+        - (velocities.velocity_link_3_vz * inertias.minus_inertia_link_3_hy
+            + velocities.velocity_link_3_vy * inertias.inertia_link_3_hz);
+    let wrench_link_3_mx_0_10 = inertias.inertia_link_3_xy
+        * velocities.velocity_link_3_wx
+        - inertias.inertia_link_3_yy * velocities.minus_velocity_link_3_wy
+        + inertias.inertia_link_3_yz * velocities.velocity_link_3_wz
+        + (velocities.velocity_link_3_vx * inertias.inertia_link_3_hz
+            - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx);
+    let wrench_link_3_mx_0_12 = inertias.inertia_link_3_xz
+        * velocities.velocity_link_3_wx
+        - inertias.inertia_link_3_yz * velocities.minus_velocity_link_3_wy
+        + inertias.inertia_link_3_zz * velocities.velocity_link_3_wz
+        + (velocities.velocity_link_3_vy * inertias.inertia_link_3_hx
+            + velocities.velocity_link_3_vx * inertias.minus_inertia_link_3_hy);
     let wrench_link_3_mx_0 = inertias.inertia_link_3_xx * twist_link_3_wx
         + inertias.inertia_link_3_xy * twist_link_3_wy
         + inertias.inertia_link_3_xz * twist_link_3_wz
@@ -10103,10 +11500,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.inertia_link_3_hz * twist_link_3_vy)
         - (wrench_link_3_mx_0_10 * velocities.velocity_link_3_wz
             + wrench_link_3_mx_0_12 * velocities.minus_velocity_link_3_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_py_0
-                * velocities.velocity_link_3_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_pz_0
-                    * velocities.velocity_link_3_vy));
+            + (wrench_link_3_mx_0_14 * velocities.velocity_link_3_vz
+                - wrench_link_3_mx_0_16 * velocities.velocity_link_3_vy));
     let wrench_link_3_my_0 = inertias.inertia_link_3_xy * twist_link_3_wx
         + inertias.inertia_link_3_yy * twist_link_3_wy
         + inertias.inertia_link_3_yz * twist_link_3_wz
@@ -10114,19 +11509,15 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.inertia_link_3_hx * twist_link_3_vz)
         - (wrench_link_3_mx_0_12 * velocities.velocity_link_3_wx
             - wrench_link_3_my_0_12 * velocities.velocity_link_3_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_pz_0
-                * velocities.velocity_link_3_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_px_0
-                    * velocities.velocity_link_3_vz));
+            + (wrench_link_3_mx_0_16 * velocities.velocity_link_3_vx
+                - wrench_link_3_my_0_16 * velocities.velocity_link_3_vz));
     let wrench_link_3_mz_0 = inertias.inertia_link_3_xz * twist_link_3_wx
         + inertias.inertia_link_3_yz * twist_link_3_wy
         + inertias.inertia_link_3_zz * twist_link_3_wz
         + (inertias.inertia_link_3_hx * twist_link_3_vy
             + inertias.minus_inertia_link_3_hy * twist_link_3_vx)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_px_0
-            * velocities.velocity_link_3_vy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_py_0
-                * velocities.velocity_link_3_vx
+        - (wrench_link_3_my_0_16 * velocities.velocity_link_3_vy
+            - wrench_link_3_mx_0_14 * velocities.velocity_link_3_vx
             - (wrench_link_3_my_0_12 * velocities.minus_velocity_link_3_wy
                 + wrench_link_3_mx_0_10 * velocities.velocity_link_3_wx));
     let twist_link_4_wx = twist_link_3_wx
@@ -10154,18 +11545,24 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
             - (velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vy
                 + velocities.velocity_link_4_wy * screws.screw_joint_4_vx)) * qd[3];
-    let wrench_link_4_my_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_yz_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_zy_0_0_1
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yz_0_0_1);
-    let wrench_link_4_mx_0_10 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_xz_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xz_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_zx_0_0_1);
-    let wrench_link_4_mx_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_4_xy_0_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yx_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xy_0_0_1);
+    let wrench_link_4_my_0_12 = inertias.inertia_link_4_xx
+        * velocities.velocity_link_4_wx
+        + inertias.inertia_link_4_xy * velocities.velocity_link_4_wy
+        + inertias.inertia_link_4_xz * velocities.velocity_link_4_wz
+        + (velocities.velocity_link_4_vz * inertias.inertia_link_4_hy
+            - velocities.velocity_link_4_vy * inertias.inertia_link_4_hz);
+    let wrench_link_4_mx_0_10 = inertias.inertia_link_4_xy
+        * velocities.velocity_link_4_wx
+        + inertias.inertia_link_4_yy * velocities.velocity_link_4_wy
+        + inertias.inertia_link_4_yz * velocities.velocity_link_4_wz
+        + (velocities.velocity_link_4_vx * inertias.inertia_link_4_hz
+            + velocities.velocity_link_4_vz * inertias.minus_inertia_link_4_hx);
+    let wrench_link_4_mx_0_12 = inertias.inertia_link_4_xz
+        * velocities.velocity_link_4_wx
+        + inertias.inertia_link_4_yz * velocities.velocity_link_4_wy
+        + inertias.inertia_link_4_zz * velocities.velocity_link_4_wz
+        - (velocities.velocity_link_4_vy * inertias.minus_inertia_link_4_hx
+            + velocities.velocity_link_4_vx * inertias.inertia_link_4_hy);
     let wrench_link_4_mx_0 = inertias.inertia_link_4_xx * twist_link_4_wx
         + inertias.inertia_link_4_xy * twist_link_4_wy
         + inertias.inertia_link_4_xz * twist_link_4_wz
@@ -10173,10 +11570,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.inertia_link_4_hz * twist_link_4_vy)
         - (wrench_link_4_mx_0_10 * velocities.velocity_link_4_wz
             - wrench_link_4_mx_0_12 * velocities.velocity_link_4_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_py_0
-                * velocities.velocity_link_4_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_pz_0
-                    * velocities.velocity_link_4_vy));
+            + (wrench_link_4_mx_0_14 * velocities.velocity_link_4_vz
+                - wrench_link_4_mx_0_16 * velocities.velocity_link_4_vy));
     let wrench_link_4_my_0 = inertias.inertia_link_4_xy * twist_link_4_wx
         + inertias.inertia_link_4_yy * twist_link_4_wy
         + inertias.inertia_link_4_yz * twist_link_4_wz
@@ -10184,10 +11579,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.minus_inertia_link_4_hx * twist_link_4_vz)
         - (wrench_link_4_mx_0_12 * velocities.velocity_link_4_wx
             - wrench_link_4_my_0_12 * velocities.velocity_link_4_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_pz_0
-                * velocities.velocity_link_4_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_px_0
-                    * velocities.velocity_link_4_vz));
+            + (wrench_link_4_mx_0_16 * velocities.velocity_link_4_vx
+                - wrench_link_4_my_0_16 * velocities.velocity_link_4_vz));
     let wrench_link_4_mz_0 = inertias.inertia_link_4_xz * twist_link_4_wx
         + inertias.inertia_link_4_yz * twist_link_4_wy
         + inertias.inertia_link_4_zz * twist_link_4_wz
@@ -10195,10 +11588,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.inertia_link_4_hy * twist_link_4_vx)
         - (wrench_link_4_my_0_12 * velocities.velocity_link_4_wy
             - wrench_link_4_mx_0_10 * velocities.velocity_link_4_wx
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_px_0
-                * velocities.velocity_link_4_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_py_0
-                    * velocities.velocity_link_4_vx));
+            + (wrench_link_4_my_0_16 * velocities.velocity_link_4_vy
+                - wrench_link_4_mx_0_14 * velocities.velocity_link_4_vx));
     let twist_link_5_wx = twist_link_4_wx
         + (velocities.velocity_link_5_wy * poses.rotation_link_5_zz
             + velocities.velocity_link_5_wz * poses.rotation_link_4_yy) * qd[4];
@@ -10223,18 +11614,24 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - velocities.velocity_link_5_wy * screws.screw_joint_5_vx
             + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
                 - velocities.velocity_link_5_vx * poses.rotation_link_4_yy)) * qd[4];
-    let wrench_link_5_my_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_yz_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_zy_0_0_1
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yz_0_0_1);
-    let wrench_link_5_mx_0_10 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_xz_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xz_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_zx_0_0_1);
-    let wrench_link_5_mx_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_5_xy_0_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yx_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xy_0_0_1);
+    let wrench_link_5_my_0_12 = inertias.inertia_link_5_xx
+        * velocities.velocity_link_5_wx
+        + inertias.inertia_link_5_xy * velocities.velocity_link_5_wy
+        + inertias.inertia_link_5_xz * velocities.velocity_link_5_wz
+        + (velocities.velocity_link_5_vz * inertias.inertia_link_5_hy
+            - velocities.velocity_link_5_vy * inertias.inertia_link_5_hz);
+    let wrench_link_5_mx_0_10 = inertias.inertia_link_5_xy
+        * velocities.velocity_link_5_wx
+        + inertias.inertia_link_5_yy * velocities.velocity_link_5_wy
+        + inertias.inertia_link_5_yz * velocities.velocity_link_5_wz
+        + (velocities.velocity_link_5_vx * inertias.inertia_link_5_hz
+            + velocities.velocity_link_5_vz * inertias.minus_inertia_link_5_hx);
+    let wrench_link_5_mx_0_12 = inertias.inertia_link_5_xz
+        * velocities.velocity_link_5_wx
+        + inertias.inertia_link_5_yz * velocities.velocity_link_5_wy
+        + inertias.inertia_link_5_zz * velocities.velocity_link_5_wz
+        - (velocities.velocity_link_5_vy * inertias.minus_inertia_link_5_hx
+            + velocities.velocity_link_5_vx * inertias.inertia_link_5_hy);
     let wrench_link_5_mx_0 = inertias.inertia_link_5_xx * twist_link_5_wx
         + inertias.inertia_link_5_xy * twist_link_5_wy
         + inertias.inertia_link_5_xz * twist_link_5_wz
@@ -10242,10 +11639,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.inertia_link_5_hz * twist_link_5_vy)
         - (wrench_link_5_mx_0_10 * velocities.velocity_link_5_wz
             - wrench_link_5_mx_0_12 * velocities.velocity_link_5_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_py_0
-                * velocities.velocity_link_5_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_pz_0
-                    * velocities.velocity_link_5_vy));
+            + (wrench_link_5_mx_0_14 * velocities.velocity_link_5_vz
+                - wrench_link_5_mx_0_16 * velocities.velocity_link_5_vy));
     let wrench_link_5_my_0 = inertias.inertia_link_5_xy * twist_link_5_wx
         + inertias.inertia_link_5_yy * twist_link_5_wy
         + inertias.inertia_link_5_yz * twist_link_5_wz
@@ -10253,10 +11648,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.minus_inertia_link_5_hx * twist_link_5_vz)
         - (wrench_link_5_mx_0_12 * velocities.velocity_link_5_wx
             - wrench_link_5_my_0_12 * velocities.velocity_link_5_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_pz_0
-                * velocities.velocity_link_5_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_px_0
-                    * velocities.velocity_link_5_vz));
+            + (wrench_link_5_mx_0_16 * velocities.velocity_link_5_vx
+                - wrench_link_5_my_0_16 * velocities.velocity_link_5_vz));
     let wrench_link_5_mz_0 = inertias.inertia_link_5_xz * twist_link_5_wx
         + inertias.inertia_link_5_yz * twist_link_5_wy
         + inertias.inertia_link_5_zz * twist_link_5_wz
@@ -10264,10 +11657,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.inertia_link_5_hy * twist_link_5_vx)
         - (wrench_link_5_my_0_12 * velocities.velocity_link_5_wy
             - wrench_link_5_mx_0_10 * velocities.velocity_link_5_wx
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_px_0
-                * velocities.velocity_link_5_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_py_0
-                    * velocities.velocity_link_5_vx));
+            + (wrench_link_5_my_0_16 * velocities.velocity_link_5_vy
+                - wrench_link_5_mx_0_14 * velocities.velocity_link_5_vx));
     let twist_link_6_wx = twist_link_5_wx
         + (velocities.velocity_link_6_wy * poses.rotation_link_6_zz
             + velocities.velocity_link_6_wz * poses.rotation_link_5_yy) * qd[5];
@@ -10292,18 +11683,24 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - velocities.velocity_link_6_wy * screws.screw_joint_6_vx
             - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
                 + velocities.velocity_link_6_vy * poses.rotation_link_6_xz)) * qd[5];
-    let wrench_link_6_my_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_yz_0_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_zy_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yz_0_0_1);
-    let wrench_link_6_mx_0_10 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_xz_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xz_0_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_zx_0_0_1);
-    let wrench_link_6_mx_0_12 = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_link_6_xy_0_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xy_0_0_1
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yx_0_0_1);
+    let wrench_link_6_my_0_12 = inertias.inertia_link_6_xx
+        * velocities.velocity_link_6_wx
+        + inertias.inertia_link_6_xy * velocities.velocity_link_6_wy
+        + inertias.inertia_link_6_xz * velocities.velocity_link_6_wz
+        - (velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
+            + velocities.velocity_link_6_vy * inertias.inertia_link_6_hz);
+    let wrench_link_6_mx_0_10 = inertias.inertia_link_6_xy
+        * velocities.velocity_link_6_wx
+        + inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
+        + inertias.inertia_link_6_yz * velocities.velocity_link_6_wz
+        + (velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
+            + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hx);
+    let wrench_link_6_mx_0_12 = inertias.inertia_link_6_xz
+        * velocities.velocity_link_6_wx
+        + inertias.inertia_link_6_yz * velocities.velocity_link_6_wy
+        + inertias.inertia_link_6_zz * velocities.velocity_link_6_wz
+        + (velocities.velocity_link_6_vx * inertias.minus_inertia_link_6_hy
+            - velocities.velocity_link_6_vy * inertias.minus_inertia_link_6_hx);
     let wrench_link_6_mx_0 = inertias.inertia_link_6_xx * twist_link_6_wx
         + inertias.inertia_link_6_xy * twist_link_6_wy
         + inertias.inertia_link_6_xz * twist_link_6_wz
@@ -10311,10 +11708,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.inertia_link_6_hz * twist_link_6_vy)
         - (wrench_link_6_mx_0_10 * velocities.velocity_link_6_wz
             - wrench_link_6_mx_0_12 * velocities.velocity_link_6_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_py_0
-                * velocities.velocity_link_6_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_pz_0
-                    * velocities.velocity_link_6_vy));
+            + (wrench_link_6_mx_0_14 * velocities.velocity_link_6_vz
+                - wrench_link_6_mx_0_16 * velocities.velocity_link_6_vy));
     let wrench_link_6_my_0 = inertias.inertia_link_6_xy * twist_link_6_wx
         + inertias.inertia_link_6_yy * twist_link_6_wy
         + inertias.inertia_link_6_yz * twist_link_6_wz
@@ -10322,10 +11717,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.minus_inertia_link_6_hx * twist_link_6_vz)
         - (wrench_link_6_mx_0_12 * velocities.velocity_link_6_wx
             - wrench_link_6_my_0_12 * velocities.velocity_link_6_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_pz_0
-                * velocities.velocity_link_6_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_px_0
-                    * velocities.velocity_link_6_vz));
+            + (wrench_link_6_mx_0_16 * velocities.velocity_link_6_vx
+                - wrench_link_6_my_0_16 * velocities.velocity_link_6_vz));
     let wrench_link_6_mz_0 = inertias.inertia_link_6_xz * twist_link_6_wx
         + inertias.inertia_link_6_yz * twist_link_6_wy
         + inertias.inertia_link_6_zz * twist_link_6_wz
@@ -10333,10 +11726,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.minus_inertia_link_6_hx * twist_link_6_vy)
         - (wrench_link_6_my_0_12 * velocities.velocity_link_6_wy
             - wrench_link_6_mx_0_10 * velocities.velocity_link_6_wx
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_px_0
-                * velocities.velocity_link_6_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_py_0
-                    * velocities.velocity_link_6_vx));
+            + (wrench_link_6_my_0_16 * velocities.velocity_link_6_vy
+                - wrench_link_6_mx_0_14 * velocities.velocity_link_6_vx));
     let twist_link_7_wx = twist_link_6_wx
         + (velocities.velocity_link_7_wy * poses.rotation_link_6_zy
             + velocities.velocity_link_7_wz * poses.minus_rotation_link_6_yy) * qd[6];
@@ -10363,15 +11754,21 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
                 - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy))
             * qd[6];
-    let wrench_link_7_my_12 = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_1_1
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_zy_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_0_1);
-    let wrench_link_7_mx_10 = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_0_1
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_zx_0_1);
-    let wrench_link_7_mx_12 = common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_1_1
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_0_1
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yx_0_1);
+    let wrench_link_7_my_12 = inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
+        + inertias.inertia_link_7_xy * velocities.velocity_link_7_wy
+        + inertias.inertia_link_7_xz * velocities.velocity_link_7_wz
+        - (velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
+            + velocities.velocity_link_7_vy * inertias.inertia_link_7_hz);
+    let wrench_link_7_mx_10 = inertias.inertia_link_7_xy * velocities.velocity_link_7_wx
+        + inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+        + inertias.inertia_link_7_yz * velocities.velocity_link_7_wz
+        + (velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
+            + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hx);
+    let wrench_link_7_mx_12 = inertias.inertia_link_7_xz * velocities.velocity_link_7_wx
+        + inertias.inertia_link_7_yz * velocities.velocity_link_7_wy
+        + inertias.inertia_link_7_zz * velocities.velocity_link_7_wz
+        + (velocities.velocity_link_7_vx * inertias.minus_inertia_link_7_hy
+            - velocities.velocity_link_7_vy * inertias.minus_inertia_link_7_hx);
     let wrench_link_7_mx = inertias.inertia_link_7_xx * twist_link_7_wx
         + inertias.inertia_link_7_xy * twist_link_7_wy
         + inertias.inertia_link_7_xz * twist_link_7_wz
@@ -10379,10 +11776,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.inertia_link_7_hz * twist_link_7_vy)
         - (wrench_link_7_mx_10 * velocities.velocity_link_7_wz
             - wrench_link_7_mx_12 * velocities.velocity_link_7_wy
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                * velocities.velocity_link_7_vz
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                    * velocities.velocity_link_7_vy));
+            + (wrench_link_7_mx_14 * velocities.velocity_link_7_vz
+                - wrench_link_7_mx_16 * velocities.velocity_link_7_vy));
     let wrench_link_7_my = inertias.inertia_link_7_xy * twist_link_7_wx
         + inertias.inertia_link_7_yy * twist_link_7_wy
         + inertias.inertia_link_7_yz * twist_link_7_wz
@@ -10390,10 +11785,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             + inertias.minus_inertia_link_7_hx * twist_link_7_vz)
         - (wrench_link_7_mx_12 * velocities.velocity_link_7_wx
             - wrench_link_7_my_12 * velocities.velocity_link_7_wz
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                * velocities.velocity_link_7_vx
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                    * velocities.velocity_link_7_vz));
+            + (wrench_link_7_mx_16 * velocities.velocity_link_7_vx
+                - wrench_link_7_my_16 * velocities.velocity_link_7_vz));
     let wrench_link_7_mz = inertias.inertia_link_7_xz * twist_link_7_wx
         + inertias.inertia_link_7_yz * twist_link_7_wy
         + inertias.inertia_link_7_zz * twist_link_7_wz
@@ -10401,10 +11794,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - inertias.minus_inertia_link_7_hx * twist_link_7_vy)
         - (wrench_link_7_my_12 * velocities.velocity_link_7_wy
             - wrench_link_7_mx_10 * velocities.velocity_link_7_wx
-            + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                * velocities.velocity_link_7_vy
-                - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                    * velocities.velocity_link_7_vx));
+            + (wrench_link_7_my_16 * velocities.velocity_link_7_vy
+                - wrench_link_7_mx_14 * velocities.velocity_link_7_vx));
     let wrench_link_6_mx = wrench_link_6_mx_0 + wrench_link_7_mx;
     let wrench_link_6_my = wrench_link_6_my_0 + wrench_link_7_my;
     let wrench_link_6_mz = wrench_link_6_mz_0 + wrench_link_7_mz;
@@ -10431,136 +11822,99 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
                 + screws.connection_joint_1_wy * minus_wrench_outside_link_1_my
                 + screws.connection_joint_1_wz * minus_wrench_outside_link_1_mz)
             - screws.connection_joint_1_vy * minus_wrench_outside_link_1_fy) + 0.0;
-    let minus_wrench_outside_link_1_fz = common_d_qdot_d_qdot_xi_kinetic_energy
-        .factor_outside_link_1_py * velocities.minus_velocity_base_wx
-        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
-            * velocities.minus_velocity_base_wy;
+    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_mx_6
+        * velocities.minus_velocity_base_wx
+        - minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_wy;
     let wrench_link_2_fx_0 = twist_link_2_vx * 2.0
         + (twist_link_2_wy * inertias.inertia_link_2_hz
             + twist_link_2_wz * inertias.minus_inertia_link_2_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_py_0
-            * velocities.velocity_link_1_wz
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_pz_0
-                * velocities.minus_velocity_link_2_wy);
+        - (wrench_link_2_mx_0_14 * velocities.velocity_link_1_wz
+            + wrench_link_2_mx_0_16 * velocities.minus_velocity_link_2_wy);
     let wrench_link_2_fy_0 = twist_link_2_vy * 2.0
         + (twist_link_2_wz * inertias.inertia_link_2_hx
             - twist_link_2_wx * inertias.inertia_link_2_hz)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_pz_0
-            * velocities.velocity_link_2_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_px_0
-                * velocities.velocity_link_1_wz);
+        - (wrench_link_2_mx_0_16 * velocities.velocity_link_2_wx
+            - wrench_link_2_my_0_16 * velocities.velocity_link_1_wz);
     let wrench_link_2_fz_0 = twist_link_2_vz * 2.0
         - (twist_link_2_wx * inertias.minus_inertia_link_2_hy
             + twist_link_2_wy * inertias.inertia_link_2_hx)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_px_0
-            * velocities.minus_velocity_link_2_wy
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_py_0
-                * velocities.velocity_link_2_wx);
+        + (wrench_link_2_my_0_16 * velocities.minus_velocity_link_2_wy
+            + wrench_link_2_mx_0_14 * velocities.velocity_link_2_wx);
     let wrench_link_3_fx_0 = twist_link_3_vx * 2.0
         + (twist_link_3_wy * inertias.inertia_link_3_hz
             + twist_link_3_wz * inertias.minus_inertia_link_3_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_py_0
-            * velocities.velocity_link_3_wz
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_pz_0
-                * velocities.minus_velocity_link_3_wy);
+        - (wrench_link_3_mx_0_14 * velocities.velocity_link_3_wz
+            + wrench_link_3_mx_0_16 * velocities.minus_velocity_link_3_wy);
     let wrench_link_3_fy_0 = twist_link_3_vy * 2.0
         + (twist_link_3_wz * inertias.inertia_link_3_hx
             - twist_link_3_wx * inertias.inertia_link_3_hz)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_pz_0
-            * velocities.velocity_link_3_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_px_0
-                * velocities.velocity_link_3_wz);
+        - (wrench_link_3_mx_0_16 * velocities.velocity_link_3_wx
+            - wrench_link_3_my_0_16 * velocities.velocity_link_3_wz);
     let wrench_link_3_fz_0 = twist_link_3_vz * 2.0
         - (twist_link_3_wx * inertias.minus_inertia_link_3_hy
             + twist_link_3_wy * inertias.inertia_link_3_hx)
-        + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_px_0
-            * velocities.minus_velocity_link_3_wy
-            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_py_0
-                * velocities.velocity_link_3_wx);
+        + (wrench_link_3_my_0_16 * velocities.minus_velocity_link_3_wy
+            + wrench_link_3_mx_0_14 * velocities.velocity_link_3_wx);
     let wrench_link_4_fx_0 = twist_link_4_vx * 2.0
         + (twist_link_4_wy * inertias.inertia_link_4_hz
             - twist_link_4_wz * inertias.inertia_link_4_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_py_0
-            * velocities.velocity_link_4_wz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_pz_0
-                * velocities.velocity_link_4_wy);
+        - (wrench_link_4_mx_0_14 * velocities.velocity_link_4_wz
+            - wrench_link_4_mx_0_16 * velocities.velocity_link_4_wy);
     let wrench_link_4_fy_0 = twist_link_4_vy * 2.0
         - (twist_link_4_wz * inertias.minus_inertia_link_4_hx
             + twist_link_4_wx * inertias.inertia_link_4_hz)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_pz_0
-            * velocities.velocity_link_4_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_px_0
-                * velocities.velocity_link_4_wz);
+        - (wrench_link_4_mx_0_16 * velocities.velocity_link_4_wx
+            - wrench_link_4_my_0_16 * velocities.velocity_link_4_wz);
     let wrench_link_4_fz_0 = twist_link_4_vz * 2.0
         + (twist_link_4_wx * inertias.inertia_link_4_hy
             + twist_link_4_wy * inertias.minus_inertia_link_4_hx)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_px_0
-            * velocities.velocity_link_4_wy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_py_0
-                * velocities.velocity_link_4_wx);
+        - (wrench_link_4_my_0_16 * velocities.velocity_link_4_wy
+            - wrench_link_4_mx_0_14 * velocities.velocity_link_4_wx);
     let wrench_link_5_fx_0 = twist_link_5_vx * 2.0
         + (twist_link_5_wy * inertias.inertia_link_5_hz
             - twist_link_5_wz * inertias.inertia_link_5_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_py_0
-            * velocities.velocity_link_5_wz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_pz_0
-                * velocities.velocity_link_5_wy);
+        - (wrench_link_5_mx_0_14 * velocities.velocity_link_5_wz
+            - wrench_link_5_mx_0_16 * velocities.velocity_link_5_wy);
     let wrench_link_5_fy_0 = twist_link_5_vy * 2.0
         - (twist_link_5_wz * inertias.minus_inertia_link_5_hx
             + twist_link_5_wx * inertias.inertia_link_5_hz)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_pz_0
-            * velocities.velocity_link_5_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_px_0
-                * velocities.velocity_link_5_wz);
+        - (wrench_link_5_mx_0_16 * velocities.velocity_link_5_wx
+            - wrench_link_5_my_0_16 * velocities.velocity_link_5_wz);
     let wrench_link_5_fz_0 = twist_link_5_vz * 2.0
         + (twist_link_5_wx * inertias.inertia_link_5_hy
             + twist_link_5_wy * inertias.minus_inertia_link_5_hx)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_px_0
-            * velocities.velocity_link_5_wy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_py_0
-                * velocities.velocity_link_5_wx);
+        - (wrench_link_5_my_0_16 * velocities.velocity_link_5_wy
+            - wrench_link_5_mx_0_14 * velocities.velocity_link_5_wx);
     let wrench_link_6_fx_0 = twist_link_6_vx * 2.0
         + (twist_link_6_wy * inertias.inertia_link_6_hz
             + twist_link_6_wz * inertias.minus_inertia_link_6_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_py_0
-            * velocities.velocity_link_6_wz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_pz_0
-                * velocities.velocity_link_6_wy);
+        - (wrench_link_6_mx_0_14 * velocities.velocity_link_6_wz
+            - wrench_link_6_mx_0_16 * velocities.velocity_link_6_wy);
     let wrench_link_6_fy_0 = twist_link_6_vy * 2.0
         - (twist_link_6_wz * inertias.minus_inertia_link_6_hx
             + twist_link_6_wx * inertias.inertia_link_6_hz)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_pz_0
-            * velocities.velocity_link_6_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_px_0
-                * velocities.velocity_link_6_wz);
+        - (wrench_link_6_mx_0_16 * velocities.velocity_link_6_wx
+            - wrench_link_6_my_0_16 * velocities.velocity_link_6_wz);
     let wrench_link_6_fz_0 = twist_link_6_vz * 2.0
         + (twist_link_6_wy * inertias.minus_inertia_link_6_hx
             - twist_link_6_wx * inertias.minus_inertia_link_6_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_px_0
-            * velocities.velocity_link_6_wy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_py_0
-                * velocities.velocity_link_6_wx);
+        - (wrench_link_6_my_0_16 * velocities.velocity_link_6_wy
+            - wrench_link_6_mx_0_14 * velocities.velocity_link_6_wx);
     let wrench_link_7_fx = twist_link_7_vx * 2.0
         + (twist_link_7_wy * inertias.inertia_link_7_hz
             + twist_link_7_wz * inertias.minus_inertia_link_7_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-            * velocities.velocity_link_7_wz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-                * velocities.velocity_link_7_wy);
+        - (wrench_link_7_mx_14 * velocities.velocity_link_7_wz
+            - wrench_link_7_mx_16 * velocities.velocity_link_7_wy);
     let wrench_link_7_fy = twist_link_7_vy * 2.0
         - (twist_link_7_wz * inertias.minus_inertia_link_7_hx
             + twist_link_7_wx * inertias.inertia_link_7_hz)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz
-            * velocities.velocity_link_7_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-                * velocities.velocity_link_7_wz);
+        - (wrench_link_7_mx_16 * velocities.velocity_link_7_wx
+            - wrench_link_7_my_16 * velocities.velocity_link_7_wz);
     let wrench_link_7_fz = twist_link_7_vz * 2.0
         + (twist_link_7_wy * inertias.minus_inertia_link_7_hx
             - twist_link_7_wx * inertias.minus_inertia_link_7_hy)
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
-            * velocities.velocity_link_7_wy
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
-                * velocities.velocity_link_7_wx);
+        - (wrench_link_7_my_16 * velocities.velocity_link_7_wy
+            - wrench_link_7_mx_14 * velocities.velocity_link_7_wx);
     let wrench_link_6_fx = wrench_link_6_fx_0 + wrench_link_7_fx;
     let wrench_link_6_fy = wrench_link_6_fy_0 + wrench_link_7_fy;
     let wrench_link_6_fz = wrench_link_6_fz_0 + wrench_link_7_fz;
@@ -10581,23 +11935,20 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let wrench_outside_link_2_mz = wrench_link_1_mz_0 - minus_wrench_outside_link_1_mz;
     let wrench_outside_link_2_fx = twist_link_1_vx * 2.0
         + twist_link_1_wy * inertias.inertia_link_1_hz
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
-            * velocities.velocity_link_1_wz
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
-                * velocities.minus_velocity_base_wy) - minus_wrench_outside_link_1_fx;
+        - (wrench_outside_link_2_fx_4 * velocities.velocity_link_1_wz
+            - wrench_outside_link_2_fx_6 * velocities.minus_velocity_base_wy)
+        - minus_wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = minus_twist_link_1_wx * inertias.inertia_link_1_hz
         - minus_twist_link_1_vy * 2.0
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1
-            * velocities.minus_velocity_base_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
-                * velocities.velocity_link_1_wz) - minus_wrench_outside_link_1_fy;
+        - (wrench_outside_link_2_fx_6 * velocities.minus_velocity_base_wx
+            - wrench_outside_link_2_fy_6 * velocities.velocity_link_1_wz)
+        - minus_wrench_outside_link_1_fy;
     let wrench_outside_link_2_fz = twist_link_1_wy * inertias.minus_inertia_link_1_hx
         - minus_twist_link_1_wx * inertias.inertia_link_1_hy
         - minus_twist_link_1_vz * 2.0
-        - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
-            * velocities.minus_velocity_base_wx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
-                * velocities.minus_velocity_base_wy) - minus_wrench_outside_link_1_fz;
+        - (wrench_outside_link_2_fx_4 * velocities.minus_velocity_base_wx
+            - wrench_outside_link_2_fy_6 * velocities.minus_velocity_base_wy)
+        - minus_wrench_outside_link_1_fz;
     d_qdot_xi[7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
         + reactions.reaction_joint_2_wy * wrench_link_2_my
         + reactions.reaction_joint_2_wz * wrench_link_2_mz
@@ -10708,7 +12059,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (13; N·m, N)
 ///
-/// 2682 operations: 1252 + −, 1427 ×, 3 ÷; 7 sin cos; about 31.7 KiB of code.
+/// 2764 operations: 1307 + −, 1454 ×, 3 ÷; 7 sin cos; about 32.7 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -10787,10 +12138,10 @@ pub fn hamel_bias(
         + minus_wrench_outside_link_1_mx_7_0;
     let twist_link_1_wx = minus_wrench_outside_link_1_mx_3 * qd[0];
     let minus_twist_link_1_wy = minus_wrench_outside_link_1_fy_1 * qd[0];
-    let minus_twist_link_1_vy = (minus_twist_link_1_vy_0 * poses.com_y
+    let minus_twist_link_1_vy = (minus_twist_link_1_vy_0 * poses.minus_origin_base_y
         + minus_twist_link_1_vy_2) * qd[0];
-    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.com_x
-        + minus_wrench_outside_link_1_mx_3 * poses.com_y) * qd[0];
+    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.minus_origin_base_x
+        + minus_wrench_outside_link_1_mx_3 * poses.minus_origin_base_y) * qd[0];
     let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy
         * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_link_1_yy * minus_wrench_outside_link_1_mx_3
@@ -11275,7 +12626,7 @@ pub fn hamel_bias(
         * minus_wrench_outside_link_1_mx_1
         - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_3;
     let twist_link_1_vx = (wrench_outside_link_2_mx_15
-        - minus_twist_link_1_vy_0 * poses.com_x) * qd[0];
+        - minus_twist_link_1_vy_0 * poses.minus_origin_base_x) * qd[0];
     let wrench_outside_link_2_my_10 = inertias.inertia_link_1_xx
         * minus_wrench_outside_link_1_fy_1
         + inertias.inertia_link_1_xy * minus_wrench_outside_link_1_mx_3
@@ -11532,8 +12883,8 @@ pub fn hamel_bias(
     hamel_bias[3] = wrench_base_fx + 0.0;
     hamel_bias[4] = wrench_base_fy + 0.0;
     hamel_bias[5] = wrench_base_fz + 0.0;
-    hamel_bias[6] = wrench_link_1_mz - poses.com_y * wrench_link_1_fx
-        + poses.com_x * wrench_link_1_fy + 0.0;
+    hamel_bias[6] = wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
+        + poses.minus_origin_base_x * wrench_link_1_fy + 0.0;
     hamel_bias[7] = poses.sin_joint_1 * wrench_link_2_mx
         - poses.cos_joint_1 * wrench_link_2_my
         + screws.screw_joint_2_vx * wrench_link_2_fx
@@ -11576,7 +12927,7 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 7×7, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 3631 operations: 1758 + −, 1870 ×, 3 ÷; 7 sin cos; about 42.8 KiB of code.
+/// 3713 operations: 1813 + −, 1897 ×, 3 ÷; 7 sin cos; about 43.8 KiB of code.
 pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -12883,7 +14234,7 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 727 operations: 332 + −, 392 ×, 3 ÷; 7 sin cos; about 8.8 KiB of code.
+/// 809 operations: 387 + −, 419 ×, 3 ÷; 7 sin cos; about 9.8 KiB of code.
 pub fn momentum(
     q: &[f64; 7],
     mu: &[f64; 6],
@@ -12925,7 +14276,7 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 727 operations: 332 + −, 392 ×, 3 ÷; 7 sin cos; about 8.8 KiB of code.
+/// 809 operations: 387 + −, 419 ×, 3 ÷; 7 sin cos; about 9.8 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 7], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -12962,7 +14313,7 @@ pub fn velocity_of_momentum(q: &[f64; 7], body_momentum: &[f64; 6], mu: &mut [f6
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 1359 operations: 620 + −, 736 ×, 3 ÷; 7 sin cos; about 16.2 KiB of code.
+/// 1441 operations: 675 + −, 763 ×, 3 ÷; 7 sin cos; about 17.2 KiB of code.
 pub fn base_twist(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -12998,7 +14349,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 1815 operations: 817 + −, 995 ×, 3 ÷; 7 sin cos; about 21.5 KiB of code.
+/// 1897 operations: 872 + −, 1022 ×, 3 ÷; 7 sin cos; about 22.5 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -13010,14 +14361,10 @@ pub fn kinetic_energy(
     let complements = complements(&poses, &inertias);
     let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
-    let common_d_qdot_d_qdot_xi_kinetic_energy = common_d_qdot_d_qdot_xi_kinetic_energy(
-        &inertias,
-        &velocities,
-    );
-    let kinetic_energy_0_0_22 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let kinetic_energy_0_0_25 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let kinetic_energy_0_0_28 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let kinetic_energy_0_0 = mu[0]
+    let kinetic_energy_0_0_0_22 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
+    let kinetic_energy_0_0_0_25 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let kinetic_energy_0_0_0_28 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let kinetic_energy_0_0_0 = mu[0]
         * (inertias.composite_base_xx * mu[0] + inertias.composite_base_xy * mu[1]
             + inertias.composite_base_xz * mu[2])
         + mu[1]
@@ -13026,162 +14373,281 @@ pub fn kinetic_energy(
         + mu[2]
             * (inertias.composite_base_xz * mu[0] + inertias.composite_base_yz * mu[1]
                 + inertias.composite_base_zz * mu[2])
-        + kinetic_energy_0_0_22 * (kinetic_energy_0_0_22 * 17.5)
-        + kinetic_energy_0_0_25 * (kinetic_energy_0_0_25 * 17.5)
-        + kinetic_energy_0_0_28 * (kinetic_energy_0_0_28 * 17.5)
+        + kinetic_energy_0_0_0_22 * (kinetic_energy_0_0_0_22 * 17.5)
+        + kinetic_energy_0_0_0_25 * (kinetic_energy_0_0_0_25 * 17.5)
+        + kinetic_energy_0_0_0_28 * (kinetic_energy_0_0_0_28 * 17.5)
         + (velocities.velocity_base_vx
-            * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_px
+            * (velocities.velocity_base_vx * 3.5
+                + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
+                    - velocities.minus_velocity_base_wz
+                        * inertias.minus_inertia_base_hy))
             - (velocities.minus_velocity_base_wx
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_yz_0_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy
-                        .factor_outside_link_1_zy_0_1
-                        - common_d_qdot_d_qdot_xi_kinetic_energy
-                            .factor_outside_link_1_yz_1_1))
+                * (inertias.minus_inertia_base_xy * velocities.minus_velocity_base_wy
+                    - inertias.inertia_base_xx * velocities.minus_velocity_base_wx
+                    + inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wz
+                    + (velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hy
+                        - velocities.minus_velocity_base_vy
+                            * inertias.minus_inertia_base_hz))
                 + velocities.minus_velocity_base_wy
-                    * (common_d_qdot_d_qdot_xi_kinetic_energy
-                        .factor_outside_link_1_xz_1_1
-                        - (common_d_qdot_d_qdot_xi_kinetic_energy
-                            .factor_outside_link_1_xz_0_1
-                            + common_d_qdot_d_qdot_xi_kinetic_energy
-                                .factor_outside_link_1_zx_1_1))
+                    * (inertias.minus_inertia_base_xy * velocities.minus_velocity_base_wx
+                        - inertias.inertia_base_yy * velocities.minus_velocity_base_wy
+                        + inertias.minus_inertia_base_yz
+                            * velocities.minus_velocity_base_wz
+                        - (velocities.velocity_base_vx * inertias.minus_inertia_base_hz
+                            + velocities.minus_velocity_base_vz
+                                * inertias.minus_inertia_base_hx))
                 + velocities.minus_velocity_base_wz
-                    * (common_d_qdot_d_qdot_xi_kinetic_energy
-                        .factor_outside_link_1_xy_1_1
-                        + (common_d_qdot_d_qdot_xi_kinetic_energy
-                            .factor_outside_link_1_yx_0_1
-                            + common_d_qdot_d_qdot_xi_kinetic_energy
-                                .factor_outside_link_1_xy_0_0)))
+                    * (inertias.minus_inertia_base_xz * velocities.minus_velocity_base_wx
+                        + inertias.minus_inertia_base_yz
+                            * velocities.minus_velocity_base_wy
+                        - inertias.inertia_base_zz * velocities.minus_velocity_base_wz
+                        + (velocities.minus_velocity_base_vy
+                            * inertias.minus_inertia_base_hx
+                            + velocities.velocity_base_vx
+                                * inertias.minus_inertia_base_hy)))
             - velocities.minus_velocity_base_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_py
+                * (velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hx
+                    - velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hz
+                    - velocities.minus_velocity_base_vy * 3.5)
             - velocities.minus_velocity_base_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_outside_link_1_pz)
+                * (velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hy
+                    - velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hx
+                    - velocities.minus_velocity_base_vz * 3.5))
         + (velocities.velocity_link_1_wz
-            * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xy_0_1_1
-                - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yx_0_0_1
-                    + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xy_0_0_1))
+            * (inertias.minus_inertia_link_1_yz * velocities.minus_velocity_base_wy
+                - inertias.inertia_link_1_xz * velocities.minus_velocity_base_wx
+                + inertias.inertia_link_1_zz * velocities.velocity_link_1_wz
+                - (velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
+                    + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy))
             - (velocities.minus_velocity_base_wx
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yz_0_1_1
-                    - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_zy_0_0_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_yz_0_0_1))
+                * (inertias.inertia_link_1_xz * velocities.velocity_link_1_wz
+                    - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
+                        + inertias.inertia_link_1_xy * velocities.minus_velocity_base_wy)
+                    - (velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
+                        + velocities.velocity_link_1_vy * inertias.inertia_link_1_hz))
                 + velocities.minus_velocity_base_wy
-                    * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xz_0_0_1
-                        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_zx_0_0_1
-                        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_xz_0_1_0))
+                    * (velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
+                        - velocities.minus_velocity_base_vz
+                            * inertias.minus_inertia_link_1_hx
+                        - (inertias.inertia_link_1_xy * velocities.minus_velocity_base_wx
+                            + inertias.inertia_link_1_yy
+                                * velocities.minus_velocity_base_wy
+                            + inertias.minus_inertia_link_1_yz
+                                * velocities.velocity_link_1_wz)))
             + velocities.velocity_link_1_vx
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_px_0
+                * (velocities.velocity_link_1_vx * 2.0
+                    - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
+                        + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy))
             + velocities.velocity_link_1_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_py_0
+                * (velocities.velocity_link_1_vy * 2.0
+                    + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hz
+                        - velocities.velocity_link_1_wz
+                            * inertias.minus_inertia_link_1_hx))
             + velocities.minus_velocity_base_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_1_pz_1)
+                * (velocities.minus_velocity_base_vz * 2.0
+                    + (velocities.minus_velocity_base_wx * inertias.inertia_link_1_hy
+                        + velocities.minus_velocity_base_wy
+                            * inertias.minus_inertia_link_1_hx)))
         + (velocities.velocity_link_2_wx
-            * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yz_0_1_1
-                - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_zy_0_0_1
-                    + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yz_0_0_1))
+            * (inertias.inertia_link_2_xx * velocities.velocity_link_2_wx
+                - inertias.inertia_link_2_xy * velocities.minus_velocity_link_2_wy
+                + inertias.inertia_link_2_xz * velocities.velocity_link_1_wz
+                - (velocities.velocity_link_2_vz * inertias.minus_inertia_link_2_hy
+                    + velocities.velocity_link_2_vy * inertias.inertia_link_2_hz))
             - velocities.minus_velocity_link_2_wy
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xz_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xz_0_0_1
-                        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_zx_0_1_1))
+                * (inertias.inertia_link_2_xy * velocities.velocity_link_2_wx
+                    - inertias.inertia_link_2_yy * velocities.minus_velocity_link_2_wy
+                    + inertias.inertia_link_2_yz * velocities.velocity_link_1_wz
+                    + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
+                        - velocities.velocity_link_2_vz * inertias.inertia_link_2_hx))
             + velocities.velocity_link_1_wz
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xy_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_yx_0_1_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_xy_0_0_1))
+                * (inertias.inertia_link_2_xz * velocities.velocity_link_2_wx
+                    - inertias.inertia_link_2_yz * velocities.minus_velocity_link_2_wy
+                    + inertias.inertia_link_2_zz * velocities.velocity_link_1_wz
+                    + (velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
+                        + velocities.velocity_link_2_vx
+                            * inertias.minus_inertia_link_2_hy))
             + velocities.velocity_link_2_vx
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_px_0
+                * (velocities.velocity_link_2_vx * 2.0
+                    + (velocities.velocity_link_1_wz * inertias.minus_inertia_link_2_hy
+                        - velocities.minus_velocity_link_2_wy
+                            * inertias.inertia_link_2_hz))
             + velocities.velocity_link_2_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_py_0
+                * (velocities.velocity_link_2_vy * 2.0
+                    + (velocities.velocity_link_1_wz * inertias.inertia_link_2_hx
+                        - velocities.velocity_link_2_wx * inertias.inertia_link_2_hz))
             + velocities.velocity_link_2_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_2_pz_0)
+                * (velocities.velocity_link_2_vz * 2.0
+                    + (velocities.minus_velocity_link_2_wy * inertias.inertia_link_2_hx
+                        - velocities.velocity_link_2_wx
+                            * inertias.minus_inertia_link_2_hy)));
+    let kinetic_energy_0_0 = kinetic_energy_0_0_0
         + (velocities.velocity_link_3_wx
-            * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yz_0_1_1
-                - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_zy_0_0_1
-                    + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yz_0_0_1))
+            * (inertias.inertia_link_3_xx * velocities.velocity_link_3_wx
+                - inertias.inertia_link_3_xy * velocities.minus_velocity_link_3_wy
+                + inertias.inertia_link_3_xz * velocities.velocity_link_3_wz
+                - (velocities.velocity_link_3_vz * inertias.minus_inertia_link_3_hy
+                    + velocities.velocity_link_3_vy * inertias.inertia_link_3_hz))
             - velocities.minus_velocity_link_3_wy
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xz_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xz_0_0_1
-                        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_zx_0_1_1))
+                * (inertias.inertia_link_3_xy * velocities.velocity_link_3_wx
+                    - inertias.inertia_link_3_yy * velocities.minus_velocity_link_3_wy
+                    + inertias.inertia_link_3_yz * velocities.velocity_link_3_wz
+                    + (velocities.velocity_link_3_vx * inertias.inertia_link_3_hz
+                        - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx))
             + velocities.velocity_link_3_wz
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xy_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_yx_0_1_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_xy_0_0_1))
+                * (inertias.inertia_link_3_xz * velocities.velocity_link_3_wx
+                    - inertias.inertia_link_3_yz * velocities.minus_velocity_link_3_wy
+                    + inertias.inertia_link_3_zz * velocities.velocity_link_3_wz
+                    + (velocities.velocity_link_3_vy * inertias.inertia_link_3_hx
+                        + velocities.velocity_link_3_vx
+                            * inertias.minus_inertia_link_3_hy))
             + velocities.velocity_link_3_vx
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_px_0
+                * (velocities.velocity_link_3_vx * 2.0
+                    + (velocities.velocity_link_3_wz * inertias.minus_inertia_link_3_hy
+                        - velocities.minus_velocity_link_3_wy
+                            * inertias.inertia_link_3_hz))
             + velocities.velocity_link_3_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_py_0
+                * (velocities.velocity_link_3_vy * 2.0
+                    + (velocities.velocity_link_3_wz * inertias.inertia_link_3_hx
+                        - velocities.velocity_link_3_wx * inertias.inertia_link_3_hz))
             + velocities.velocity_link_3_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_3_pz_0);
-    let kinetic_energy_0 = (kinetic_energy_0_0
+                * (velocities.velocity_link_3_vz * 2.0
+                    + (velocities.minus_velocity_link_3_wy * inertias.inertia_link_3_hx
+                        - velocities.velocity_link_3_wx
+                            * inertias.minus_inertia_link_3_hy)))
         + (velocities.velocity_link_4_wx
-            * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yz_0_1_1
-                + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_zy_0_0_1
-                    - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yz_0_0_1))
+            * (inertias.inertia_link_4_xx * velocities.velocity_link_4_wx
+                + inertias.inertia_link_4_xy * velocities.velocity_link_4_wy
+                + inertias.inertia_link_4_xz * velocities.velocity_link_4_wz
+                + (velocities.velocity_link_4_vz * inertias.inertia_link_4_hy
+                    - velocities.velocity_link_4_vy * inertias.inertia_link_4_hz))
             + velocities.velocity_link_4_wy
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xz_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xz_0_0_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_zx_0_0_1))
+                * (inertias.inertia_link_4_xy * velocities.velocity_link_4_wx
+                    + inertias.inertia_link_4_yy * velocities.velocity_link_4_wy
+                    + inertias.inertia_link_4_yz * velocities.velocity_link_4_wz
+                    + (velocities.velocity_link_4_vx * inertias.inertia_link_4_hz
+                        + velocities.velocity_link_4_vz
+                            * inertias.minus_inertia_link_4_hx))
             + velocities.velocity_link_4_wz
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xy_0_1_1
-                    - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_yx_0_0_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_xy_0_0_1))
+                * (inertias.inertia_link_4_xz * velocities.velocity_link_4_wx
+                    + inertias.inertia_link_4_yz * velocities.velocity_link_4_wy
+                    + inertias.inertia_link_4_zz * velocities.velocity_link_4_wz
+                    - (velocities.velocity_link_4_vy * inertias.minus_inertia_link_4_hx
+                        + velocities.velocity_link_4_vx * inertias.inertia_link_4_hy))
             + velocities.velocity_link_4_vx
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_px_0
+                * (velocities.velocity_link_4_vx * 2.0
+                    + (velocities.velocity_link_4_wy * inertias.inertia_link_4_hz
+                        - velocities.velocity_link_4_wz * inertias.inertia_link_4_hy))
             + velocities.velocity_link_4_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_py_0
+                * (velocities.velocity_link_4_vy * 2.0
+                    - (velocities.velocity_link_4_wz * inertias.minus_inertia_link_4_hx
+                        + velocities.velocity_link_4_wx * inertias.inertia_link_4_hz))
             + velocities.velocity_link_4_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_4_pz_0)
+                * (velocities.velocity_link_4_vz * 2.0
+                    + (velocities.velocity_link_4_wx * inertias.inertia_link_4_hy
+                        + velocities.velocity_link_4_wy
+                            * inertias.minus_inertia_link_4_hx)))
         + (velocities.velocity_link_5_wx
-            * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yz_0_1_1
-                + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_zy_0_0_1
-                    - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yz_0_0_1))
+            * (inertias.inertia_link_5_xx * velocities.velocity_link_5_wx
+                + inertias.inertia_link_5_xy * velocities.velocity_link_5_wy
+                + inertias.inertia_link_5_xz * velocities.velocity_link_5_wz
+                + (velocities.velocity_link_5_vz * inertias.inertia_link_5_hy
+                    - velocities.velocity_link_5_vy * inertias.inertia_link_5_hz))
             + velocities.velocity_link_5_wy
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xz_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xz_0_0_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_zx_0_0_1))
+                * (inertias.inertia_link_5_xy * velocities.velocity_link_5_wx
+                    + inertias.inertia_link_5_yy * velocities.velocity_link_5_wy
+                    + inertias.inertia_link_5_yz * velocities.velocity_link_5_wz
+                    + (velocities.velocity_link_5_vx * inertias.inertia_link_5_hz
+                        + velocities.velocity_link_5_vz
+                            * inertias.minus_inertia_link_5_hx))
             + velocities.velocity_link_5_wz
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xy_0_1_1
-                    - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_yx_0_0_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_xy_0_0_1))
+                * (inertias.inertia_link_5_xz * velocities.velocity_link_5_wx
+                    + inertias.inertia_link_5_yz * velocities.velocity_link_5_wy
+                    + inertias.inertia_link_5_zz * velocities.velocity_link_5_wz
+                    - (velocities.velocity_link_5_vy * inertias.minus_inertia_link_5_hx
+                        + velocities.velocity_link_5_vx * inertias.inertia_link_5_hy))
             + velocities.velocity_link_5_vx
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_px_0
+                * (velocities.velocity_link_5_vx * 2.0
+                    + (velocities.velocity_link_5_wy * inertias.inertia_link_5_hz
+                        - velocities.velocity_link_5_wz * inertias.inertia_link_5_hy))
             + velocities.velocity_link_5_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_py_0
+                * (velocities.velocity_link_5_vy * 2.0
+                    - (velocities.velocity_link_5_wz * inertias.minus_inertia_link_5_hx
+                        + velocities.velocity_link_5_wx * inertias.inertia_link_5_hz))
             + velocities.velocity_link_5_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_5_pz_0)
+                * (velocities.velocity_link_5_vz * 2.0
+                    + (velocities.velocity_link_5_wx * inertias.inertia_link_5_hy
+                        + velocities.velocity_link_5_wy
+                            * inertias.minus_inertia_link_5_hx)));
+    let kinetic_energy_0 = (kinetic_energy_0_0
         + (velocities.velocity_link_6_wx
-            * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yz_0_1_1
-                - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_zy_0_0_1
-                    + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yz_0_0_1))
+            * (inertias.inertia_link_6_xx * velocities.velocity_link_6_wx
+                + inertias.inertia_link_6_xy * velocities.velocity_link_6_wy
+                + inertias.inertia_link_6_xz * velocities.velocity_link_6_wz
+                - (velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
+                    + velocities.velocity_link_6_vy * inertias.inertia_link_6_hz))
             + velocities.velocity_link_6_wy
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xz_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xz_0_0_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_zx_0_0_1))
+                * (inertias.inertia_link_6_xy * velocities.velocity_link_6_wx
+                    + inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
+                    + inertias.inertia_link_6_yz * velocities.velocity_link_6_wz
+                    + (velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
+                        + velocities.velocity_link_6_vz
+                            * inertias.minus_inertia_link_6_hx))
             + velocities.velocity_link_6_wz
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xy_0_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_xy_0_0_1
-                        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_yx_0_0_1))
+                * (inertias.inertia_link_6_xz * velocities.velocity_link_6_wx
+                    + inertias.inertia_link_6_yz * velocities.velocity_link_6_wy
+                    + inertias.inertia_link_6_zz * velocities.velocity_link_6_wz
+                    + (velocities.velocity_link_6_vx * inertias.minus_inertia_link_6_hy
+                        - velocities.velocity_link_6_vy
+                            * inertias.minus_inertia_link_6_hx))
             + velocities.velocity_link_6_vx
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_px_0
+                * (velocities.velocity_link_6_vx * 2.0
+                    + (velocities.velocity_link_6_wy * inertias.inertia_link_6_hz
+                        + velocities.velocity_link_6_wz
+                            * inertias.minus_inertia_link_6_hy))
             + velocities.velocity_link_6_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_py_0
+                * (velocities.velocity_link_6_vy * 2.0
+                    - (velocities.velocity_link_6_wz * inertias.minus_inertia_link_6_hx
+                        + velocities.velocity_link_6_wx * inertias.inertia_link_6_hz))
             + velocities.velocity_link_6_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_6_pz_0)
+                * (velocities.velocity_link_6_vz * 2.0
+                    + (velocities.velocity_link_6_wy * inertias.minus_inertia_link_6_hx
+                        - velocities.velocity_link_6_wx
+                            * inertias.minus_inertia_link_6_hy)))
         + (velocities.velocity_link_7_wx
-            * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_1_1
-                - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_zy_0_1
-                    + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yz_0_1))
+            * (inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
+                + inertias.inertia_link_7_xy * velocities.velocity_link_7_wy
+                + inertias.inertia_link_7_xz * velocities.velocity_link_7_wz
+                - (velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
+                    + velocities.velocity_link_7_vy * inertias.inertia_link_7_hz))
             + velocities.velocity_link_7_wy
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xz_0_1
-                        + common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_zx_0_1))
+                * (inertias.inertia_link_7_xy * velocities.velocity_link_7_wx
+                    + inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+                    + inertias.inertia_link_7_yz * velocities.velocity_link_7_wz
+                    + (velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
+                        + velocities.velocity_link_7_vz
+                            * inertias.minus_inertia_link_7_hx))
             + velocities.velocity_link_7_wz
-                * (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_1_1
-                    + (common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_xy_0_1
-                        - common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_yx_0_1))
+                * (inertias.inertia_link_7_xz * velocities.velocity_link_7_wx
+                    + inertias.inertia_link_7_yz * velocities.velocity_link_7_wy
+                    + inertias.inertia_link_7_zz * velocities.velocity_link_7_wz
+                    + (velocities.velocity_link_7_vx * inertias.minus_inertia_link_7_hy
+                        - velocities.velocity_link_7_vy
+                            * inertias.minus_inertia_link_7_hx))
             + velocities.velocity_link_7_vx
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_px
+                * (velocities.velocity_link_7_vx * 2.0
+                    + (velocities.velocity_link_7_wy * inertias.inertia_link_7_hz
+                        + velocities.velocity_link_7_wz
+                            * inertias.minus_inertia_link_7_hy))
             + velocities.velocity_link_7_vy
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_py
+                * (velocities.velocity_link_7_vy * 2.0
+                    - (velocities.velocity_link_7_wz * inertias.minus_inertia_link_7_hx
+                        + velocities.velocity_link_7_wx * inertias.inertia_link_7_hz))
             + velocities.velocity_link_7_vz
-                * common_d_qdot_d_qdot_xi_kinetic_energy.factor_link_7_pz)) * 0.5;
+                * (velocities.velocity_link_7_vz * 2.0
+                    + (velocities.velocity_link_7_wy * inertias.minus_inertia_link_7_hx
+                        - velocities.velocity_link_7_wx
+                            * inertias.minus_inertia_link_7_hy)))) * 0.5;
     // ½ ξᵀ Λ ξ
     *kinetic_energy = kinetic_energy_0 + 0.0;
 }
@@ -13195,7 +14661,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (7; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (13; rad/s², m/s²)
 ///
-/// 4722 operations: 2314 + −, 2392 ×, 16 ÷; 7 sin cos; about 55.6 KiB of code.
+/// 4766 operations: 2337 + −, 2413 ×, 16 ÷; 7 sin cos; about 56.1 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -13227,16 +14693,17 @@ pub fn forward_dynamics(
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let xi_dot_0_3_3_4_3_0_9 = inertias.composite_link_1_xy
         + inertias.composite_link_1_xy;
-    let xi_dot_0_3_3_4_0_11_1 = inertias.composite_link_1_hx * poses.com_y;
-    let xi_dot_0_3_3_4_3_0_8_1 = inertias.composite_link_1_hy * poses.com_x;
+    let xi_dot_0_3_3_4_0_11_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+    let xi_dot_0_3_3_4_3_0_8_1 = inertias.composite_link_1_hy
+        * poses.minus_origin_base_x;
     let xi_dot_0_3_3_4_3_0_8 = xi_dot_0_3_3_4_3_0_8_1 + xi_dot_0_3_3_4_3_0_8_1;
     let xi_dot_0_3_3_4_0_11 = xi_dot_0_3_3_4_0_11_1 + xi_dot_0_3_3_4_0_11_1;
     let xi_dot_0_3_3_4_0_6_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let xi_dot_0_3_3_4_3_0_4_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let xi_dot_0_3_3_4_3_0_6_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let xi_dot_0_3_3_4_3_0_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let xi_dot_0_3_3_4_3_0_4_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
     let xi_dot_0_3_3_4_0_6 = xi_dot_0_3_3_4_0_6_0 * 17.5;
-    let xi_dot_0_3_3_4_3_0_4 = xi_dot_0_3_3_4_3_0_4_0 * 17.5;
     let xi_dot_0_3_3_4_3_0_6 = xi_dot_0_3_3_4_3_0_6_0 * 17.5;
+    let xi_dot_0_3_3_4_3_0_4 = xi_dot_0_3_3_4_3_0_4_0 * 17.5;
     let xi_dot_0_3_3_4_0_30 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
         + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
@@ -13275,11 +14742,6 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_4_0_1 = mu[0] - velocities.minus_velocity_base_wx;
     let xi_dot_0_3_3_4_3_0_3 = mu[1] - velocities.minus_velocity_base_wy;
     let xi_dot_0_3_3_4_3_0_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let xi_dot_0_3_3_4_0_5 = xi_dot_0_3_3_4_0_6_0 + velocities.velocity_base_vx;
-    let xi_dot_0_3_3_4_3_0_7 = xi_dot_0_3_3_4_3_0_4_0
-        - velocities.minus_velocity_base_vy;
-    let xi_dot_0_3_3_4_3_0_5 = xi_dot_0_3_3_4_3_0_6_0
-        - velocities.minus_velocity_base_vz;
     let wrench_base_mx_14 = base_wrench[0]
         + (base_wrench[4] * poses.com_z - base_wrench[5] * poses.com_y);
     let wrench_base_my_14 = base_wrench[1]
@@ -13288,8 +14750,8 @@ pub fn forward_dynamics(
         + (base_wrench[3] * poses.com_y - base_wrench[4] * poses.com_x);
     let xi_dot_0_3_3_4_3_0 = xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_3_0_1
         - xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_3_0_3
-        + (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_3_0_5
-            - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_3_0_7)
+        + (xi_dot_0_3_3_4_3_0_4 * velocities.minus_velocity_base_vy
+            - xi_dot_0_3_3_4_3_0_6 * velocities.minus_velocity_base_vz)
         - (((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_3_0_9) * qd[0]
             + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
             + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
@@ -13298,12 +14760,12 @@ pub fn forward_dynamics(
             + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
             + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
             + xi_dot_0_3_3_4_3_0_24 * mu[1] + xi_dot_0_3_3_4_3_0_26 * mu[2]
-            + (xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_3_0_6_0
-                - xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_3_0_4_0));
+            + (xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_3_0_4_0
+                - xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_3_0_6_0));
     let xi_dot_0_3_3_4_0 = xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_0_1
         - xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_1
-        + (xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_5
-            - xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_5)
+        + (xi_dot_0_3_3_4_3_0_4 * velocities.velocity_base_vx
+            + xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vz)
         - (xi_dot_0_3_3_4_3_0_24 * mu[0]
             + ((xi_dot_0_3_3_4_3_0_9 - xi_dot_0_3_3_4_0_11) * qd[0]
                 + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
@@ -13314,12 +14776,12 @@ pub fn forward_dynamics(
                 + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
             + xi_dot_0_3_3_4_0_26 * mu[2]
             + (xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_0_6_0
-                - xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_6_0));
+                - xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_4_0));
     let xi_dot_0_3_3_4_3 = xi_dot_0_3_3_4_3_0 + wrench_base_mx_14;
     let xi_dot_0_3_3_0 = xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_3
         - xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_0_1
-        + (xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_7
-            - xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_5)
+        - (xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vy
+            + xi_dot_0_3_3_4_3_0_6 * velocities.velocity_base_vx)
         - (xi_dot_0_3_3_4_3_0_26 * mu[0] + xi_dot_0_3_3_4_0_26 * mu[1]
             + ((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_0_11) * qd[0]
                 + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
@@ -13328,7 +14790,7 @@ pub fn forward_dynamics(
                 + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
                 + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
                 + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
-            + (xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_4_0
+            + (xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_6_0
                 - xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_0_6_0)) + wrench_base_mz_14;
     let xi_dot_0_3_3_4 = xi_dot_0_3_3_4_0 + wrench_base_my_14
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_4_3;
@@ -13345,18 +14807,18 @@ pub fn forward_dynamics(
     xi_dot[0] = xi_dot_0 + 0.0;
     xi_dot[1] = xi_dot_0_3 + 0.0;
     xi_dot[2] = xi_dot_0_3_3 + 0.0;
-    xi_dot[3] = (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_3_0_1
-        - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_3_0_3
+    xi_dot[3] = (xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_3_0_1
+        - xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_3_0_3
         - (mu[1] * xi_dot_0_3_3_4_3_0_30 - mu[2] * xi_dot_0_3_3_4_3_0_28)
         + base_wrench[3]) * 0.05714285714285714
         + (xi_dot_0_3_3 * poses.com_y - xi_dot_0_3 * poses.com_z) + gravity[0] + 0.0;
-    xi_dot[4] = (xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_1
+    xi_dot[4] = (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_1
         - xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_1
         - (mu[2] * xi_dot_0_3_3_4_0_30 - mu[0] * xi_dot_0_3_3_4_3_0_30) + base_wrench[4])
         * 0.05714285714285714 + (xi_dot_0 * poses.com_z - xi_dot_0_3_3 * poses.com_x)
         + gravity[1] + 0.0;
     xi_dot[5] = (xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_3
-        - xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_1
+        - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_1
         - (mu[0] * xi_dot_0_3_3_4_3_0_28 - mu[1] * xi_dot_0_3_3_4_0_30) + base_wrench[5])
         * 0.05714285714285714 + (xi_dot_0_3 * poses.com_x - xi_dot_0 * poses.com_y)
         + gravity[2] + 0.0;
@@ -14691,27 +16153,31 @@ pub fn forward_dynamics(
             - wrench_outside_link_2_fz * inverse_pivot_joint_2_d
                 * wrench_outside_link_2_fz);
     let wrench_outside_link_1_mx = articulated_link_1_jxz
-        + (minus_articulated_link_1_hxx * poses.com_y
-            - minus_articulated_link_1_hxy * poses.com_x);
+        + (minus_articulated_link_1_hxx * poses.minus_origin_base_y
+            - minus_articulated_link_1_hxy * poses.minus_origin_base_x);
     let wrench_outside_link_1_my = articulated_link_1_jyz
-        - (minus_articulated_link_1_hyy * poses.com_x
-            + articulated_link_1_hyx * poses.com_y);
+        - (minus_articulated_link_1_hyy * poses.minus_origin_base_x
+            + articulated_link_1_hyx * poses.minus_origin_base_y);
     let wrench_outside_link_1_mz = articulated_link_1_jzz
-        + (articulated_link_1_hzy * poses.com_x - articulated_link_1_hzx * poses.com_y);
+        + (articulated_link_1_hzy * poses.minus_origin_base_x
+            - articulated_link_1_hzx * poses.minus_origin_base_y);
     let wrench_outside_link_1_fx = articulated_link_1_hzx
-        - (articulated_link_1_mxx * poses.com_y
-            + minus_articulated_link_1_mxy * poses.com_x);
+        - (articulated_link_1_mxx * poses.minus_origin_base_y
+            + minus_articulated_link_1_mxy * poses.minus_origin_base_x);
     let wrench_outside_link_1_fy = articulated_link_1_hzy
-        + (minus_articulated_link_1_mxy * poses.com_y
-            + articulated_link_1_myy * poses.com_x);
-    let wrench_outside_link_1_fz = minus_articulated_link_1_mxz * poses.com_y
-        - minus_articulated_link_1_myz * poses.com_x - minus_articulated_link_1_hzz;
+        + (minus_articulated_link_1_mxy * poses.minus_origin_base_y
+            + articulated_link_1_myy * poses.minus_origin_base_x);
+    let wrench_outside_link_1_fz = minus_articulated_link_1_mxz
+        * poses.minus_origin_base_y
+        - minus_articulated_link_1_myz * poses.minus_origin_base_x
+        - minus_articulated_link_1_hzz;
     let inverse_pivot_joint_1_d = 1.0
-        / (wrench_outside_link_1_mz - poses.com_y * wrench_outside_link_1_fx
-            + poses.com_x * wrench_outside_link_1_fy);
+        / (wrench_outside_link_1_mz
+            - poses.minus_origin_base_y * wrench_outside_link_1_fx
+            + poses.minus_origin_base_x * wrench_outside_link_1_fy);
     let wrench_base_mx_12_0 = tau[0]
-        - (wrench_link_1_mz - poses.com_y * wrench_link_1_fx
-            + poses.com_x * wrench_link_1_fy);
+        - (wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
+            + poses.minus_origin_base_x * wrench_link_1_fy);
     let wrench_base_mx_12 = (wrench_base_mx_12_0
         - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
             * wrench_outside_link_1_mx
@@ -15024,8 +16490,10 @@ pub fn forward_dynamics(
             + twist_link_1_vz * wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
     xi_dot[6] = twist_link_1_wz_1 + 0.0;
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
-    let twist_link_1_vx = twist_link_1_vx_0 - poses.com_y * twist_link_1_wz_1;
-    let twist_link_1_vy = poses.com_x * twist_link_1_wz_1 - twist_link_1_vy_2;
+    let twist_link_1_vx = twist_link_1_vx_0
+        - poses.minus_origin_base_y * twist_link_1_wz_1;
+    let twist_link_1_vy = poses.minus_origin_base_x * twist_link_1_wz_1
+        - twist_link_1_vy_2;
     let twist_link_2_wx_0 = twist_link_1_wx
         + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1;
     let twist_link_2_wy_0 = twist_link_1_wy
@@ -15211,7 +16679,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (7; N·m, N)
 ///
-/// 3913 operations: 1920 + −, 1990 ×, 3 ÷; 7 sin cos; about 46.1 KiB of code.
+/// 3957 operations: 1943 + −, 2011 ×, 3 ÷; 7 sin cos; about 46.6 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -15243,14 +16711,14 @@ pub fn inverse_dynamics(
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let base_wrench_0_0_0_7 = inertias.composite_link_1_xy
         + inertias.composite_link_1_xy;
-    let base_wrench_0_0_0_6_1 = inertias.composite_link_1_hy * poses.com_x;
+    let base_wrench_0_0_0_6_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
     let base_wrench_0_0_0_6 = base_wrench_0_0_0_6_1 + base_wrench_0_0_0_6_1;
     let base_wrench_0_3_13_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let base_wrench_0_0_5_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let base_wrench_0_0_7_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let base_wrench_0_0_7_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let base_wrench_0_0_5_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
     let base_wrench_0_3_13 = base_wrench_0_3_13_0 * 17.5;
-    let base_wrench_0_0_5 = base_wrench_0_0_5_0 * 17.5;
     let base_wrench_0_0_7 = base_wrench_0_0_7_0 * 17.5;
+    let base_wrench_0_0_5 = base_wrench_0_0_5_0 * 17.5;
     let base_wrench_0_3_8 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
         + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
@@ -15282,8 +16750,6 @@ pub fn inverse_dynamics(
     let base_wrench_0_3_12 = mu[0] - velocities.minus_velocity_base_wx;
     let base_wrench_0_0_4 = mu[1] - velocities.minus_velocity_base_wy;
     let base_wrench_0_0_2 = mu[2] - velocities.minus_velocity_base_wz;
-    let base_wrench_0_0_8 = base_wrench_0_0_5_0 - velocities.minus_velocity_base_vy;
-    let base_wrench_0_0_6 = base_wrench_0_0_7_0 - velocities.minus_velocity_base_vz;
     let base_wrench_0_0_0 = inertias.composite_base_xx * xi_dot[0]
         + inertias.composite_base_xy * xi_dot[1] + inertias.composite_base_xz * xi_dot[2]
         + (((base_wrench_0_0_0_6 - base_wrench_0_0_0_7) * qd[0]
@@ -15294,28 +16760,28 @@ pub fn inverse_dynamics(
             + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
             + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
             + base_wrench_0_0_0_22 * mu[1] + base_wrench_0_0_0_24 * mu[2]
-            + (base_wrench_0_0_0_26 * base_wrench_0_0_7_0
-                - base_wrench_0_0_0_28 * base_wrench_0_0_5_0));
+            + (base_wrench_0_0_0_26 * base_wrench_0_0_5_0
+                - base_wrench_0_0_0_28 * base_wrench_0_0_7_0));
     let base_wrench_0_0 = base_wrench_0_0_0
         - (base_wrench_0_0_1 * base_wrench_0_0_2 - base_wrench_0_0_3 * base_wrench_0_0_4
-            + (base_wrench_0_0_5 * base_wrench_0_0_6
-                - base_wrench_0_0_7 * base_wrench_0_0_8));
+            + (base_wrench_0_0_5 * velocities.minus_velocity_base_vy
+                - base_wrench_0_0_7 * velocities.minus_velocity_base_vz));
     let base_wrench_0_3 = (xi_dot[4] - gravity[1]
         + (xi_dot[2] * poses.com_x - xi_dot[0] * poses.com_z)) * 17.5
         + (mu[2] * base_wrench_0_3_8 - mu[0] * base_wrench_0_0_0_28)
-        - (base_wrench_0_0_7 * base_wrench_0_3_12
+        - (base_wrench_0_0_5 * base_wrench_0_3_12
             - base_wrench_0_3_13 * base_wrench_0_0_2);
     let base_wrench_0_1 = (xi_dot[5] - gravity[2]
         + (xi_dot[0] * poses.com_y - xi_dot[1] * poses.com_x)) * 17.5
         + (mu[0] * base_wrench_0_0_0_26 - mu[1] * base_wrench_0_3_8)
         - (base_wrench_0_3_13 * base_wrench_0_0_4
-            - base_wrench_0_0_5 * base_wrench_0_3_12);
+            - base_wrench_0_0_7 * base_wrench_0_3_12);
     // F₁
     base_wrench[0] = base_wrench_0_0
         + (base_wrench_0_1 * poses.com_y - base_wrench_0_3 * poses.com_z) + 0.0;
     let base_wrench_1_0_3 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let base_wrench_1_0_0_9_1 = inertias.composite_link_1_hx * poses.com_y;
+    let base_wrench_1_0_0_9_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let base_wrench_1_0_0_9 = base_wrench_1_0_0_9_1 + base_wrench_1_0_0_9_1;
     let base_wrench_1_0_0_24 = screws.inside_joint_1_mx * qd[0]
         + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
@@ -15324,7 +16790,6 @@ pub fn inverse_dynamics(
         + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
         + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
         + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
-    let base_wrench_1_0_6 = base_wrench_0_3_13_0 + velocities.velocity_base_vx;
     let base_wrench_1_0_0 = inertias.composite_base_xy * xi_dot[0]
         + inertias.composite_base_yy * xi_dot[1] + inertias.composite_base_yz * xi_dot[2]
         + (base_wrench_0_0_0_22 * mu[0]
@@ -15337,16 +16802,16 @@ pub fn inverse_dynamics(
                 + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
             + base_wrench_1_0_0_24 * mu[2]
             + (base_wrench_0_0_0_28 * base_wrench_0_3_13_0
-                - base_wrench_0_3_8 * base_wrench_0_0_7_0));
+                - base_wrench_0_3_8 * base_wrench_0_0_5_0));
     let base_wrench_1_0 = base_wrench_1_0_0
         - (base_wrench_0_0_3 * base_wrench_0_3_12 - base_wrench_1_0_3 * base_wrench_0_0_2
-            + (base_wrench_0_0_7 * base_wrench_1_0_6
-                - base_wrench_0_3_13 * base_wrench_0_0_6));
+            + (base_wrench_0_0_5 * velocities.velocity_base_vx
+                + base_wrench_0_3_13 * velocities.minus_velocity_base_vz));
     let base_wrench_1_1 = (xi_dot[3] - gravity[0]
         + (xi_dot[1] * poses.com_z - xi_dot[2] * poses.com_y)) * 17.5
         + (mu[1] * base_wrench_0_0_0_28 - mu[2] * base_wrench_0_0_0_26)
-        - (base_wrench_0_0_5 * base_wrench_0_0_2
-            - base_wrench_0_0_7 * base_wrench_0_0_4);
+        - (base_wrench_0_0_7 * base_wrench_0_0_2
+            - base_wrench_0_0_5 * base_wrench_0_0_4);
     base_wrench[1] = base_wrench_1_0
         + (base_wrench_1_1 * poses.com_z - base_wrench_0_1 * poses.com_x) + 0.0;
     let base_wrench_2_0 = inertias.composite_base_xz * xi_dot[0]
@@ -15359,11 +16824,11 @@ pub fn inverse_dynamics(
                 + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
                 + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
                 + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
-            + (base_wrench_0_3_8 * base_wrench_0_0_5_0
+            + (base_wrench_0_3_8 * base_wrench_0_0_7_0
                 - base_wrench_0_0_0_26 * base_wrench_0_3_13_0))
         - (base_wrench_1_0_3 * base_wrench_0_0_4 - base_wrench_0_0_1 * base_wrench_0_3_12
-            + (base_wrench_0_3_13 * base_wrench_0_0_8
-                - base_wrench_0_0_5 * base_wrench_1_0_6));
+            - (base_wrench_0_3_13 * velocities.minus_velocity_base_vy
+                + base_wrench_0_0_7 * velocities.velocity_base_vx));
     base_wrench[2] = base_wrench_2_0
         + (base_wrench_0_3 * poses.com_x - base_wrench_1_1 * poses.com_y) + 0.0;
     base_wrench[3] = base_wrench_1_1 + 0.0;
@@ -15445,8 +16910,8 @@ pub fn inverse_dynamics(
     let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
     let twist_link_1_vx = twist_base_vx
         + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-        - poses.com_y * xi_dot[6];
-    let twist_link_1_vy = poses.com_x * xi_dot[6]
+        - poses.minus_origin_base_y * xi_dot[6];
+    let twist_link_1_vy = poses.minus_origin_base_x * xi_dot[6]
         - (minus_twist_base_vy
             + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1);
     let wrench_link_1_mx_0 = inertias.inertia_link_1_xx * twist_link_1_wx
@@ -15968,7 +17433,7 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×7, by columns; rad, m)
 ///
-/// 1796 operations: 809 + −, 984 ×, 3 ÷; 7 sin cos; about 21.3 KiB of code.
+/// 1878 operations: 864 + −, 1011 ×, 3 ÷; 7 sin cos; about 22.3 KiB of code.
 pub fn kinematics_link_7(
     q: &[f64; 7],
     pose: &mut [[f64; 3]; 4],

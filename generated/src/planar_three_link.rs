@@ -179,12 +179,16 @@ struct Poses {
     cos_joint_1: f64,
     rotation_link_2_xx: f64,
     rotation_link_2_yx: f64,
-    com_y_0: f64,
-    com_x_0: f64,
-    com_x_1: f64,
-    com_y_1: f64,
     com_x: f64,
     com_y: f64,
+    minus_origin_base_x_1_0: f64,
+    minus_origin_base_y_1_0: f64,
+    minus_origin_base_x_1_3: f64,
+    minus_origin_base_y_1_3: f64,
+    minus_origin_base_x_1: f64,
+    minus_origin_base_y_1: f64,
+    minus_origin_base_x: f64,
+    minus_origin_base_y: f64,
     origin_link_1_x: f64,
     origin_link_2_x: f64,
     origin_link_2_y: f64,
@@ -205,22 +209,37 @@ fn poses(q: &[f64; 2]) -> Poses {
     let com_y_1 = origin_link_2_y_0 + rotation_link_2_yx * 0.5;
     let com_x = (com_x_0 + com_x_1 * 0.75) * 0.26666666666666666;
     let com_y = (com_y_0 + com_y_1 * 0.75) * 0.26666666666666666;
+    let minus_origin_base_x_1_0 = com_x_0 - com_x;
+    let minus_origin_base_y_1_0 = com_y_0 - com_y;
+    let minus_origin_base_x_1_3 = com_x_1 - com_x;
+    let minus_origin_base_y_1_3 = com_y_1 - com_y;
+    let minus_origin_base_x_1 = (minus_origin_base_x_1_0 - com_x * 2.0
+        + minus_origin_base_x_1_3 * 0.75) * 0.26666666666666666;
+    let minus_origin_base_y_1 = (minus_origin_base_y_1_0 - com_y * 2.0
+        + minus_origin_base_y_1_3 * 0.75) * 0.26666666666666666;
+    // base
+    let minus_origin_base_x = com_x + minus_origin_base_x_1;
+    let minus_origin_base_y = com_y + minus_origin_base_y_1;
     // link_1
-    let origin_link_1_x = 0.5 - com_x;
+    let origin_link_1_x = 0.5 - com_x - minus_origin_base_x_1;
     // link_2
-    let origin_link_2_x = origin_link_2_x_0 - com_x;
-    let origin_link_2_y = origin_link_2_y_0 - com_y;
+    let origin_link_2_x = origin_link_2_x_0 - com_x - minus_origin_base_x_1;
+    let origin_link_2_y = origin_link_2_y_0 - com_y - minus_origin_base_y_1;
     Poses {
         sin_joint_1,
         cos_joint_1,
         rotation_link_2_xx,
         rotation_link_2_yx,
-        com_y_0,
-        com_x_0,
-        com_x_1,
-        com_y_1,
         com_x,
         com_y,
+        minus_origin_base_x_1_0,
+        minus_origin_base_y_1_0,
+        minus_origin_base_x_1_3,
+        minus_origin_base_y_1_3,
+        minus_origin_base_x_1,
+        minus_origin_base_y_1,
+        minus_origin_base_x,
+        minus_origin_base_y,
         origin_link_1_x,
         origin_link_2_x,
         origin_link_2_y,
@@ -269,17 +288,17 @@ struct Inertias {
 /// Inertias of the bodies and of their subtrees, centroidal frame.
 fn inertias(poses: &Poses) -> Inertias {
     // base
-    let minus_inertia_base_hx = poses.com_x * 2.0;
-    let minus_inertia_base_hy = poses.com_y * 2.0;
-    let inertia_base_yy_1 = minus_inertia_base_hx * poses.com_x;
-    let inertia_base_xx_1 = minus_inertia_base_hy * poses.com_y;
-    let minus_inertia_base_xy = minus_inertia_base_hx * poses.com_y;
+    let minus_inertia_base_hx = poses.minus_origin_base_x * 2.0;
+    let minus_inertia_base_hy = poses.minus_origin_base_y * 2.0;
+    let inertia_base_yy_1 = minus_inertia_base_hx * poses.minus_origin_base_x;
+    let inertia_base_xx_1 = minus_inertia_base_hy * poses.minus_origin_base_y;
+    let minus_inertia_base_xy = minus_inertia_base_hx * poses.minus_origin_base_y;
     let inertia_base_xx = 0.25 + inertia_base_xx_1;
     let inertia_base_yy = 0.375 + inertia_base_yy_1;
     let inertia_base_zz = 0.5 + (inertia_base_yy_1 + inertia_base_xx_1);
     // link_1
-    let inertia_link_1_hx = poses.com_x_0 - poses.com_x;
-    let inertia_link_1_hy = poses.com_y_0 - poses.com_y;
+    let inertia_link_1_hx = poses.minus_origin_base_x_1_0 - poses.minus_origin_base_x_1;
+    let inertia_link_1_hy = poses.minus_origin_base_y_1_0 - poses.minus_origin_base_y_1;
     let inertia_link_1_xx_0 = 0.125 * poses.cos_joint_1;
     let inertia_link_1_xx_2 = 0.1875 * poses.sin_joint_1;
     let inertia_link_1_yy_6 = inertia_link_1_hx * inertia_link_1_hx;
@@ -292,8 +311,10 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_yy = 0.125 * poses.sin_joint_1 * poses.sin_joint_1
         + 0.1875 * poses.cos_joint_1 * poses.cos_joint_1 + inertia_link_1_yy_6;
     let inertia_link_1_zz = 0.25 + (inertia_link_1_yy_6 + inertia_link_1_xx_4);
-    let inertia_link_2_hx_0 = poses.com_x_1 - poses.com_x;
-    let inertia_link_2_hy_0 = poses.com_y_1 - poses.com_y;
+    let inertia_link_2_hx_0 = poses.minus_origin_base_x_1_3
+        - poses.minus_origin_base_x_1;
+    let inertia_link_2_hy_0 = poses.minus_origin_base_y_1_3
+        - poses.minus_origin_base_y_1;
     let inertia_link_2_xx_0 = 0.0625 * poses.rotation_link_2_xx;
     let inertia_link_2_xx_2 = 0.09375 * poses.rotation_link_2_yx;
     // link_2
@@ -328,7 +349,7 @@ fn inertias(poses: &Poses) -> Inertias {
         / (composite_base_yy - locked_inverse_pivot_y_2 * composite_base_xy);
     let locked_inverse_pivot_z = 1.0 / composite_base_zz;
     let inside_joint_1_mz_1_1 = composite_link_1_hx * poses.origin_link_1_x;
-    let inside_joint_1_mz_1_0 = composite_link_1_hy * poses.com_y;
+    let inside_joint_1_mz_1_0 = composite_link_1_hy * poses.minus_origin_base_y;
     let inside_joint_2_mz_1_0 = inertia_link_2_hx * poses.origin_link_2_x;
     let inside_joint_2_mz_1_1 = inertia_link_2_hy * poses.origin_link_2_y;
     Inertias {
@@ -420,7 +441,8 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     // joint_1
     let inside_joint_1_mz = inertias.composite_link_1_zz
         + (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
-    let minus_inside_joint_1_fx = poses.com_y * 1.75 + inertias.composite_link_1_hy;
+    let minus_inside_joint_1_fx = poses.minus_origin_base_y * 1.75
+        + inertias.composite_link_1_hy;
     let inside_joint_1_fy = inertias.composite_link_1_hx - poses.origin_link_1_x * 1.75;
     let connection_joint_1_wz = inside_joint_1_mz * inertias.locked_inverse_pivot_z;
     let minus_connection_joint_1_vx = minus_inside_joint_1_fx * 0.26666666666666666;
@@ -530,7 +552,7 @@ fn velocities(qd: &[f64; 2], poses: &Poses, screws: &Screws) -> Velocities {
         + screws.connection_joint_2_vy * qd[1];
     // link_1
     let velocity_link_1_wz = qd[0] - minus_velocity_base_wz;
-    let velocity_link_1_vx = velocity_base_vx - poses.com_y * qd[0];
+    let velocity_link_1_vx = velocity_base_vx - poses.minus_origin_base_y * qd[0];
     let minus_velocity_link_1_vy = minus_velocity_base_vy
         + poses.origin_link_1_x * qd[0];
     // link_2
@@ -709,7 +731,7 @@ fn d_mu_itself(
     d_mu[1][3] = d_mu_2_1_4 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_2_1_2;
     d_mu[1][5] = 0.0;
-    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
     let d_mu_6_1 = d_mu_6_0_0 * d_mu_6_0_11_0 + (d_mu_6_0_2 - d_mu_6_1_3) * d_mu_6_0_11_2
         + screws.minus_inside_joint_1_fx * d_mu_6_0_6
@@ -856,7 +878,7 @@ fn b2_itself(
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×2, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (2×2, by columns; kg·m²)
 ///
-/// 169 operations: 81 + −, 85 ×, 3 ÷; 2 sin cos; about 2.1 KiB of code.
+/// 188 operations: 94 + −, 91 ×, 3 ÷; 2 sin cos; about 2.3 KiB of code.
 pub fn inertia(
     q: &[f64; 2],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -884,7 +906,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (8×8, by columns; Λ's · 1/s)
 ///
-/// 326 operations: 148 + −, 175 ×, 3 ÷; 2 sin cos; about 3.9 KiB of code.
+/// 345 operations: 161 + −, 181 ×, 3 ÷; 2 sin cos; about 4.1 KiB of code.
 pub fn d_mu(q: &[f64; 2], mu: &[f64; 6], d_mu: &mut [[f64; 8]; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -900,7 +922,7 @@ pub fn d_mu(q: &[f64; 2], mu: &[f64; 6], d_mu: &mut [[f64; 8]; 8]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (2×2, by columns; kg·m²/s)
 ///
-/// 163 operations: 75 + −, 85 ×, 3 ÷; 2 sin cos; about 2.0 KiB of code.
+/// 182 operations: 88 + −, 91 ×, 3 ÷; 2 sin cos; about 2.2 KiB of code.
 pub fn b2(q: &[f64; 2], mu: &[f64; 6], b2: &mut [[f64; 2]; 2]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -920,7 +942,7 @@ pub fn b2(q: &[f64; 2], mu: &[f64; 6], b2: &mut [[f64; 2]; 2]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (8×8, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (2×2, by columns; kg·m²/s)
 ///
-/// 375 operations: 170 + −, 202 ×, 3 ÷; 2 sin cos; about 4.5 KiB of code.
+/// 394 operations: 183 + −, 208 ×, 3 ÷; 2 sin cos; about 4.7 KiB of code.
 pub fn matrices(
     q: &[f64; 2],
     mu: &[f64; 6],
@@ -954,7 +976,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (2; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (8×8, by columns; Λ's · 1/s)
 ///
-/// 341 operations: 166 + −, 172 ×, 3 ÷; 2 sin cos; about 4.1 KiB of code.
+/// 360 operations: 179 + −, 178 ×, 3 ÷; 2 sin cos; about 4.3 KiB of code.
 pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -995,7 +1017,7 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[0][7] = 0.0;
     // D_q\u{307} column 1
     d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 - d_qdot_1_0_1 + 0.0;
-    let d_qdot_1_1_1_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_qdot_1_1_1_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_qdot_1_1_1 = d_qdot_1_1_1_1 + d_qdot_1_1_1_1;
     let d_qdot_1_1_4_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let d_qdot_1_1_4 = d_qdot_1_1_4_1 + d_qdot_1_1_4_1;
@@ -1074,7 +1096,7 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
     let wrench_base_mz_4 = velocities.velocity_link_1_wz * poses.origin_link_1_x
         - velocities.minus_velocity_link_1_vy;
-    let wrench_base_mz_2 = velocities.velocity_link_1_wz * poses.com_y
+    let wrench_base_mz_2 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
         + velocities.velocity_link_1_vx;
     let wrench_base_mz = factor_link_1_zz
         - (inertias.composite_link_1_hx * wrench_base_mz_2
@@ -1148,7 +1170,7 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (2; N·m, N)
 ///
-/// 306 operations: 132 + −, 171 ×, 3 ÷; 2 sin cos; about 3.7 KiB of code.
+/// 259 operations: 112 + −, 144 ×, 3 ÷; 2 sin cos; about 3.1 KiB of code.
 pub fn coupling_torque(q: &[f64; 2], mu: &[f64; 6], coupling_torque: &mut [f64; 2]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1156,84 +1178,53 @@ pub fn coupling_torque(q: &[f64; 2], mu: &[f64; 6], coupling_torque: &mut [f64; 
     let screws = screws(&poses, &inertias);
     let outside = outside(&poses, &inertias, &complements);
     let reactions = reactions(&inertias, &outside);
-    let coupling_torque_0_52_0_2 = poses.com_x + 0.25;
-    let coupling_torque_0_30_0 = mu[3] - mu[2] * poses.com_y;
-    let coupling_torque_0_52_0 = mu[4] + mu[2] * coupling_torque_0_52_0_2;
-    let coupling_torque_0_57_0 = mu[5]
-        + (mu[0] * poses.com_y - mu[1] * coupling_torque_0_52_0_2);
-    let coupling_torque_0_30 = coupling_torque_0_30_0 * 1.75
-        - mu[2] * inertias.composite_link_1_hy;
-    let coupling_torque_0_59 = coupling_torque_0_30_0 * 2.0
-        + mu[2] * inertias.minus_inertia_base_hy;
-    let coupling_torque_0_52 = coupling_torque_0_52_0 * 2.0
-        - mu[2] * inertias.minus_inertia_base_hx;
-    let coupling_torque_0_57 = coupling_torque_0_57_0 * 2.0
-        + (mu[1] * inertias.minus_inertia_base_hx
-            - mu[0] * inertias.minus_inertia_base_hy);
+    let coupling_torque_0_38 = mu[1] * inertias.minus_inertia_base_hx
+        - mu[0] * inertias.minus_inertia_base_hy;
     // (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ
     coupling_torque[0] = reactions.reaction_joint_1_wz
-        * ((inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1]
-            + inertias.composite_link_1_hy * coupling_torque_0_57_0) * mu[1]
+        * ((inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1])
+            * mu[1]
             - (inertias.composite_link_1_xy * mu[0]
-                + inertias.composite_link_1_yy * mu[1]
-                - inertias.composite_link_1_hx * coupling_torque_0_57_0) * mu[0]
-            + (coupling_torque_0_30 * coupling_torque_0_52_0
-                - (coupling_torque_0_52_0 * 1.75 + mu[2] * inertias.composite_link_1_hx)
-                    * coupling_torque_0_30_0))
+                + inertias.composite_link_1_yy * mu[1]) * mu[0])
         - reactions.minus_reaction_joint_1_vy
-            * ((coupling_torque_0_57_0 * 1.75
-                + (mu[0] * inertias.composite_link_1_hy
-                    - mu[1] * inertias.composite_link_1_hx)) * mu[0]
-                - coupling_torque_0_30 * mu[2])
+            * ((mu[0] * inertias.composite_link_1_hy
+                - mu[1] * inertias.composite_link_1_hx) * mu[0]
+                + mu[2] * inertias.composite_link_1_hy * mu[2])
         - (screws.connection_joint_1_wz
-            * ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
-                - inertias.minus_inertia_base_hy * coupling_torque_0_57_0) * mu[1]
+            * ((inertias.inertia_base_xx * mu[0]
+                - inertias.minus_inertia_base_xy * mu[1]) * mu[1]
                 - (inertias.inertia_base_yy * mu[1]
-                    - inertias.minus_inertia_base_xy * mu[0]
-                    + inertias.minus_inertia_base_hx * coupling_torque_0_57_0) * mu[0]
-                + (coupling_torque_0_59 * coupling_torque_0_52_0
-                    - coupling_torque_0_52 * coupling_torque_0_30_0))
-            - screws.minus_connection_joint_1_vx
-                * (coupling_torque_0_52 * mu[2] - coupling_torque_0_57 * mu[1])
+                    - inertias.minus_inertia_base_xy * mu[0]) * mu[0])
+            + screws.minus_connection_joint_1_vx
+                * (mu[2] * inertias.minus_inertia_base_hx * mu[2]
+                    + coupling_torque_0_38 * mu[1])
             + screws.connection_joint_1_vy
-                * (coupling_torque_0_57 * mu[0] - coupling_torque_0_59 * mu[2])) + 0.0;
-    let coupling_torque_1_27 = coupling_torque_0_30_0 * 0.75
-        - mu[2] * inertias.inertia_link_2_hy;
-    let coupling_torque_1_20 = coupling_torque_0_52_0 * 0.75
-        + mu[2] * inertias.inertia_link_2_hx;
-    let coupling_torque_1_25 = coupling_torque_0_57_0 * 0.75
-        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
-    let coupling_torque_1_56 = coupling_torque_0_30_0 * 3.0
-        - mu[2] * complements.complement_link_2_hy;
-    let coupling_torque_1_49 = coupling_torque_0_52_0 * 3.0
-        + mu[2] * complements.complement_link_2_hx;
-    let coupling_torque_1_54 = coupling_torque_0_57_0 * 3.0
-        + (mu[0] * complements.complement_link_2_hy
-            - mu[1] * complements.complement_link_2_hx);
+                * (coupling_torque_0_38 * mu[0]
+                    - mu[2] * inertias.minus_inertia_base_hy * mu[2])) + 0.0;
+    let coupling_torque_1_18 = mu[0] * inertias.inertia_link_2_hy
+        - mu[1] * inertias.inertia_link_2_hx;
+    let coupling_torque_1_41 = mu[0] * complements.complement_link_2_hy
+        - mu[1] * complements.complement_link_2_hx;
     coupling_torque[1] = reactions.reaction_joint_2_wz
-        * ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1]
-            + inertias.inertia_link_2_hy * coupling_torque_0_57_0) * mu[1]
-            - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-                - inertias.inertia_link_2_hx * coupling_torque_0_57_0) * mu[0]
-            + (coupling_torque_1_27 * coupling_torque_0_52_0
-                - coupling_torque_1_20 * coupling_torque_0_30_0))
+        * ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1])
+            * mu[1]
+            - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1])
+                * mu[0])
         + reactions.reaction_joint_2_vx
-            * (coupling_torque_1_20 * mu[2] - coupling_torque_1_25 * mu[1])
+            * (mu[2] * inertias.inertia_link_2_hx * mu[2] - coupling_torque_1_18 * mu[1])
         + reactions.reaction_joint_2_vy
-            * (coupling_torque_1_25 * mu[0] - coupling_torque_1_27 * mu[2])
+            * (coupling_torque_1_18 * mu[0] + mu[2] * inertias.inertia_link_2_hy * mu[2])
         - (screws.connection_joint_2_wz
             * ((complements.complement_link_2_xx * mu[0]
-                + complements.complement_link_2_xy * mu[1]
-                + complements.complement_link_2_hy * coupling_torque_0_57_0) * mu[1]
+                + complements.complement_link_2_xy * mu[1]) * mu[1]
                 - (complements.complement_link_2_xy * mu[0]
-                    + complements.complement_link_2_yy * mu[1]
-                    - complements.complement_link_2_hx * coupling_torque_0_57_0) * mu[0]
-                + (coupling_torque_1_56 * coupling_torque_0_52_0
-                    - coupling_torque_1_49 * coupling_torque_0_30_0))
+                    + complements.complement_link_2_yy * mu[1]) * mu[0])
             + screws.connection_joint_2_vx
-                * (coupling_torque_1_49 * mu[2] - coupling_torque_1_54 * mu[1])
+                * (mu[2] * complements.complement_link_2_hx * mu[2]
+                    - coupling_torque_1_41 * mu[1])
             + screws.connection_joint_2_vy
-                * (coupling_torque_1_54 * mu[0] - coupling_torque_1_56 * mu[2])) + 0.0;
+                * (coupling_torque_1_41 * mu[0]
+                    + mu[2] * complements.complement_link_2_hy * mu[2])) + 0.0;
 }
 /// D_μ ξ, without forming D_μ.
 ///
@@ -1242,7 +1233,7 @@ pub fn coupling_torque(q: &[f64; 2], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (8; N·m, N)
 ///
-/// 514 operations: 226 + −, 285 ×, 3 ÷; 2 sin cos; about 6.1 KiB of code.
+/// 470 operations: 207 + −, 260 ×, 3 ÷; 2 sin cos; about 5.6 KiB of code.
 pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1251,75 +1242,70 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
     let outside = outside(&poses, &inertias, &complements);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let d_mu_xi_0_20_2_0_2 = poses.com_x + 0.25;
+    let d_mu_xi_0_18_2_0_2 = poses.com_x + 0.25;
     let d_mu_xi_0_0 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1];
     let d_mu_xi_0_2 = inertias.composite_base_zz * mu[2];
-    let d_mu_xi_0_10 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_xi_0_11_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
-    let d_mu_xi_0_11 = d_mu_xi_0_11_1 + d_mu_xi_0_11_1;
-    let d_mu_xi_0_13 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
-    let d_mu_xi_0_14_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let d_mu_xi_0_14 = d_mu_xi_0_14_1 + d_mu_xi_0_14_1;
-    let d_mu_xi_0_20_0_0 = mu[3] - mu[2] * poses.com_y;
-    let d_mu_xi_0_20_2_0 = mu[4] + mu[2] * d_mu_xi_0_20_2_0_2;
-    let d_mu_xi_0_6_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_xi_0_20_2_0_2);
-    let d_mu_xi_0_20_0 = d_mu_xi_0_20_0_0 * 3.75;
-    let d_mu_xi_0_20_2 = d_mu_xi_0_20_2_0 * 3.75;
-    let d_mu_xi_0_6 = d_mu_xi_0_6_0 * 3.75;
-    let d_mu_xi_0_20_7 = screws.inside_joint_2_fx * qd[1]
+    let d_mu_xi_0_8 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let d_mu_xi_0_9_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
+    let d_mu_xi_0_9 = d_mu_xi_0_9_1 + d_mu_xi_0_9_1;
+    let d_mu_xi_0_11 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
+    let d_mu_xi_0_12_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let d_mu_xi_0_12 = d_mu_xi_0_12_1 + d_mu_xi_0_12_1;
+    let d_mu_xi_0_18_0_0 = mu[3] - mu[2] * poses.com_y;
+    let d_mu_xi_0_18_2_0 = mu[4] + mu[2] * d_mu_xi_0_18_2_0_2;
+    let d_mu_xi_0_4_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_xi_0_18_2_0_2);
+    let d_mu_xi_0_18_0 = d_mu_xi_0_18_0_0 * 3.75;
+    let d_mu_xi_0_18_2 = d_mu_xi_0_18_2_0 * 3.75;
+    let d_mu_xi_0_4 = d_mu_xi_0_4_0 * 3.75;
+    let d_mu_xi_0_18_7 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0];
-    let d_mu_xi_0_20_5 = screws.inside_joint_1_fy * qd[0]
+    let d_mu_xi_0_18_5 = screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1];
-    let d_mu_xi_0_8 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
+    let d_mu_xi_0_6 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
     let d_mu_xi_0_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let d_mu_xi_0_7 = d_mu_xi_0_20_2_0 - velocities.minus_velocity_base_vy;
-    let d_mu_xi_0_20 = d_mu_xi_0_20_0 * mu[1] - d_mu_xi_0_20_2 * mu[0]
-        - (mu[0] * d_mu_xi_0_20_5 - mu[1] * d_mu_xi_0_20_7) * 0.5;
+    let d_mu_xi_0_18 = d_mu_xi_0_18_0 * mu[1] - d_mu_xi_0_18_2 * mu[0]
+        - (mu[0] * d_mu_xi_0_18_5 - mu[1] * d_mu_xi_0_18_7) * 0.5;
     // D_μ ξ
     d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_1 - d_mu_xi_0_2 * mu[1]
-        + (d_mu_xi_0_20_2 * d_mu_xi_0_6_0 - d_mu_xi_0_6 * d_mu_xi_0_7)
-        - (d_mu_xi_0_8 * mu[1]
-            - ((d_mu_xi_0_10 + d_mu_xi_0_11) * qd[0]
-                + (d_mu_xi_0_13 + d_mu_xi_0_14) * qd[1]) * mu[0]
-            + d_mu_xi_0_20_5 * d_mu_xi_0_6_0) * 0.5 + d_mu_xi_0_20 * poses.com_y + 0.0;
+        + d_mu_xi_0_4 * velocities.minus_velocity_base_vy
+        - (d_mu_xi_0_6 * mu[1]
+            - ((d_mu_xi_0_8 + d_mu_xi_0_9) * qd[0]
+                + (d_mu_xi_0_11 + d_mu_xi_0_12) * qd[1]) * mu[0]
+            + d_mu_xi_0_18_5 * d_mu_xi_0_4_0) * 0.5 + d_mu_xi_0_18 * poses.com_y + 0.0;
     let d_mu_xi_1_2 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1];
-    let d_mu_xi_1_11_1 = inertias.composite_link_1_hx * poses.com_y;
-    let d_mu_xi_1_11 = d_mu_xi_1_11_1 + d_mu_xi_1_11_1;
-    let d_mu_xi_1_14_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let d_mu_xi_1_14 = d_mu_xi_1_14_1 + d_mu_xi_1_14_1;
-    let d_mu_xi_1_5 = d_mu_xi_0_20_0_0 + velocities.velocity_base_vx;
+    let d_mu_xi_1_9_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+    let d_mu_xi_1_9 = d_mu_xi_1_9_1 + d_mu_xi_1_9_1;
+    let d_mu_xi_1_12_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let d_mu_xi_1_12 = d_mu_xi_1_12_1 + d_mu_xi_1_12_1;
     d_mu_xi[1] = d_mu_xi_0_2 * mu[0] - d_mu_xi_1_2 * d_mu_xi_0_1
-        + (d_mu_xi_0_6 * d_mu_xi_1_5 - d_mu_xi_0_20_0 * d_mu_xi_0_6_0)
-        - (d_mu_xi_0_8 * mu[0]
-            + ((d_mu_xi_0_10 - d_mu_xi_1_11) * qd[0]
-                + (d_mu_xi_0_13 + d_mu_xi_1_14) * qd[1]) * mu[1]
-            - d_mu_xi_0_20_7 * d_mu_xi_0_6_0) * 0.5 - d_mu_xi_0_20 * d_mu_xi_0_20_2_0_2
+        + d_mu_xi_0_4 * velocities.velocity_base_vx
+        - (d_mu_xi_0_6 * mu[0]
+            + ((d_mu_xi_0_8 - d_mu_xi_1_9) * qd[0]
+                + (d_mu_xi_0_11 + d_mu_xi_1_12) * qd[1]) * mu[1]
+            - d_mu_xi_0_18_7 * d_mu_xi_0_4_0) * 0.5 - d_mu_xi_0_18 * d_mu_xi_0_18_2_0_2
         + 0.0;
-    let d_mu_xi_2_22 = d_mu_xi_0_20_2 * d_mu_xi_0_1 - d_mu_xi_0_6 * mu[1]
-        + mu[2] * d_mu_xi_0_20_5 * 0.5;
-    let d_mu_xi_2_20 = d_mu_xi_0_6 * mu[0] - d_mu_xi_0_20_0 * d_mu_xi_0_1
-        - mu[2] * d_mu_xi_0_20_7 * 0.5;
+    let d_mu_xi_2_22 = d_mu_xi_0_18_2 * d_mu_xi_0_1 - d_mu_xi_0_4 * mu[1]
+        + mu[2] * d_mu_xi_0_18_5 * 0.5;
+    let d_mu_xi_2_20 = d_mu_xi_0_4 * mu[0] - d_mu_xi_0_18_0 * d_mu_xi_0_1
+        - mu[2] * d_mu_xi_0_18_7 * 0.5;
     d_mu_xi[2] = d_mu_xi_1_2 * mu[1] - d_mu_xi_0_0 * mu[0]
-        + (d_mu_xi_0_20_0 * d_mu_xi_0_7 - d_mu_xi_0_20_2 * d_mu_xi_1_5)
-        - (((d_mu_xi_1_14 - d_mu_xi_0_14) * qd[1]
-            - (d_mu_xi_1_11 + d_mu_xi_0_11) * qd[0]) * mu[2]
-            + (d_mu_xi_0_20_7 * d_mu_xi_0_20_2_0 - d_mu_xi_0_20_5 * d_mu_xi_0_20_0_0))
-            * 0.5 + (d_mu_xi_2_20 * d_mu_xi_0_20_2_0_2 - d_mu_xi_2_22 * poses.com_y)
+        - (d_mu_xi_0_18_0 * velocities.minus_velocity_base_vy
+            + d_mu_xi_0_18_2 * velocities.velocity_base_vx)
+        - (((d_mu_xi_1_12 - d_mu_xi_0_12) * qd[1] - (d_mu_xi_1_9 + d_mu_xi_0_9) * qd[0])
+            * mu[2]
+            + (d_mu_xi_0_18_7 * d_mu_xi_0_18_2_0 - d_mu_xi_0_18_5 * d_mu_xi_0_18_0_0))
+            * 0.5 + (d_mu_xi_2_20 * d_mu_xi_0_18_2_0_2 - d_mu_xi_2_22 * poses.com_y)
         + 0.0;
     d_mu_xi[3] = d_mu_xi_2_22 + 0.0;
     d_mu_xi[4] = d_mu_xi_2_20 + 0.0;
-    d_mu_xi[5] = d_mu_xi_0_20 + 0.0;
-    let d_mu_xi_6_30 = d_mu_xi_0_20_0_0 * 1.75 - mu[2] * inertias.composite_link_1_hy;
-    let d_mu_xi_6_59 = d_mu_xi_0_20_0_0 * 2.0 + mu[2] * inertias.minus_inertia_base_hy;
-    let d_mu_xi_6_52 = d_mu_xi_0_20_2_0 * 2.0 - mu[2] * inertias.minus_inertia_base_hx;
-    let d_mu_xi_6_57 = d_mu_xi_0_6_0 * 2.0
-        + (mu[1] * inertias.minus_inertia_base_hx
-            - mu[0] * inertias.minus_inertia_base_hy);
+    d_mu_xi[5] = d_mu_xi_0_18 + 0.0;
+    let d_mu_xi_6_38 = mu[1] * inertias.minus_inertia_base_hx
+        - mu[0] * inertias.minus_inertia_base_hy;
     let wrench_outside_link_1_mz_1 = mu[2] * velocities.minus_velocity_base_vy;
     let wrench_outside_link_1_mz_3 = mu[2] * velocities.velocity_base_vx;
     let wrench_outside_link_1_mz = inertias.minus_inertia_base_hy
@@ -1343,46 +1329,35 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
         - mu[2] * (velocities.velocity_link_2_wz * inertias.inertia_link_2_hy);
     let wrench_link_1_mz = wrench_link_1_mz_0 + wrench_link_2_mz;
     let wrench_link_1_fy = wrench_link_1_fy_0 + wrench_link_2_fy;
-    let d_mu_xi_6_62 = reactions.reaction_joint_1_wz * wrench_link_1_mz
+    let d_mu_xi_6_44 = reactions.reaction_joint_1_wz * wrench_link_1_mz
         - reactions.minus_reaction_joint_1_vy * wrench_link_1_fy
         - (screws.connection_joint_1_wz * wrench_outside_link_1_mz
             - screws.minus_connection_joint_1_vx * wrench_outside_link_1_fx
             + screws.connection_joint_1_vy * wrench_outside_link_1_fy);
     d_mu_xi[6] = reactions.reaction_joint_1_wz
-        * ((inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1]
-            + inertias.composite_link_1_hy * d_mu_xi_0_6_0) * mu[1]
+        * ((inertias.composite_link_1_xx * mu[0] + inertias.composite_link_1_xy * mu[1])
+            * mu[1]
             - (inertias.composite_link_1_xy * mu[0]
-                + inertias.composite_link_1_yy * mu[1]
-                - inertias.composite_link_1_hx * d_mu_xi_0_6_0) * mu[0]
-            + (d_mu_xi_6_30 * d_mu_xi_0_20_2_0
-                - (d_mu_xi_0_20_2_0 * 1.75 + mu[2] * inertias.composite_link_1_hx)
-                    * d_mu_xi_0_20_0_0))
+                + inertias.composite_link_1_yy * mu[1]) * mu[0])
         - reactions.minus_reaction_joint_1_vy
-            * ((d_mu_xi_0_6_0 * 1.75
-                + (mu[0] * inertias.composite_link_1_hy
-                    - mu[1] * inertias.composite_link_1_hx)) * mu[0]
-                - d_mu_xi_6_30 * mu[2])
+            * ((mu[0] * inertias.composite_link_1_hy
+                - mu[1] * inertias.composite_link_1_hx) * mu[0]
+                + mu[2] * inertias.composite_link_1_hy * mu[2])
         - (screws.connection_joint_1_wz
-            * ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
-                - inertias.minus_inertia_base_hy * d_mu_xi_0_6_0) * mu[1]
+            * ((inertias.inertia_base_xx * mu[0]
+                - inertias.minus_inertia_base_xy * mu[1]) * mu[1]
                 - (inertias.inertia_base_yy * mu[1]
-                    - inertias.minus_inertia_base_xy * mu[0]
-                    + inertias.minus_inertia_base_hx * d_mu_xi_0_6_0) * mu[0]
-                + (d_mu_xi_6_59 * d_mu_xi_0_20_2_0 - d_mu_xi_6_52 * d_mu_xi_0_20_0_0))
-            - screws.minus_connection_joint_1_vx
-                * (d_mu_xi_6_52 * mu[2] - d_mu_xi_6_57 * mu[1])
+                    - inertias.minus_inertia_base_xy * mu[0]) * mu[0])
+            + screws.minus_connection_joint_1_vx
+                * (mu[2] * inertias.minus_inertia_base_hx * mu[2] + d_mu_xi_6_38 * mu[1])
             + screws.connection_joint_1_vy
-                * (d_mu_xi_6_57 * mu[0] - d_mu_xi_6_59 * mu[2])) - d_mu_xi_6_62
-        - d_mu_xi_6_62 + 0.0;
-    let d_mu_xi_7_27 = d_mu_xi_0_20_0_0 * 0.75 - mu[2] * inertias.inertia_link_2_hy;
-    let d_mu_xi_7_20 = d_mu_xi_0_20_2_0 * 0.75 + mu[2] * inertias.inertia_link_2_hx;
-    let d_mu_xi_7_25 = d_mu_xi_0_6_0 * 0.75
-        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
-    let d_mu_xi_7_56 = d_mu_xi_0_20_0_0 * 3.0 - mu[2] * complements.complement_link_2_hy;
-    let d_mu_xi_7_49 = d_mu_xi_0_20_2_0 * 3.0 + mu[2] * complements.complement_link_2_hx;
-    let d_mu_xi_7_54 = d_mu_xi_0_6_0 * 3.0
-        + (mu[0] * complements.complement_link_2_hy
-            - mu[1] * complements.complement_link_2_hx);
+                * (d_mu_xi_6_38 * mu[0]
+                    - mu[2] * inertias.minus_inertia_base_hy * mu[2])) - d_mu_xi_6_44
+        - d_mu_xi_6_44 + 0.0;
+    let d_mu_xi_7_18 = mu[0] * inertias.inertia_link_2_hy
+        - mu[1] * inertias.inertia_link_2_hx;
+    let d_mu_xi_7_41 = mu[0] * complements.complement_link_2_hy
+        - mu[1] * complements.complement_link_2_hx;
     let wrench_link_2_fx = wrench_link_2_mz_3 * 0.75
         - mu[2] * (velocities.velocity_link_2_wz * inertias.inertia_link_2_hx);
     let wrench_outside_link_2_mz = wrench_link_1_mz_0 + wrench_outside_link_1_mz;
@@ -1390,33 +1365,33 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
         - mu[2] * (velocities.velocity_link_1_wz * inertias.inertia_link_1_hx)
         + wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = wrench_link_1_fy_0 + wrench_outside_link_1_fy;
-    let d_mu_xi_7_59 = reactions.reaction_joint_2_wz * wrench_link_2_mz
+    let d_mu_xi_7_47 = reactions.reaction_joint_2_wz * wrench_link_2_mz
         + reactions.reaction_joint_2_vx * wrench_link_2_fx
         + reactions.reaction_joint_2_vy * wrench_link_2_fy
         - (screws.connection_joint_2_wz * wrench_outside_link_2_mz
             + screws.connection_joint_2_vx * wrench_outside_link_2_fx
             + screws.connection_joint_2_vy * wrench_outside_link_2_fy);
     d_mu_xi[7] = reactions.reaction_joint_2_wz
-        * ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1]
-            + inertias.inertia_link_2_hy * d_mu_xi_0_6_0) * mu[1]
-            - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-                - inertias.inertia_link_2_hx * d_mu_xi_0_6_0) * mu[0]
-            + (d_mu_xi_7_27 * d_mu_xi_0_20_2_0 - d_mu_xi_7_20 * d_mu_xi_0_20_0_0))
-        + reactions.reaction_joint_2_vx * (d_mu_xi_7_20 * mu[2] - d_mu_xi_7_25 * mu[1])
-        + reactions.reaction_joint_2_vy * (d_mu_xi_7_25 * mu[0] - d_mu_xi_7_27 * mu[2])
+        * ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1])
+            * mu[1]
+            - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1])
+                * mu[0])
+        + reactions.reaction_joint_2_vx
+            * (mu[2] * inertias.inertia_link_2_hx * mu[2] - d_mu_xi_7_18 * mu[1])
+        + reactions.reaction_joint_2_vy
+            * (d_mu_xi_7_18 * mu[0] + mu[2] * inertias.inertia_link_2_hy * mu[2])
         - (screws.connection_joint_2_wz
             * ((complements.complement_link_2_xx * mu[0]
-                + complements.complement_link_2_xy * mu[1]
-                + complements.complement_link_2_hy * d_mu_xi_0_6_0) * mu[1]
+                + complements.complement_link_2_xy * mu[1]) * mu[1]
                 - (complements.complement_link_2_xy * mu[0]
-                    + complements.complement_link_2_yy * mu[1]
-                    - complements.complement_link_2_hx * d_mu_xi_0_6_0) * mu[0]
-                + (d_mu_xi_7_56 * d_mu_xi_0_20_2_0 - d_mu_xi_7_49 * d_mu_xi_0_20_0_0))
+                    + complements.complement_link_2_yy * mu[1]) * mu[0])
             + screws.connection_joint_2_vx
-                * (d_mu_xi_7_49 * mu[2] - d_mu_xi_7_54 * mu[1])
+                * (mu[2] * complements.complement_link_2_hx * mu[2]
+                    - d_mu_xi_7_41 * mu[1])
             + screws.connection_joint_2_vy
-                * (d_mu_xi_7_54 * mu[0] - d_mu_xi_7_56 * mu[2])) - d_mu_xi_7_59
-        - d_mu_xi_7_59 + 0.0;
+                * (d_mu_xi_7_41 * mu[0]
+                    + mu[2] * complements.complement_link_2_hy * mu[2])) - d_mu_xi_7_47
+        - d_mu_xi_7_47 + 0.0;
 }
 /// D_q̇ ξ = [½ P(q̇) μ; Γ'_q(q̇) q̇], without forming D_q̇.
 ///
@@ -1425,7 +1400,7 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (8; N·m, N)
 ///
-/// 330 operations: 153 + −, 174 ×, 3 ÷; 2 sin cos; about 3.9 KiB of code.
+/// 349 operations: 166 + −, 180 ×, 3 ÷; 2 sin cos; about 4.2 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f64; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1456,7 +1431,7 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
         - ((d_qdot_xi_0_2 + d_qdot_xi_0_3) * qd[0]
             + (d_qdot_xi_0_5 + d_qdot_xi_0_6) * qd[1]) * mu[0]
         + d_qdot_xi_0_12_1 * d_qdot_xi_0_10) * 0.5 + d_qdot_xi_0_12 * poses.com_y + 0.0;
-    let d_qdot_xi_1_3_1 = inertias.composite_link_1_hx * poses.com_y;
+    let d_qdot_xi_1_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_qdot_xi_1_3 = d_qdot_xi_1_3_1 + d_qdot_xi_1_3_1;
     let d_qdot_xi_1_6_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let d_qdot_xi_1_6 = d_qdot_xi_1_6_1 + d_qdot_xi_1_6_1;
@@ -1496,8 +1471,8 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
         * velocities.minus_velocity_base_wz;
     let twist_link_1_vx = (velocities.velocity_link_1_wz * poses.origin_link_1_x
         - velocities.minus_velocity_link_1_vy) * qd[0];
-    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz * poses.com_y
-        + velocities.velocity_link_1_vx) * qd[0];
+    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz
+        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
     let wrench_link_1_mz_0 = wrench_link_1_mz_0_0 * velocities.minus_velocity_link_1_vy
         + wrench_outside_link_2_fx_1 * velocities.velocity_link_1_vx
         - (inertias.inertia_link_1_hx * minus_twist_link_1_vy
@@ -1543,7 +1518,7 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (8; N·m, N)
 ///
-/// 431 operations: 203 + −, 225 ×, 3 ÷; 2 sin cos; about 5.1 KiB of code.
+/// 450 operations: 216 + −, 231 ×, 3 ÷; 2 sin cos; about 5.4 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -1600,7 +1575,7 @@ pub fn hamel_bias(
         - velocities.minus_velocity_link_1_vy;
     let twist_link_1_wx = base_twist[1] * qd[0];
     let minus_twist_link_1_wy = base_twist[0] * qd[0];
-    let twist_link_1_vz = (base_twist[1] * poses.com_y
+    let twist_link_1_vz = (base_twist[1] * poses.minus_origin_base_y
         - base_twist[0] * poses.origin_link_1_x) * qd[0];
     let wrench_outside_link_2_mx_6 = inertias.inertia_link_1_xy * base_twist[0]
         + inertias.inertia_link_1_yy * base_twist[1]
@@ -1709,7 +1684,7 @@ pub fn hamel_bias(
         - minus_wrench_outside_link_1_fz_0 * minus_wrench_outside_link_1_mx_1;
     let twist_link_1_vx = (wrench_outside_link_2_mx_7 * poses.origin_link_1_x
         + wrench_outside_link_2_mx_13) * qd[0];
-    let minus_twist_link_1_vy = (wrench_outside_link_2_mx_7 * poses.com_y
+    let minus_twist_link_1_vy = (wrench_outside_link_2_mx_7 * poses.minus_origin_base_y
         + wrench_outside_link_2_my_11) * qd[0];
     let minus_wrench_outside_link_2_mz = inertias.inertia_link_1_hx
         * minus_twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx
@@ -1750,7 +1725,7 @@ pub fn hamel_bias(
     hamel_bias[3] = wrench_base_fx + 0.0;
     hamel_bias[4] = wrench_base_fy + 0.0;
     hamel_bias[5] = wrench_base_fz + 0.0;
-    hamel_bias[6] = wrench_link_1_mz - poses.com_y * wrench_link_1_fx
+    hamel_bias[6] = wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
         - poses.origin_link_1_x * wrench_link_1_fy + 0.0;
     hamel_bias[7] = wrench_link_2_mz + poses.origin_link_2_y * wrench_link_2_fx
         - poses.origin_link_2_x * wrench_link_2_fy + 0.0;
@@ -1761,7 +1736,7 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 2×2, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 163 operations: 76 + −, 84 ×, 3 ÷; 2 sin cos; about 2.0 KiB of code.
+/// 182 operations: 89 + −, 90 ×, 3 ÷; 2 sin cos; about 2.2 KiB of code.
 pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1815,7 +1790,7 @@ pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 129 operations: 57 + −, 69 ×, 3 ÷; 2 sin cos; about 1.6 KiB of code.
+/// 148 operations: 70 + −, 75 ×, 3 ÷; 2 sin cos; about 1.8 KiB of code.
 pub fn momentum(
     q: &[f64; 2],
     mu: &[f64; 6],
@@ -1857,7 +1832,7 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 129 operations: 57 + −, 69 ×, 3 ÷; 2 sin cos; about 1.6 KiB of code.
+/// 148 operations: 70 + −, 75 ×, 3 ÷; 2 sin cos; about 1.8 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 2], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1887,7 +1862,7 @@ pub fn velocity_of_momentum(q: &[f64; 2], body_momentum: &[f64; 6], mu: &mut [f6
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 147 operations: 69 + −, 75 ×, 3 ÷; 2 sin cos; about 1.8 KiB of code.
+/// 166 operations: 82 + −, 81 ×, 3 ÷; 2 sin cos; about 2.0 KiB of code.
 pub fn base_twist(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -1917,7 +1892,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 219 operations: 96 + −, 120 ×, 3 ÷; 2 sin cos; about 2.6 KiB of code.
+/// 238 operations: 109 + −, 126 ×, 3 ÷; 2 sin cos; about 2.9 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -1983,7 +1958,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (2; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (8; rad/s², m/s²)
 ///
-/// 591 operations: 282 + −, 301 ×, 8 ÷; 2 sin cos; about 7.0 KiB of code.
+/// 583 operations: 278 + −, 297 ×, 8 ÷; 2 sin cos; about 6.9 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -1997,123 +1972,112 @@ pub fn forward_dynamics(
     let inertias = inertias(&poses);
     let screws = screws(&poses, &inertias);
     let velocities = velocities(qd, &poses, &screws);
-    let xi_dot_0_3_23_4_0_2 = poses.com_x + 0.25;
+    let xi_dot_0_3_21_4_0_4 = poses.com_x + 0.25;
     let xi_dot_0_3_2 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1];
-    let xi_dot_0_3_23_0 = inertias.composite_base_xy * mu[0]
+    let xi_dot_0_3_21_0 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1];
-    let xi_dot_0_3_23_2 = inertias.composite_base_zz * mu[2];
-    let xi_dot_0_3_23_10 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let xi_dot_0_3_11_1 = inertias.composite_link_1_hx * poses.com_y;
-    let xi_dot_0_3_23_11_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
-    let xi_dot_0_3_23_11 = xi_dot_0_3_23_11_1 + xi_dot_0_3_23_11_1;
-    let xi_dot_0_3_11 = xi_dot_0_3_11_1 + xi_dot_0_3_11_1;
-    let xi_dot_0_3_23_13 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
-    let xi_dot_0_3_14_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let xi_dot_0_3_23_14_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let xi_dot_0_3_23_14 = xi_dot_0_3_23_14_1 + xi_dot_0_3_23_14_1;
-    let xi_dot_0_3_14 = xi_dot_0_3_14_1 + xi_dot_0_3_14_1;
-    let xi_dot_0_3_6_0 = mu[3] - mu[2] * poses.com_y;
-    let xi_dot_0_3_23_4_0 = mu[4] + mu[2] * xi_dot_0_3_23_4_0_2;
-    let minus_wrench_link_2_mz_12 = mu[5]
-        + (mu[0] * poses.com_y - mu[1] * xi_dot_0_3_23_4_0_2);
-    let xi_dot_0_3_6 = xi_dot_0_3_6_0 * 3.75;
-    let xi_dot_0_3_23_4 = xi_dot_0_3_23_4_0 * 3.75;
-    let xi_dot_0_3_23_6 = minus_wrench_link_2_mz_12 * 3.75;
-    let xi_dot_0_3_17 = screws.inside_joint_2_fx * qd[1]
+    let xi_dot_0_3_21_2 = inertias.composite_base_zz * mu[2];
+    let xi_dot_0_3_21_8 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let xi_dot_0_3_9_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+    let xi_dot_0_3_21_9_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
+    let xi_dot_0_3_21_9 = xi_dot_0_3_21_9_1 + xi_dot_0_3_21_9_1;
+    let xi_dot_0_3_9 = xi_dot_0_3_9_1 + xi_dot_0_3_9_1;
+    let xi_dot_0_3_21_11 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
+    let xi_dot_0_3_12_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let xi_dot_0_3_21_12_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let xi_dot_0_3_21_12 = xi_dot_0_3_21_12_1 + xi_dot_0_3_21_12_1;
+    let xi_dot_0_3_12 = xi_dot_0_3_12_1 + xi_dot_0_3_12_1;
+    let xi_dot_0_3_21_4_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * xi_dot_0_3_21_4_0_4);
+    let xi_dot_0_3_21_4 = xi_dot_0_3_21_4_0 * 3.75;
+    let xi_dot_0_3_15 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0];
-    let xi_dot_0_3_23_17 = screws.inside_joint_1_fy * qd[0]
+    let xi_dot_0_3_21_15 = screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1];
-    let xi_dot_0_3_23_8 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
+    let xi_dot_0_3_21_6 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
-    let wrench_base_fx_8 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_mz_24 = xi_dot_0_3_6_0 + velocities.velocity_base_vx;
-    let wrench_base_mz_22 = xi_dot_0_3_23_4_0 - velocities.minus_velocity_base_vy;
-    let xi_dot_0_3_23 = xi_dot_0_3_23_0 * wrench_base_fx_8 - xi_dot_0_3_23_2 * mu[1]
-        + (xi_dot_0_3_23_4 * minus_wrench_link_2_mz_12
-            - xi_dot_0_3_23_6 * wrench_base_mz_22)
-        - (xi_dot_0_3_23_8 * mu[1]
-            - ((xi_dot_0_3_23_10 + xi_dot_0_3_23_11) * qd[0]
-                + (xi_dot_0_3_23_13 + xi_dot_0_3_23_14) * qd[1]) * mu[0]
-            + xi_dot_0_3_23_17 * minus_wrench_link_2_mz_12)
+    let wrench_base_fx_1 = mu[2] - velocities.minus_velocity_base_wz;
+    let xi_dot_0_3_21 = xi_dot_0_3_21_0 * wrench_base_fx_1 - xi_dot_0_3_21_2 * mu[1]
+        + xi_dot_0_3_21_4 * velocities.minus_velocity_base_vy
+        - (xi_dot_0_3_21_6 * mu[1]
+            - ((xi_dot_0_3_21_8 + xi_dot_0_3_21_9) * qd[0]
+                + (xi_dot_0_3_21_11 + xi_dot_0_3_21_12) * qd[1]) * mu[0]
+            + xi_dot_0_3_21_15 * xi_dot_0_3_21_4_0)
         + (base_wrench[0] - base_wrench[5] * poses.com_y);
-    let xi_dot_0_3 = (xi_dot_0_3_23_2 * mu[0] - xi_dot_0_3_2 * wrench_base_fx_8
-        + (xi_dot_0_3_23_6 * wrench_base_mz_24
-            - xi_dot_0_3_6 * minus_wrench_link_2_mz_12)
-        - (xi_dot_0_3_23_8 * mu[0]
-            + ((xi_dot_0_3_23_10 - xi_dot_0_3_11) * qd[0]
-                + (xi_dot_0_3_23_13 + xi_dot_0_3_14) * qd[1]) * mu[1]
-            - xi_dot_0_3_17 * minus_wrench_link_2_mz_12)
-        + (base_wrench[1] + base_wrench[5] * xi_dot_0_3_23_4_0_2)
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_23)
+    let xi_dot_0_3 = (xi_dot_0_3_21_2 * mu[0] - xi_dot_0_3_2 * wrench_base_fx_1
+        + xi_dot_0_3_21_4 * velocities.velocity_base_vx
+        - (xi_dot_0_3_21_6 * mu[0]
+            + ((xi_dot_0_3_21_8 - xi_dot_0_3_9) * qd[0]
+                + (xi_dot_0_3_21_11 + xi_dot_0_3_12) * qd[1]) * mu[1]
+            - xi_dot_0_3_15 * xi_dot_0_3_21_4_0)
+        + (base_wrench[1] + base_wrench[5] * xi_dot_0_3_21_4_0_4)
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_21)
         * inertias.locked_inverse_pivot_y;
-    let xi_dot_0 = xi_dot_0_3_23 * inertias.locked_inverse_pivot_x
+    let xi_dot_0 = xi_dot_0_3_21 * inertias.locked_inverse_pivot_x
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3;
     // ξ\u{307} = [μ\u{307}; q\u{308}]
     xi_dot[0] = xi_dot_0 + 0.0;
     xi_dot[1] = xi_dot_0_3 + 0.0;
-    let wrench_base_mz_25 = base_wrench[2]
-        + (base_wrench[3] * poses.com_y - base_wrench[4] * xi_dot_0_3_23_4_0_2);
-    let xi_dot_2 = (xi_dot_0_3_2 * mu[1] - xi_dot_0_3_23_0 * mu[0]
-        + (xi_dot_0_3_6 * wrench_base_mz_22 - xi_dot_0_3_23_4 * wrench_base_mz_24)
-        - (((xi_dot_0_3_14 - xi_dot_0_3_23_14) * qd[1]
-            - (xi_dot_0_3_11 + xi_dot_0_3_23_11) * qd[0]) * mu[2]
-            + (xi_dot_0_3_17 * xi_dot_0_3_23_4_0 - xi_dot_0_3_23_17 * xi_dot_0_3_6_0))
-        + wrench_base_mz_25) * inertias.locked_inverse_pivot_z;
+    let xi_dot_2_4_0 = mu[3] - mu[2] * poses.com_y;
+    let xi_dot_2_6_0 = mu[4] + mu[2] * xi_dot_0_3_21_4_0_4;
+    let xi_dot_2_4 = xi_dot_2_4_0 * 3.75;
+    let xi_dot_2_6 = xi_dot_2_6_0 * 3.75;
+    let wrench_base_mz_21 = base_wrench[2]
+        + (base_wrench[3] * poses.com_y - base_wrench[4] * xi_dot_0_3_21_4_0_4);
+    let xi_dot_2 = (xi_dot_0_3_2 * mu[1] - xi_dot_0_3_21_0 * mu[0]
+        - (xi_dot_2_4 * velocities.minus_velocity_base_vy
+            + xi_dot_2_6 * velocities.velocity_base_vx)
+        - (((xi_dot_0_3_12 - xi_dot_0_3_21_12) * qd[1]
+            - (xi_dot_0_3_9 + xi_dot_0_3_21_9) * qd[0]) * mu[2]
+            + (xi_dot_0_3_15 * xi_dot_2_6_0 - xi_dot_0_3_21_15 * xi_dot_2_4_0))
+        + wrench_base_mz_21) * inertias.locked_inverse_pivot_z;
     xi_dot[2] = xi_dot_2 + 0.0;
-    xi_dot[3] = (xi_dot_0_3_23_4 * wrench_base_fx_8 - xi_dot_0_3_23_6 * mu[1]
-        + mu[2] * xi_dot_0_3_23_17 + base_wrench[3]) * 0.26666666666666666
+    xi_dot[3] = (xi_dot_2_6 * wrench_base_fx_1 - xi_dot_0_3_21_4 * mu[1]
+        + mu[2] * xi_dot_0_3_21_15 + base_wrench[3]) * 0.26666666666666666
         + xi_dot_2 * poses.com_y + gravity[0] + 0.0;
-    xi_dot[4] = (xi_dot_0_3_23_6 * mu[0] - xi_dot_0_3_6 * wrench_base_fx_8
-        - mu[2] * xi_dot_0_3_17 + base_wrench[4]) * 0.26666666666666666
-        - xi_dot_2 * xi_dot_0_3_23_4_0_2 + gravity[1] + 0.0;
-    xi_dot[5] = (xi_dot_0_3_6 * mu[1] - xi_dot_0_3_23_4 * mu[0]
-        - (mu[0] * xi_dot_0_3_23_17 - mu[1] * xi_dot_0_3_17) + base_wrench[5])
+    xi_dot[4] = (xi_dot_0_3_21_4 * mu[0] - xi_dot_2_4 * wrench_base_fx_1
+        - mu[2] * xi_dot_0_3_15 + base_wrench[4]) * 0.26666666666666666
+        - xi_dot_2 * xi_dot_0_3_21_4_0_4 + gravity[1] + 0.0;
+    xi_dot[5] = (xi_dot_2_4 * mu[1] - xi_dot_2_6 * mu[0]
+        - (mu[0] * xi_dot_0_3_21_15 - mu[1] * xi_dot_0_3_15) + base_wrench[5])
         * 0.26666666666666666
-        + (xi_dot_0_3 * xi_dot_0_3_23_4_0_2 - xi_dot_0 * poses.com_y) + gravity[2] + 0.0;
-    let wrench_base_fx_9 = minus_wrench_link_2_mz_12 * 2.0
-        + (mu[1] * inertias.minus_inertia_base_hx
-            - mu[0] * inertias.minus_inertia_base_hy);
-    let minus_wrench_link_2_fx_2 = minus_wrench_link_2_mz_12 * 0.75
-        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
-    let wrench_base_mz_21 = wrench_base_mz_24 * 2.0
-        + wrench_base_fx_8 * inertias.minus_inertia_base_hy;
-    let wrench_base_mz_23 = wrench_base_mz_22 * 2.0
-        - wrench_base_fx_8 * inertias.minus_inertia_base_hx;
+        + (xi_dot_0_3 * xi_dot_0_3_21_4_0_4 - xi_dot_0 * poses.com_y) + gravity[2] + 0.0;
+    let wrench_base_fx_2 = mu[1] * inertias.minus_inertia_base_hx
+        - mu[0] * inertias.minus_inertia_base_hy;
+    let minus_wrench_link_2_fx_2 = mu[0] * inertias.inertia_link_2_hy
+        - mu[1] * inertias.inertia_link_2_hx;
+    let wrench_base_mz_19 = velocities.velocity_base_vx * 2.0
+        + wrench_base_fx_1 * inertias.minus_inertia_base_hy;
+    let wrench_base_mz_17 = velocities.minus_velocity_base_vy * 2.0
+        + wrench_base_fx_1 * inertias.minus_inertia_base_hx;
     let wrench_link_1_fx_6 = velocities.velocity_link_1_wz + mu[2];
-    let wrench_link_1_mz_24 = velocities.velocity_link_1_vx + xi_dot_0_3_6_0;
-    let wrench_link_1_mz_22 = xi_dot_0_3_23_4_0 - velocities.minus_velocity_link_1_vy;
-    let wrench_link_1_mz_21 = wrench_link_1_mz_24
+    let wrench_link_1_fx_7 = mu[0] * inertias.inertia_link_1_hy
+        - mu[1] * inertias.inertia_link_1_hx;
+    let wrench_link_1_mz_17 = velocities.velocity_link_1_vx
         - wrench_link_1_fx_6 * inertias.inertia_link_1_hy;
-    let wrench_link_1_mz_23 = wrench_link_1_mz_22
-        + wrench_link_1_fx_6 * inertias.inertia_link_1_hx;
-    let wrench_link_1_fx_7 = minus_wrench_link_2_mz_12
-        + (mu[0] * inertias.inertia_link_1_hy - mu[1] * inertias.inertia_link_1_hx);
+    let wrench_link_1_mz_19 = wrench_link_1_fx_6 * inertias.inertia_link_1_hx
+        - velocities.minus_velocity_link_1_vy;
     let minus_wrench_link_2_fx_1 = velocities.velocity_link_2_wz + mu[2];
-    let minus_wrench_link_2_mz_17 = velocities.velocity_link_2_vx + xi_dot_0_3_6_0;
-    let minus_wrench_link_2_mz_15 = xi_dot_0_3_23_4_0
-        - velocities.minus_velocity_link_2_vy;
-    let minus_wrench_link_2_mz_14 = minus_wrench_link_2_mz_17 * 0.75
+    let minus_wrench_link_2_mz_10 = velocities.velocity_link_2_vx * 0.75
         - minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hy;
-    let minus_wrench_link_2_mz_16 = minus_wrench_link_2_mz_15 * 0.75
-        + minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hx;
+    let minus_wrench_link_2_mz_12 = minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hx
+        - velocities.minus_velocity_link_2_vy * 0.75;
     let minus_wrench_link_2_mz = (inertias.inertia_link_2_xx * mu[0]
-        + inertias.inertia_link_2_xy * mu[1]
-        + inertias.inertia_link_2_hy * minus_wrench_link_2_mz_12) * mu[1]
-        - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-            - inertias.inertia_link_2_hx * minus_wrench_link_2_mz_12) * mu[0]
-        + (minus_wrench_link_2_mz_14 * minus_wrench_link_2_mz_15
-            - minus_wrench_link_2_mz_16 * minus_wrench_link_2_mz_17);
-    let minus_wrench_link_2_fx = minus_wrench_link_2_mz_16 * minus_wrench_link_2_fx_1
+        + inertias.inertia_link_2_xy * mu[1]) * mu[1]
+        - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1])
+            * mu[0]
+        - (minus_wrench_link_2_mz_10 * velocities.minus_velocity_link_2_vy
+            + minus_wrench_link_2_mz_12 * velocities.velocity_link_2_vx);
+    let minus_wrench_link_2_fx = minus_wrench_link_2_mz_12 * minus_wrench_link_2_fx_1
         - minus_wrench_link_2_fx_2 * mu[1];
     let minus_wrench_link_2_fy = minus_wrench_link_2_fx_2 * mu[0]
-        - minus_wrench_link_2_mz_14 * minus_wrench_link_2_fx_1;
+        - minus_wrench_link_2_mz_10 * minus_wrench_link_2_fx_1;
     let wrench_link_1_mz_3 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_x
-        + minus_wrench_link_2_mz_15) * qd[1];
+        - velocities.minus_velocity_link_2_vy) * qd[1];
     let wrench_link_1_mz_1 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_y
-        - minus_wrench_link_2_mz_17) * qd[1];
+        - velocities.velocity_link_2_vx) * qd[1];
     let inverse_pivot_joint_2_d = 1.0
         / (screws.inside_joint_2_mz + poses.origin_link_2_y * screws.inside_joint_2_fx
             - poses.origin_link_2_x * screws.inside_joint_2_fy);
@@ -2126,18 +2090,18 @@ pub fn forward_dynamics(
     let wrench_link_1_mz = inertias.inertia_link_2_hx * wrench_link_1_mz_1
         - inertias.inertia_link_2_hy * wrench_link_1_mz_3 - minus_wrench_link_2_mz
         + screws.inside_joint_2_mz * wrench_link_1_mz_6
-        - ((inertias.inertia_link_1_xx * mu[0] + inertias.inertia_link_1_xy * mu[1]
-            + inertias.inertia_link_1_hy * minus_wrench_link_2_mz_12) * mu[1]
-            - (inertias.inertia_link_1_xy * mu[0] + inertias.inertia_link_1_yy * mu[1]
-                - inertias.inertia_link_1_hx * minus_wrench_link_2_mz_12) * mu[0]
-            + (wrench_link_1_mz_21 * wrench_link_1_mz_22
-                - wrench_link_1_mz_23 * wrench_link_1_mz_24));
+        - ((inertias.inertia_link_1_xx * mu[0] + inertias.inertia_link_1_xy * mu[1])
+            * mu[1]
+            - (inertias.inertia_link_1_xy * mu[0] + inertias.inertia_link_1_yy * mu[1])
+                * mu[0]
+            - (wrench_link_1_mz_17 * velocities.minus_velocity_link_1_vy
+                + wrench_link_1_mz_19 * velocities.velocity_link_1_vx));
     let wrench_link_1_fx = 0.75 * wrench_link_1_mz_3 - minus_wrench_link_2_fx
         + screws.inside_joint_2_fx * wrench_link_1_mz_6
-        - (wrench_link_1_mz_23 * wrench_link_1_fx_6 - wrench_link_1_fx_7 * mu[1]);
+        - (wrench_link_1_mz_19 * wrench_link_1_fx_6 - wrench_link_1_fx_7 * mu[1]);
     let wrench_link_1_fy = 0.75 * wrench_link_1_mz_1 - minus_wrench_link_2_fy
         + screws.inside_joint_2_fy * wrench_link_1_mz_6
-        - (wrench_link_1_fx_7 * mu[0] - wrench_link_1_mz_21 * wrench_link_1_fx_6);
+        - (wrench_link_1_fx_7 * mu[0] - wrench_link_1_mz_17 * wrench_link_1_fx_6);
     let articulated_link_1_jzz_2 = screws.inside_joint_2_mz * inverse_pivot_joint_2_d;
     let minus_articulated_link_1_mxy_0 = screws.inside_joint_2_fx
         * inverse_pivot_joint_2_d;
@@ -2159,22 +2123,24 @@ pub fn forward_dynamics(
             - screws.inside_joint_2_fy * inverse_pivot_joint_2_d
                 * screws.inside_joint_2_fy);
     let wrench_base_mz_4 = (wrench_link_1_fx_6 * poses.origin_link_1_x
-        + wrench_link_1_mz_22) * qd[0];
-    let wrench_base_mz_2 = (wrench_link_1_fx_6 * poses.com_y + wrench_link_1_mz_24)
-        * qd[0];
+        - velocities.minus_velocity_link_1_vy) * qd[0];
+    let wrench_base_mz_2 = (wrench_link_1_fx_6 * poses.minus_origin_base_y
+        + velocities.velocity_link_1_vx) * qd[0];
     let wrench_outside_link_1_mz = articulated_link_1_jzz
-        + (minus_articulated_link_1_hzx * poses.com_y
+        + (minus_articulated_link_1_hzx * poses.minus_origin_base_y
             - articulated_link_1_hzy * poses.origin_link_1_x);
     let wrench_outside_link_1_fx = minus_articulated_link_1_mxy * poses.origin_link_1_x
-        - articulated_link_1_mxx * poses.com_y - minus_articulated_link_1_hzx;
+        - articulated_link_1_mxx * poses.minus_origin_base_y
+        - minus_articulated_link_1_hzx;
     let wrench_outside_link_1_fy = articulated_link_1_hzy
-        + (minus_articulated_link_1_mxy * poses.com_y
+        + (minus_articulated_link_1_mxy * poses.minus_origin_base_y
             - articulated_link_1_myy * poses.origin_link_1_x);
     let inverse_pivot_joint_1_d = 1.0
-        / (wrench_outside_link_1_mz - poses.com_y * wrench_outside_link_1_fx
+        / (wrench_outside_link_1_mz
+            - poses.minus_origin_base_y * wrench_outside_link_1_fx
             - poses.origin_link_1_x * wrench_outside_link_1_fy);
     let wrench_base_mz_6_0 = tau[0]
-        - (wrench_link_1_mz - poses.com_y * wrench_link_1_fx
+        - (wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
             - poses.origin_link_1_x * wrench_link_1_fy);
     let wrench_base_mz_6 = (wrench_base_mz_6_0
         - (wrench_base_mz_4 * wrench_outside_link_1_fx
@@ -2183,23 +2149,24 @@ pub fn forward_dynamics(
         - (articulated_link_1_hzy * wrench_base_mz_2
             + minus_articulated_link_1_hzx * wrench_base_mz_4)
         + wrench_outside_link_1_mz * wrench_base_mz_6
-        - ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_hy * minus_wrench_link_2_mz_12) * mu[1]
-            - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-                + inertias.minus_inertia_base_hx * minus_wrench_link_2_mz_12) * mu[0]
-            + (wrench_base_mz_21 * wrench_base_mz_22
-                - wrench_base_mz_23 * wrench_base_mz_24) + wrench_base_mz_25);
-    let wrench_base_fx = wrench_link_1_fx
-        + (articulated_link_1_mxx * wrench_base_mz_4
-            + minus_articulated_link_1_mxy * wrench_base_mz_2)
-        + wrench_outside_link_1_fx * wrench_base_mz_6
-        - (wrench_base_mz_23 * wrench_base_fx_8 - wrench_base_fx_9 * mu[1]
-            + base_wrench[3]);
+        - ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1])
+            * mu[1]
+            - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0])
+                * mu[0]
+            + (wrench_base_mz_17 * velocities.velocity_base_vx
+                - wrench_base_mz_19 * velocities.minus_velocity_base_vy)
+            + wrench_base_mz_21);
+    let wrench_base_fx = wrench_base_mz_17 * wrench_base_fx_1 + wrench_base_fx_2 * mu[1]
+        - base_wrench[3]
+        + (wrench_link_1_fx
+            + (articulated_link_1_mxx * wrench_base_mz_4
+                + minus_articulated_link_1_mxy * wrench_base_mz_2)
+            + wrench_outside_link_1_fx * wrench_base_mz_6);
     let wrench_base_fy = wrench_link_1_fy
         - (minus_articulated_link_1_mxy * wrench_base_mz_4
             + articulated_link_1_myy * wrench_base_mz_2)
         + wrench_outside_link_1_fy * wrench_base_mz_6
-        - (wrench_base_fx_9 * mu[0] - wrench_base_mz_21 * wrench_base_fx_8
+        - (wrench_base_fx_2 * mu[0] - wrench_base_mz_19 * wrench_base_fx_1
             + base_wrench[4]);
     let articulated_base_jzz_2 = wrench_outside_link_1_mz * inverse_pivot_joint_1_d;
     let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx
@@ -2253,7 +2220,8 @@ pub fn forward_dynamics(
         * inverse_pivot_joint_1_d;
     xi_dot[6] = twist_link_1_wz_1 + 0.0;
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
-    let twist_link_1_vx = twist_link_1_vx_0 - poses.com_y * twist_link_1_wz_1;
+    let twist_link_1_vx = twist_link_1_vx_0
+        - poses.minus_origin_base_y * twist_link_1_wz_1;
     let minus_twist_link_1_vy = minus_twist_link_1_vy_0
         + poses.origin_link_1_x * twist_link_1_wz_1;
     xi_dot[7] = (wrench_link_1_mz_6_0
@@ -2272,7 +2240,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (2; N·m, N)
 ///
-/// 533 operations: 257 + −, 273 ×, 3 ÷; 2 sin cos; about 6.3 KiB of code.
+/// 525 operations: 253 + −, 269 ×, 3 ÷; 2 sin cos; about 6.2 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -2289,7 +2257,7 @@ pub fn inverse_dynamics(
     let outside = outside(&poses, &inertias, &complements);
     let reactions = reactions(&inertias, &outside);
     let velocities = velocities(qd, &poses, &screws);
-    let base_wrench_0_23_13_0_2 = poses.com_x + 0.25;
+    let base_wrench_0_21_13_0_2 = poses.com_x + 0.25;
     let base_wrench_0_15 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1];
     let base_wrench_0_17 = inertias.composite_base_zz * mu[2];
@@ -2299,102 +2267,91 @@ pub fn inverse_dynamics(
     let base_wrench_0_9 = inertias.inertia_link_2_xy + inertias.inertia_link_2_xy;
     let base_wrench_0_10_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let base_wrench_0_10 = base_wrench_0_10_1 + base_wrench_0_10_1;
-    let base_wrench_0_23_11_0 = mu[3] - mu[2] * poses.com_y;
-    let base_wrench_0_23_13_0 = mu[4] + mu[2] * base_wrench_0_23_13_0_2;
-    let wrench_outside_link_1_mz_18 = mu[5]
-        + (mu[0] * poses.com_y - mu[1] * base_wrench_0_23_13_0_2);
-    let base_wrench_0_23_11 = base_wrench_0_23_11_0 * 3.75;
-    let base_wrench_0_23_13 = base_wrench_0_23_13_0 * 3.75;
-    let base_wrench_0_21 = wrench_outside_link_1_mz_18 * 3.75;
-    let base_wrench_0_23_10 = screws.inside_joint_2_fx * qd[1]
+    let base_wrench_0_21_11_0 = mu[3] - mu[2] * poses.com_y;
+    let base_wrench_0_21_13_0 = mu[4] + mu[2] * base_wrench_0_21_13_0_2;
+    let base_wrench_0_19_0 = mu[5]
+        + (mu[0] * poses.com_y - mu[1] * base_wrench_0_21_13_0_2);
+    let base_wrench_0_21_11 = base_wrench_0_21_11_0 * 3.75;
+    let base_wrench_0_21_13 = base_wrench_0_21_13_0 * 3.75;
+    let base_wrench_0_19 = base_wrench_0_19_0 * 3.75;
+    let base_wrench_0_21_10 = screws.inside_joint_2_fx * qd[1]
         - screws.minus_inside_joint_1_fx * qd[0];
-    let base_wrench_0_23_8 = screws.inside_joint_1_fy * qd[0]
+    let base_wrench_0_21_8 = screws.inside_joint_1_fy * qd[0]
         + screws.inside_joint_2_fy * qd[1];
     let base_wrench_0_4 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
     let wrench_outside_link_1_fx_5 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_outside_link_1_mz_21 = base_wrench_0_23_13_0
-        - velocities.minus_velocity_base_vy;
-    let base_wrench_0_23 = (xi_dot[5] - gravity[2]
-        + (xi_dot[0] * poses.com_y - xi_dot[1] * base_wrench_0_23_13_0_2)) * 3.75
-        + (mu[0] * base_wrench_0_23_8 - mu[1] * base_wrench_0_23_10)
-        - (base_wrench_0_23_11 * mu[1] - base_wrench_0_23_13 * mu[0]);
+    let base_wrench_0_21 = (xi_dot[5] - gravity[2]
+        + (xi_dot[0] * poses.com_y - xi_dot[1] * base_wrench_0_21_13_0_2)) * 3.75
+        + (mu[0] * base_wrench_0_21_8 - mu[1] * base_wrench_0_21_10)
+        - (base_wrench_0_21_11 * mu[1] - base_wrench_0_21_13 * mu[0]);
     // F₁
     base_wrench[0] = inertias.composite_base_xx * xi_dot[0]
         + inertias.composite_base_xy * xi_dot[1]
         + (base_wrench_0_4 * mu[1]
             - ((base_wrench_0_6 + base_wrench_0_7) * qd[0]
                 + (base_wrench_0_9 + base_wrench_0_10) * qd[1]) * mu[0]
-            + base_wrench_0_23_8 * wrench_outside_link_1_mz_18)
+            + base_wrench_0_21_8 * base_wrench_0_19_0)
         - (base_wrench_0_15 * wrench_outside_link_1_fx_5 - base_wrench_0_17 * mu[1]
-            + (base_wrench_0_23_13 * wrench_outside_link_1_mz_18
-                - base_wrench_0_21 * wrench_outside_link_1_mz_21))
-        + base_wrench_0_23 * poses.com_y + 0.0;
+            + base_wrench_0_19 * velocities.minus_velocity_base_vy)
+        + base_wrench_0_21 * poses.com_y + 0.0;
     let base_wrench_1_17 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1];
-    let base_wrench_1_7_1 = inertias.composite_link_1_hx * poses.com_y;
+    let base_wrench_1_7_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let base_wrench_1_7 = base_wrench_1_7_1 + base_wrench_1_7_1;
     let base_wrench_1_10_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let base_wrench_1_10 = base_wrench_1_10_1 + base_wrench_1_10_1;
-    let wrench_outside_link_1_mz_23 = base_wrench_0_23_11_0
-        + velocities.velocity_base_vx;
     base_wrench[1] = inertias.composite_base_xy * xi_dot[0]
         + inertias.composite_base_yy * xi_dot[1]
         + (base_wrench_0_4 * mu[0]
             + ((base_wrench_0_6 - base_wrench_1_7) * qd[0]
                 + (base_wrench_0_9 + base_wrench_1_10) * qd[1]) * mu[1]
-            - base_wrench_0_23_10 * wrench_outside_link_1_mz_18)
+            - base_wrench_0_21_10 * base_wrench_0_19_0)
         - (base_wrench_0_17 * mu[0] - base_wrench_1_17 * wrench_outside_link_1_fx_5
-            + (base_wrench_0_21 * wrench_outside_link_1_mz_23
-                - base_wrench_0_23_11 * wrench_outside_link_1_mz_18))
-        - base_wrench_0_23 * base_wrench_0_23_13_0_2 + 0.0;
+            + base_wrench_0_19 * velocities.velocity_base_vx)
+        - base_wrench_0_21 * base_wrench_0_21_13_0_2 + 0.0;
     let base_wrench_2_0 = inertias.composite_base_zz * xi_dot[2]
         + (((base_wrench_1_10 - base_wrench_0_10) * qd[1]
             - (base_wrench_1_7 + base_wrench_0_7) * qd[0]) * mu[2]
-            + (base_wrench_0_23_10 * base_wrench_0_23_13_0
-                - base_wrench_0_23_8 * base_wrench_0_23_11_0))
+            + (base_wrench_0_21_10 * base_wrench_0_21_13_0
+                - base_wrench_0_21_8 * base_wrench_0_21_11_0))
         - (base_wrench_1_17 * mu[1] - base_wrench_0_15 * mu[0]
-            + (base_wrench_0_23_11 * wrench_outside_link_1_mz_21
-                - base_wrench_0_23_13 * wrench_outside_link_1_mz_23));
+            - (base_wrench_0_21_11 * velocities.minus_velocity_base_vy
+                + base_wrench_0_21_13 * velocities.velocity_base_vx));
     let base_wrench_2_3 = (xi_dot[3] - gravity[0] - xi_dot[2] * poses.com_y) * 3.75
-        - mu[2] * base_wrench_0_23_8
-        - (base_wrench_0_23_13 * wrench_outside_link_1_fx_5 - base_wrench_0_21 * mu[1]);
-    let base_wrench_2_1 = (xi_dot[4] - gravity[1] + xi_dot[2] * base_wrench_0_23_13_0_2)
-        * 3.75 + mu[2] * base_wrench_0_23_10
-        - (base_wrench_0_21 * mu[0] - base_wrench_0_23_11 * wrench_outside_link_1_fx_5);
+        - mu[2] * base_wrench_0_21_8
+        - (base_wrench_0_21_13 * wrench_outside_link_1_fx_5 - base_wrench_0_19 * mu[1]);
+    let base_wrench_2_1 = (xi_dot[4] - gravity[1] + xi_dot[2] * base_wrench_0_21_13_0_2)
+        * 3.75 + mu[2] * base_wrench_0_21_10
+        - (base_wrench_0_19 * mu[0] - base_wrench_0_21_11 * wrench_outside_link_1_fx_5);
     base_wrench[2] = base_wrench_2_0
-        + (base_wrench_2_1 * base_wrench_0_23_13_0_2 - base_wrench_2_3 * poses.com_y)
+        + (base_wrench_2_1 * base_wrench_0_21_13_0_2 - base_wrench_2_3 * poses.com_y)
         + 0.0;
     base_wrench[3] = base_wrench_2_3 + 0.0;
     base_wrench[4] = base_wrench_2_1 + 0.0;
-    base_wrench[5] = base_wrench_0_23 + 0.0;
-    let wrench_outside_link_1_fx_6 = wrench_outside_link_1_mz_18 * 2.0
-        + (mu[1] * inertias.minus_inertia_base_hx
-            - mu[0] * inertias.minus_inertia_base_hy);
-    let wrench_link_2_fy_4 = wrench_outside_link_1_mz_18 * 0.75
-        + (mu[0] * inertias.inertia_link_2_hy - mu[1] * inertias.inertia_link_2_hx);
-    let wrench_outside_link_1_mz_20 = wrench_outside_link_1_mz_23 * 2.0
+    base_wrench[5] = base_wrench_0_21 + 0.0;
+    let wrench_outside_link_1_fx_6 = mu[1] * inertias.minus_inertia_base_hx
+        - mu[0] * inertias.minus_inertia_base_hy;
+    let wrench_link_2_fy_4 = mu[0] * inertias.inertia_link_2_hy
+        - mu[1] * inertias.inertia_link_2_hx;
+    let wrench_outside_link_1_mz_18 = velocities.velocity_base_vx * 2.0
         + wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hy;
-    let wrench_outside_link_1_mz_22 = wrench_outside_link_1_mz_21 * 2.0
-        - wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hx;
+    let wrench_outside_link_1_mz_16 = velocities.minus_velocity_base_vy * 2.0
+        + wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hx;
     let twist_link_1_vx_1 = velocities.velocity_link_1_wz + mu[2];
-    let minus_twist_link_1_vy_3 = velocities.velocity_link_1_vx + base_wrench_0_23_11_0;
-    let twist_link_1_vx_3 = base_wrench_0_23_13_0 - velocities.minus_velocity_link_1_vy;
-    let wrench_link_1_mz_0_20 = minus_twist_link_1_vy_3
+    let wrench_outside_link_2_fx_5 = mu[0] * inertias.inertia_link_1_hy
+        - mu[1] * inertias.inertia_link_1_hx;
+    let wrench_link_1_mz_0_16 = velocities.velocity_link_1_vx
         - twist_link_1_vx_1 * inertias.inertia_link_1_hy;
-    let wrench_outside_link_2_fx_3 = twist_link_1_vx_3
-        + twist_link_1_vx_1 * inertias.inertia_link_1_hx;
-    let wrench_outside_link_2_fx_5 = wrench_outside_link_1_mz_18
-        + (mu[0] * inertias.inertia_link_1_hy - mu[1] * inertias.inertia_link_1_hx);
+    let wrench_outside_link_2_fx_3 = twist_link_1_vx_1 * inertias.inertia_link_1_hx
+        - velocities.minus_velocity_link_1_vy;
     let twist_link_2_vx_1 = velocities.velocity_link_2_wz + mu[2];
-    let twist_link_2_vy_2 = velocities.velocity_link_2_vx + base_wrench_0_23_11_0;
-    let twist_link_2_vx_3 = base_wrench_0_23_13_0 - velocities.minus_velocity_link_2_vy;
-    let wrench_link_2_mz_20 = twist_link_2_vy_2 * 0.75
+    let wrench_link_2_mz_16 = velocities.velocity_link_2_vx * 0.75
         - twist_link_2_vx_1 * inertias.inertia_link_2_hy;
-    let wrench_link_2_mz_22 = twist_link_2_vx_3 * 0.75
-        + twist_link_2_vx_1 * inertias.inertia_link_2_hx;
+    let wrench_link_2_mz_18 = twist_link_2_vx_1 * inertias.inertia_link_2_hx
+        - velocities.minus_velocity_link_2_vy * 0.75;
     let minus_twist_base_wz = screws.connection_joint_1_wz * xi_dot[6]
         + screws.connection_joint_2_wz * xi_dot[7];
     let twist_base_vx = screws.minus_connection_joint_1_vx * xi_dot[6]
@@ -2404,58 +2361,61 @@ pub fn inverse_dynamics(
     let wrench_outside_link_1_mz = inertias.minus_inertia_base_hx * minus_twist_base_vy
         + inertias.minus_inertia_base_hy * twist_base_vx
         - inertias.inertia_base_zz * minus_twist_base_wz
-        - ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1]
-            - inertias.minus_inertia_base_hy * wrench_outside_link_1_mz_18) * mu[1]
-            - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0]
-                + inertias.minus_inertia_base_hx * wrench_outside_link_1_mz_18) * mu[0]
-            + (wrench_outside_link_1_mz_20 * wrench_outside_link_1_mz_21
-                - wrench_outside_link_1_mz_22 * wrench_outside_link_1_mz_23));
+        - ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1])
+            * mu[1]
+            - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0])
+                * mu[0]
+            + (wrench_outside_link_1_mz_16 * velocities.velocity_base_vx
+                - wrench_outside_link_1_mz_18 * velocities.minus_velocity_base_vy));
     let wrench_outside_link_1_fx = twist_base_vx * 2.0
         - minus_twist_base_wz * inertias.minus_inertia_base_hy
-        - (wrench_outside_link_1_mz_22 * wrench_outside_link_1_fx_5
-            - wrench_outside_link_1_fx_6 * mu[1]);
+        + (wrench_outside_link_1_mz_16 * wrench_outside_link_1_fx_5
+            + wrench_outside_link_1_fx_6 * mu[1]);
     let wrench_outside_link_1_fy = minus_twist_base_wz * inertias.minus_inertia_base_hx
         - minus_twist_base_vy * 2.0
         - (wrench_outside_link_1_fx_6 * mu[0]
-            - wrench_outside_link_1_mz_20 * wrench_outside_link_1_fx_5);
+            - wrench_outside_link_1_mz_18 * wrench_outside_link_1_fx_5);
     let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
     let twist_link_1_vx = twist_base_vx
-        + (twist_link_1_vx_1 * poses.origin_link_1_x + twist_link_1_vx_3) * qd[0]
-        - poses.com_y * xi_dot[6];
+        + (twist_link_1_vx_1 * poses.origin_link_1_x
+            - velocities.minus_velocity_link_1_vy) * qd[0]
+        - poses.minus_origin_base_y * xi_dot[6];
     let minus_twist_link_1_vy = minus_twist_base_vy
-        + (twist_link_1_vx_1 * poses.com_y + minus_twist_link_1_vy_3) * qd[0]
-        + poses.origin_link_1_x * xi_dot[6];
+        + (twist_link_1_vx_1 * poses.minus_origin_base_y + velocities.velocity_link_1_vx)
+            * qd[0] + poses.origin_link_1_x * xi_dot[6];
     let wrench_link_1_mz_0 = inertias.inertia_link_1_zz * twist_link_1_wz
         - (inertias.inertia_link_1_hx * minus_twist_link_1_vy
             + inertias.inertia_link_1_hy * twist_link_1_vx)
-        - ((inertias.inertia_link_1_xx * mu[0] + inertias.inertia_link_1_xy * mu[1]
-            + inertias.inertia_link_1_hy * wrench_outside_link_1_mz_18) * mu[1]
-            - (inertias.inertia_link_1_xy * mu[0] + inertias.inertia_link_1_yy * mu[1]
-                - inertias.inertia_link_1_hx * wrench_outside_link_1_mz_18) * mu[0]
-            + (wrench_link_1_mz_0_20 * twist_link_1_vx_3
-                - wrench_outside_link_2_fx_3 * minus_twist_link_1_vy_3));
+        - ((inertias.inertia_link_1_xx * mu[0] + inertias.inertia_link_1_xy * mu[1])
+            * mu[1]
+            - (inertias.inertia_link_1_xy * mu[0] + inertias.inertia_link_1_yy * mu[1])
+                * mu[0]
+            - (wrench_link_1_mz_0_16 * velocities.minus_velocity_link_1_vy
+                + wrench_outside_link_2_fx_3 * velocities.velocity_link_1_vx));
     let wrench_link_1_fy_0 = twist_link_1_wz * inertias.inertia_link_1_hx
         - minus_twist_link_1_vy
         - (wrench_outside_link_2_fx_5 * mu[0]
-            - wrench_link_1_mz_0_20 * twist_link_1_vx_1);
+            - wrench_link_1_mz_0_16 * twist_link_1_vx_1);
     let twist_link_2_wz = twist_link_1_wz + xi_dot[7];
     let twist_link_2_vx = twist_link_1_vx
-        + (twist_link_2_vx_1 * poses.origin_link_2_x + twist_link_2_vx_3) * qd[1]
+        + (twist_link_2_vx_1 * poses.origin_link_2_x
+            - velocities.minus_velocity_link_2_vy) * qd[1]
         + poses.origin_link_2_y * xi_dot[7];
-    let twist_link_2_vy = (twist_link_2_vx_1 * poses.origin_link_2_y - twist_link_2_vy_2)
-        * qd[1] - minus_twist_link_1_vy - poses.origin_link_2_x * xi_dot[7];
+    let twist_link_2_vy = (twist_link_2_vx_1 * poses.origin_link_2_y
+        - velocities.velocity_link_2_vx) * qd[1] - minus_twist_link_1_vy
+        - poses.origin_link_2_x * xi_dot[7];
     let wrench_link_2_mz = inertias.inertia_link_2_zz * twist_link_2_wz
         + (inertias.inertia_link_2_hx * twist_link_2_vy
             - inertias.inertia_link_2_hy * twist_link_2_vx)
-        - ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1]
-            + inertias.inertia_link_2_hy * wrench_outside_link_1_mz_18) * mu[1]
-            - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1]
-                - inertias.inertia_link_2_hx * wrench_outside_link_1_mz_18) * mu[0]
-            + (wrench_link_2_mz_20 * twist_link_2_vx_3
-                - wrench_link_2_mz_22 * twist_link_2_vy_2));
+        - ((inertias.inertia_link_2_xx * mu[0] + inertias.inertia_link_2_xy * mu[1])
+            * mu[1]
+            - (inertias.inertia_link_2_xy * mu[0] + inertias.inertia_link_2_yy * mu[1])
+                * mu[0]
+            - (wrench_link_2_mz_16 * velocities.minus_velocity_link_2_vy
+                + wrench_link_2_mz_18 * velocities.velocity_link_2_vx));
     let wrench_link_2_fy = twist_link_2_vy * 0.75
         + twist_link_2_wz * inertias.inertia_link_2_hx
-        - (wrench_link_2_fy_4 * mu[0] - wrench_link_2_mz_20 * twist_link_2_vx_1);
+        - (wrench_link_2_fy_4 * mu[0] - wrench_link_2_mz_16 * twist_link_2_vx_1);
     let wrench_link_1_mz = wrench_link_1_mz_0 + wrench_link_2_mz;
     let wrench_link_1_fy = wrench_link_1_fy_0 + wrench_link_2_fy;
     // τ
@@ -2469,7 +2429,7 @@ pub fn inverse_dynamics(
             + screws.connection_joint_1_vy * base_wrench_2_1) + 0.0;
     let wrench_link_2_fx = twist_link_2_vx * 0.75
         - twist_link_2_wz * inertias.inertia_link_2_hy
-        - (wrench_link_2_mz_22 * twist_link_2_vx_1 - wrench_link_2_fy_4 * mu[1]);
+        - (wrench_link_2_mz_18 * twist_link_2_vx_1 - wrench_link_2_fy_4 * mu[1]);
     let wrench_outside_link_2_mz = wrench_link_1_mz_0 + wrench_outside_link_1_mz;
     let wrench_outside_link_2_fx = twist_link_1_vx
         - twist_link_1_wz * inertias.inertia_link_1_hy
@@ -2492,7 +2452,7 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×2, by columns; rad, m)
 ///
-/// 148 operations: 69 + −, 76 ×, 3 ÷; 2 sin cos; about 1.8 KiB of code.
+/// 167 operations: 82 + −, 82 ×, 3 ÷; 2 sin cos; about 2.0 KiB of code.
 pub fn kinematics_link_2(
     q: &[f64; 2],
     pose: &mut [[f64; 3]; 4],

@@ -109,9 +109,7 @@ impl Key {
                 let base_twist = motion.base_twist(mu);
                 vector(&mut |out| motion.hamel_bias(base_twist, out), 6 + n)
             }
-            Self::XiDot => {
-                vector(&mut |out| motion.forward_dynamics_articulated(mu, state.base_wrench, &state.tau, out), 6 + n)
-            }
+            Self::XiDot => vector(&mut |out| motion.forward_dynamics(mu, state.base_wrench, &state.tau, out), 6 + n),
         }
     }
 }

@@ -25,9 +25,9 @@ class Broken(Exception):
     """frs answered outside its contract."""
 
 
-def evaluate(robot_path, lines, lenient=False):
-    """One dictionary per line of states."""
-    command = [os.environ["FRS_BIN"], "eval", str(robot_path), "--states", "-", "--only", ",".join(KEYS)]
+def evaluate(robot_path, lines, lenient=False, keys=KEYS):
+    """One dictionary per line of states, with `keys`."""
+    command = [os.environ["FRS_BIN"], "eval", str(robot_path), "--states", "-", "--only", ",".join(keys)]
     done = subprocess.run(command + ["--lenient"] * lenient, input="\n".join(lines) + "\n", capture_output=True, text=True)
     if done.returncode == 2:
         raise Refused(done.stderr.strip())

@@ -4,6 +4,8 @@ use crate::Real;
 use crate::spatial::{Twist, Wrench};
 use crate::sweep::{Data, Moving, articulated_accelerations, factor, newton_euler, project, solve};
 
+use super::vectors::turning;
+
 /// How `q̈` is found. All ways give the same but for rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Route {
@@ -79,9 +81,9 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             tau.len() == self.model.dof() && qdd.len() == tau.len(),
             "tau and q̈ must have one entry per coordinate"
         );
-        let (mu, wrench) = (mu.at(self.com()), base_wrench.at(self.com()));
+        let wrench = base_wrench.at(self.com());
         if route == Route::Articulated && !self.model.has_mimic() {
-            articulated_accelerations(self.model, self.data, mu, wrench, tau);
+            articulated_accelerations(self.model, self.data, turning(mu), wrench, tau);
             return self.model.gather(qdd, |j| self.data.row[j]);
         }
         let mut matrix = std::mem::take(&mut self.data.matrix);
@@ -123,7 +125,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             "each slice must have one entry per coordinate"
         );
         let com = self.com();
-        let (mu, wrench) = (mu.at(com), base_wrench.at(com));
+        let wrench = base_wrench.at(com);
         if given.contains(&false) {
             let mut matrix = std::mem::take(&mut self.data.matrix);
             self.shape_inertia(&mut matrix);
@@ -161,14 +163,14 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `qdd` or `tau` does not have n entries.
     pub fn shape_torque(&mut self, mu: Twist<T>, qdd: &[T], tau: &mut [T]) {
-        self.required_torques(mu.at(self.com()), Wrench::zero(), Some(qdd));
+        self.required_torques(mu, Wrench::zero(), Some(qdd));
         tau.copy_from_slice(&self.data.vector);
     }
 
     /// The torques that joint accelerations (none: 0) and the motion require, into `data.vector`, and those that a wrench on the base
-    /// requires, into `data.vector_more`. Twist and wrench in the centroidal frame.
+    /// requires, into `data.vector_more`. The wrench in the centroidal frame; of μ only the angular part is read.
     fn required_torques(&mut self, mu: Twist<T>, wrench: Wrench<T>, qdd: Option<&[T]>) {
-        let (model, data) = (self.model, &mut *self.data);
+        let (model, data, mu) = (self.model, &mut *self.data, turning(mu));
         let (mut torque, mut carried) = (std::mem::take(&mut data.vector), std::mem::take(&mut data.vector_more));
         match qdd {
             None => newton_euler(model, data, mu, Twist::zero(), |_| T::zero()),

@@ -1,5 +1,7 @@
 //! The terms of the equations as vectors, without forming a matrix: one sweep each.
 
+use nalgebra::Vector3;
+
 use crate::Real;
 use crate::spatial::{Twist, Wrench};
 use crate::sweep::{Moving, Shape, newton_euler, project, subtree_sums};
@@ -7,18 +9,25 @@ use crate::sweep::{Moving, Shape, newton_euler, project, subtree_sums};
 impl<T: Real> Shape<'_, '_, T> {
     /// The coupling torque `S(μ)ᵀ μ − A_lᵀ ad~_{Λ_bμ} μ` (length n): the (μ, μ) term of the shape equation.
     ///
-    /// Per joint `ŝ_j·(ad_μᵀ Iᶜ_j μ) − A_j·(ad_μᵀ Iᵒ_j μ)`: what turning as one rigid body asks of the joints.
+    /// Per joint `ŝ_j·(ad_μᵀ Iᶜ_j μ) − A_j·(ad_μᵀ Iᵒ_j μ)`: what turning as one rigid body asks of the joints. It depends on the
+    /// angular part of μ alone.
     ///
     /// # Panics
     /// If `out` does not have n entries.
     pub fn coupling_torque(&self, mu: Twist<T>, out: &mut [T]) {
-        let (data, mu) = (&*self.data, mu.at(self.com()));
+        let (data, mu) = (&*self.data, turning(mu));
         self.model.gather(out, |j| {
             let inside = mu.ad_transpose(data.composite[j + 1] * mu);
             let outside = mu.ad_transpose(data.complement[j + 1] * mu);
             data.reaction[j].dot(inside) - data.connection[j].dot(outside)
         });
     }
+}
+
+/// The locked velocity without that of the centre of mass, which no joint feels: the forces `m ω × v` of a common velocity v are those
+/// of a common acceleration, and joints move at zero momentum. Kept in, it would be rounded: `v × m v` is not 0 (docs/hard.md).
+pub(super) fn turning<T: Real>(mu: Twist<T>) -> Twist<T> {
+    Twist::new(mu.angular, Vector3::zeros())
 }
 
 impl<T: Real> Moving<'_, '_, '_, T> {
@@ -83,7 +92,9 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     }
 
     /// ad_{V₁}ᵀ Λ_c μ, everything in the centroidal frame: the rate of the body momentum without a wrench.
+    ///
+    /// `v × m v = 0` is left out, see [`turning`].
     pub(crate) fn momentum_rate(&self, mu: Twist<T>) -> Wrench<T> {
-        (mu + self.data.velocity[0]).ad_transpose(self.locked_momentum(mu))
+        (turning(mu) + self.data.velocity[0]).ad_transpose(self.locked_momentum(mu))
     }
 }

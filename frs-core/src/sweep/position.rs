@@ -54,9 +54,17 @@ fn centroidal_frame<T: Real>(model: &Model<T>, data: &mut Data<T>) {
     }
     data.inverse_mass = T::one() / mass;
     data.com = moment * data.inverse_mass;
+    // Where masses differ much, the rounding of c is far for the massive ones: it is measured once more, from c.
+    let mut moment = Vector3::zeros();
     for (k, body) in model.bodies().iter().enumerate() {
         data.origin[k] -= data.com;
-        let com = data.inertia[k].moment - data.com;
+        data.inertia[k].moment -= data.com;
+        moment += data.inertia[k].moment * body.mass;
+    }
+    let rest = moment * data.inverse_mass;
+    for (k, body) in model.bodies().iter().enumerate() {
+        data.origin[k] -= rest;
+        let com = data.inertia[k].moment - rest;
         data.inertia[k] = Inertia::from_com(body.mass, com, body.inertia.rotated(&data.rotation[k]));
         data.composite[k] = data.inertia[k];
     }

@@ -7,7 +7,7 @@ mod variant;
 
 pub use errors::{Errors, Observed};
 pub use front::{dominated, front};
-pub use track::{Equate, Track, fly};
+pub use track::{Equate, Number, Track, fly};
 pub use variant::{Curve, Evaluation, Scalar, Variant, curves};
 
 use std::time::Instant;

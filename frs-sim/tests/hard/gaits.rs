@@ -5,7 +5,7 @@ use frs_core::{Model, Real};
 use frs_sim::integrate::{Method, Steps};
 use frs_sim::run::equations;
 use frs_sim::scene::{Scene, Solver};
-use frs_sim::study::fly;
+use frs_sim::study::{Number, fly};
 use nalgebra::Matrix3;
 
 use crate::{robot, scene};
@@ -27,7 +27,7 @@ fn gait(duration: u32, model: &Model) -> Scene {
 }
 
 /// The base's rotation after so many turns.
-fn turned<T: frs_sim::study::Number>(turns: u32, robot: &Model, model: &Model<T>) -> Matrix3<T> {
+fn turned<T: Number>(turns: u32, robot: &Model, model: &Model<T>) -> Matrix3<T> {
     let scene = gait(turns, robot);
     let end = [f64::from(turns)];
     fly(&scene, &end, true, &mut |time| equations(&scene, model, time)).unwrap().states[0].pose.rotation
