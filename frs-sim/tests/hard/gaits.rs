@@ -1,7 +1,7 @@
 //! A closed gait again and again: each turn of it turns the base by the same holonomy, and nothing else does.
 
+use frs_core::Model;
 use frs_core::extended::DoubleDouble;
-use frs_core::{Model, Real};
 use frs_sim::integrate::{Method, Steps};
 use frs_sim::run::equations;
 use frs_sim::scene::{Scene, Solver};
@@ -56,5 +56,5 @@ fn a_hundred_thousand_turns_of_a_gait_turn_the_base_by_as_many_holonomies() {
     println!("{TURNS} turns of {a_turn:.3} rad each: off by {apart:.1e}, allowed {allowed:.1e}");
     assert!(a_turn.abs() > 0.01, "a gait that turns the base");
     assert!(apart <= allowed, "{apart:e}");
-    assert!(DoubleDouble::zero() == once[(2, 0)], "it stays in its plane");
+    assert!(once[(2, 0)].high() == 0.0, "it stays in its plane");
 }
