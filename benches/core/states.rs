@@ -12,15 +12,6 @@ pub struct State {
     pub tau: Vec<f64>,
 }
 
-impl State {
-    /// The same shape; all that moves or pushes `ratio` times as large.
-    pub fn times(&self, ratio: f64) -> Self {
-        let scaled = |vector: &[f64]| vector.iter().map(|x| ratio * x).collect();
-        let (qd, tau) = (scaled(&self.qd), scaled(&self.tau));
-        Self { q: self.q.clone(), qd, mu: self.mu * ratio, wrench: self.wrench * ratio, tau }
-    }
-}
-
 /// `count` random states, always the same.
 pub fn states(model: &Model, count: usize) -> Vec<State> {
     let mut rng = fastrand::Rng::with_seed(7);

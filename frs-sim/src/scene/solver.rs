@@ -64,9 +64,9 @@ impl Solver {
 pub fn read(root: &Table<'_, '_>, joints: usize) -> Option<Solver> {
     let accuracy = root.get("accuracy").map_or(Some(ACCURACY), |item| {
         let accuracy = item.positive()?;
-        match (1e-14..=1e-2).contains(&accuracy) {
+        match (1e-14..=1e-1).contains(&accuracy) {
             true => Some(accuracy),
-            false => item.refuse(format!("found {accuracy:e}; expected a number from 1e-14 to 1e-2")),
+            false => item.refuse(format!("found {accuracy:e}; expected a number from 1e-14 to 1e-1")),
         }
     });
     let table = match root.get("solver") {
