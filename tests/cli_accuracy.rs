@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field;
 use serde_json::Value;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -134,6 +136,26 @@ fn counted_studies_are_the_same_every_time() {
     assert_eq!(study(), first);
     let page = std::fs::read_to_string(folder.join("accuracy.html")).unwrap();
     assert!(page.contains("What to choose") && page.ends_with("</html>\n"));
+
+    let table = std::fs::read_to_string(folder.join("accuracy.csv")).unwrap();
+    let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let reader = SerializedFileReader::new(std::fs::File::open(folder.join("accuracy.parquet")).unwrap()).unwrap();
+    let mut count = 0;
+    for (row, found) in rows.iter().zip(reader.get_row_iter(None).unwrap()) {
+        for ((name, cell), (own, field)) in names.iter().zip(row).zip(found.unwrap().get_column_iter()) {
+            assert_eq!(name, own);
+            let same = match field {
+                Field::Double(x) => cell.parse().unwrap_or(f64::NAN).to_bits() == x.to_bits(),
+                Field::Long(x) => cell.parse() == Ok(*x),
+                Field::Str(text) => cell == text,
+                other => panic!("{other:?}"),
+            };
+            assert!(same, "{name}: {cell}, {field}");
+        }
+        count += 1;
+    }
+    assert_eq!(count, rows.len());
 }
 
 #[test]
@@ -193,6 +215,13 @@ fn single_evaluations_show_what_a_light_base_costs_the_textbook_form() {
         let rows = told["errors_in_resolutions"].as_array().unwrap();
         rows.iter().find(|row| row["name"] == name).unwrap_or_else(|| panic!("{name}"))[scalar].as_f64().unwrap()
     };
+    for row in told["errors_in_resolutions"].as_array().unwrap() {
+        let [found, proven] = ["f64", "f64_proven"].map(|key| row[key].as_f64());
+        // null is infinite: nothing is proven.
+        assert!(proven.is_none_or(|proven| found.unwrap() <= proven), "{row}");
+    }
+    let [found, proven] = ["f64", "f64_proven"].map(|key| error("inertia: Λ_q", key));
+    assert!(proven > found && proven < 1e6, "{found}, {proven}");
     for scalar in ["f64", "f32"] {
         let [ours, textbook] =
             ["complement", "textbook"].map(|form| error(&format!("q̈, Λ_q by the {form} form"), scalar));

@@ -4,6 +4,7 @@
 //! [`Model`], allocates nothing after its [`Workspace`] is made, and cannot fail once a [`Model`] exists.
 
 pub mod derivatives;
+pub mod enclosure;
 pub mod extended;
 mod floating_base;
 pub mod generated;

@@ -22,13 +22,13 @@ use serde_json::{Value, json};
 use self::advice::ASKED;
 use self::search::{Cost, Point, Search, words};
 use super::scene::{self, Loaded};
-use super::{Failure, RobotArgs, write};
+use super::{Failure, RobotArgs, parquet, write};
 
 /// Find what accuracy costs in a scene: compute it in many ways, judge each by a motion with 31 digits, and tell the cheapest.
 ///
 /// Tries methods of integration × steps × equations (reduced, with the momentum integrated, Hamel) × routes to the accelerations ×
-/// numbers (f32, f64, double-double), and leaves a way as soon as others are as accurate for much less. Writes accuracy.csv (all
-/// points), accuracy.svg and accuracy.html (cost over error) with --out.
+/// numbers (f32, f64, double-double), and leaves a way as soon as others are as accurate for much less. Writes accuracy.csv and
+/// accuracy.parquet (all points), accuracy.svg and accuracy.html (cost over error) with --out.
 #[derive(Args)]
 #[command(after_help = "Exit codes: 0 ok, 1 what was asked cannot be had, 2 bad input.")]
 pub struct Accuracy {
@@ -118,11 +118,13 @@ impl Accuracy {
             }
             let picture = picture::svg(&search, &format!("What accuracy costs: {file}"), scene.duration);
             let page = page::page(&search, &file, &about, scene.duration, truth.error(), &picture);
+            let columns = table::columns(&search);
             for (name, text) in
-                [("accuracy.csv", table::csv(&search)), ("accuracy.svg", picture), ("accuracy.html", page)]
+                [("accuracy.csv", table::csv(&columns)), ("accuracy.svg", picture), ("accuracy.html", page)]
             {
                 write(&folder.join(name), &text)?;
             }
+            parquet::write(&folder.join("accuracy.parquet"), "accuracy", columns)?;
         }
         let chosen = self.want.map(|want| (want, search.cheapest(want, has_settings)));
         if let Some((_, Some(point))) = chosen

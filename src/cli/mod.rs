@@ -16,6 +16,7 @@ mod generate;
 mod options;
 mod oracle;
 mod overview;
+mod parquet;
 mod recording;
 mod scene;
 mod simulate;

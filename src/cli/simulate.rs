@@ -2,7 +2,6 @@
 
 mod chart;
 mod checkpoint;
-mod parquet;
 mod pictures;
 mod report;
 mod summary;
@@ -21,7 +20,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use self::summary::Summary;
 use super::scene::{self, Loaded};
-use super::{Failure, write, write_bytes};
+use super::{Failure, parquet, write};
 
 /// Compute the motion of a scene and write it down.
 ///
@@ -114,8 +113,9 @@ impl Simulate {
             write(&self.out.join(name), text)?;
         }
         let path = self.out.join(PARQUET);
-        let bytes = parquet::file(&columns, &rows);
-        write_bytes(&path, &bytes.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?)?;
+        let column = |i: usize| parquet::Column::Number(rows.iter().map(|row| row[i]).collect());
+        let named = columns.iter().enumerate().map(|(i, name)| (name.as_str(), column(i)));
+        parquet::write(&path, "trajectory", named)?;
         let names: Vec<&str> = files.iter().map(|(name, _)| *name).chain([PARQUET]).collect();
         if self.json {
             summary.json(&names)?

@@ -1,6 +1,8 @@
-//! The core over other scalars: one that records what is done to it, and single precision.
+//! The core over other scalars: one that records what is done to it, single precision, and one that encloses.
 
 use frs_codegen::record::{Recorded, record, replay};
+use frs_core::enclosure::Interval;
+use frs_core::extended::DoubleDouble;
 use nalgebra::DVector;
 use proptest::prelude::*;
 
@@ -49,5 +51,19 @@ proptest! {
         let actual = DVector::from_iterator(single.len(), single.into_iter().map(f64::from));
         let spec = case.specification(&model);
         close(&actual, &expected, SINGLE_ROUNDING * spec.shape_condition())?;
+    }
+
+    /// Two numbers that are made without each other: exact to 31 digits, and between two doubles.
+    #[test]
+    fn what_31_digits_give_is_enclosed(case in case()) {
+        let model = case.model();
+        let state = inputs(&case);
+        let precise: Vec<_> = state.iter().copied().map(DoubleDouble::from).collect();
+        let expected = outputs(&model.cast::<DoubleDouble>().orthonormalised(), &precise);
+        let enclosing: Vec<_> = state.iter().copied().map(Interval::from).collect();
+        let enclosed = outputs(&model.cast::<Interval>().orthonormalised(), &enclosing);
+        for (number, (interval, exact)) in enclosed.iter().zip(&expected).enumerate() {
+            prop_assert!(interval.contains(exact.high()), "output {number}: {interval:?} without {exact:?}");
+        }
     }
 }

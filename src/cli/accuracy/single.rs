@@ -1,9 +1,10 @@
-//! Single evaluations: how far each quantity is from itself with 31 digits.
+//! Single evaluations: how far each quantity is from itself with 31 digits, and how far it provably is at most.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::io::Write;
 
 use comfy_table::{CellAlignment, Table, presets};
+use frs::enclosure::Interval;
 use frs::extended::DoubleDouble;
 use frs::nalgebra::DMatrix;
 use frs::spatial::{Twist, Wrench};
@@ -22,6 +23,8 @@ pub struct Row {
     pub operations: usize,
     /// Worst errors in `f64` and `f32`, in units of the resolution and of the largest entry.
     pub errors: [f64; 2],
+    /// What the error in `f64` is at most by interval arithmetic, in the same units; infinite where that bounds nothing.
+    pub proven: f64,
 }
 
 /// All of a robot.
@@ -123,6 +126,7 @@ impl Study {
     pub fn of(model: &Model, count: usize, bar: &ProgressBar) -> Self {
         let single = model.cast::<f32>().orthonormalised();
         let precise = model.cast::<DoubleDouble>().orthonormalised();
+        let enclosing = model.cast::<Interval>().orthonormalised();
         // f32 parameters are others: what they are is exact for the yardstick of f32.
         let single_precise = single.map(DoubleDouble::from).orthonormalised();
         let n = model.dof();
@@ -131,7 +135,7 @@ impl Study {
         let mut rows: Vec<Row> = Vec::new();
         for (question, names) in &questions {
             let operations = operations(question, model, 2 * n + numbers);
-            rows.extend(names.iter().map(|name| Row { name: name.clone(), operations, errors: [0.0; 2] }));
+            rows.extend(names.iter().map(|name| Row { name: name.clone(), operations, errors: [0.0; 2], proven: 0.0 }));
         }
         let mut rng = fastrand::Rng::with_seed(7);
         let mut condition = 0.0_f64;
@@ -142,10 +146,13 @@ impl Study {
                 state.extend((0..n + numbers).map(|_| number(&mut rng)));
                 let short: Vec<f32> = state.iter().map(|x| *x as f32).collect();
                 let long: Vec<DoubleDouble> = state.iter().map(|x| DoubleDouble::from(*x)).collect();
+                let points: Vec<Interval> = state.iter().map(|x| Interval::from(*x)).collect();
                 let mut row = rows.iter_mut();
                 for (question, _) in &questions {
+                    let (doubles, exact) = (question.answers(model, &state), question.answers(&precise, &long));
+                    let proven = farthest(&doubles, &question.answers(&enclosing, &points), &exact);
                     let found = [
-                        worst(&question.answers(model, &state), &question.answers(&precise, &long), f64::EPSILON),
+                        worst(&doubles, &exact, f64::EPSILON),
                         worst(
                             &question.answers(&single, &short),
                             &question.answers(&single_precise, &long),
@@ -154,6 +161,7 @@ impl Study {
                     ];
                     for (output, row) in (0..found[0].len()).zip(&mut row) {
                         row.errors = std::array::from_fn(|scalar| row.errors[scalar].max(found[scalar][output]));
+                        row.proven = row.proven.max(proven[output]);
                     }
                 }
                 condition = condition.max(shape_condition(model, &state[..n]));
@@ -169,14 +177,15 @@ impl Study {
         writeln!(
             out,
             "{} states: random ones, quarter turns, and angles of 10⁶ rad; Λ_q has a condition number of {:.0e} at most\n\
-             worst error in units of the resolution (2⁻⁵², 2⁻²³) of the largest entry\n",
+             worst error in units of the resolution (2⁻⁵², 2⁻²³) of the largest entry; f64 at most: proven by interval arithmetic\n",
             self.states, self.condition
         )?;
         let mut rows = Table::new();
         rows.load_preset(presets::NOTHING);
-        rows.add_row(["", "operations", "f64", "f32"]);
+        rows.add_row(["", "operations", "f64", "f64 at most", "f32"]);
         for row in &self.rows {
-            rows.add_row([row.name.clone(), row.operations.to_string(), units(row.errors[0]), units(row.errors[1])]);
+            let [double, single] = row.errors.map(units);
+            rows.add_row([row.name.clone(), row.operations.to_string(), double, units(row.proven), single]);
         }
         for column in rows.column_iter_mut().skip(1) {
             column.set_cell_alignment(CellAlignment::Right);
@@ -186,7 +195,7 @@ impl Study {
 
     /// The same for programs.
     pub fn json(&self, model: &Model) -> serde_json::Value {
-        let row = |row: &Row| json!({ "name": row.name, "operations": row.operations, "f64": row.errors[0], "f32": row.errors[1] });
+        let row = |row: &Row| json!({ "name": row.name, "operations": row.operations, "f64": row.errors[0], "f64_proven": row.proven, "f32": row.errors[1] });
         json!({
             "robot": model.name(),
             "states": self.states,
@@ -197,19 +206,38 @@ impl Study {
 }
 
 fn units(error: f64) -> String {
-    if error < 1e4 { format!("{error:.1}") } else { format!("{error:.1e}") }
+    if error.is_infinite() {
+        "–".into()
+    } else if error < 1e4 {
+        format!("{error:.1}")
+    } else {
+        format!("{error:.1e}")
+    }
 }
 
 /// For each output the largest error, in units of its largest entry and of `resolution`.
 fn worst<T: Real + Into<DoubleDouble>>(found: &[Vec<T>], exact: &[Vec<DoubleDouble>], resolution: f64) -> Vec<f64> {
     let each = found.iter().zip(exact).map(|(found, exact)| {
-        let largest = exact.iter().fold(0.0_f64, |largest, x| largest.max(x.high().abs()));
-        let errors = found.iter().zip(exact).map(|(&a, &b)| (a.into() - b).high().abs());
-        // NaN must win: it is the worst of all.
-        let error = errors.fold(0.0, |worst: f64, error| if error > worst || error.is_nan() { error } else { worst });
-        if error == 0.0 { 0.0 } else { error / (resolution * largest) }
+        in_units(found.iter().zip(exact).map(|(&a, &b)| (a.into() - b).high().abs()), exact, resolution)
     });
     each.collect()
+}
+
+/// For each output the largest way from a double to the farther end of its interval, in units of its largest entry and of 2⁻⁵².
+fn farthest(found: &[Vec<f64>], enclosed: &[Vec<Interval>], exact: &[Vec<DoubleDouble>]) -> Vec<f64> {
+    let each = found.iter().zip(enclosed).zip(exact).map(|((found, enclosed), exact)| {
+        let ways = found.iter().zip(enclosed).map(|(x, within)| (within.upper() - x).max(x - within.lower()));
+        in_units(ways, exact, f64::EPSILON)
+    });
+    each.collect()
+}
+
+/// The largest error, in units of the largest entry and of `resolution`.
+fn in_units(errors: impl Iterator<Item = f64>, exact: &[DoubleDouble], resolution: f64) -> f64 {
+    let largest = exact.iter().fold(0.0_f64, |largest, x| largest.max(x.high().abs()));
+    // NaN must win: it is the worst of all.
+    let error = errors.fold(0.0, |worst: f64, error| if error > worst || error.is_nan() { error } else { worst });
+    if error == 0.0 { 0.0 } else { error / (resolution * largest) }
 }
 
 fn operations(question: &Question, model: &Model, numbers: usize) -> usize {
