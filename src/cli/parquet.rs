@@ -40,7 +40,7 @@ fn file<'n>(title: &str, columns: impl IntoIterator<Item = (&'n str, Column)>) -
         let field = Type::primitive_type_builder(name, physical).with_repetition(Repetition::REQUIRED);
         field.with_logical_type(logical).build().map(Arc::new)
     };
-    let fields = names.iter().zip(&columns).map(field).collect::<Result<_>>()?;
+    let fields = names.iter().zip(&columns).map(field).collect::<Result<_, _>>()?;
     let schema = Type::group_type_builder(title).with_fields(fields).build()?;
     // Numbers of a motion hardly ever repeat.
     let properties = WriterProperties::builder().set_dictionary_enabled(false).build();
