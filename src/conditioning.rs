@@ -86,12 +86,11 @@ impl Conditioning {
         shape.connection(&mut connection);
         let locked = shape.locked_inertia().to_matrix();
         let free = |j: usize| inertia[(j, j)].high();
-        let (seconds, total) = second_moments(model, &mut shape);
-        let reach = (total / locked[(3, 3)].high()).sqrt();
+        let reach = (second_moments(model, &mut shape).1 / locked[(3, 3)].high()).sqrt();
         let carried = |j: usize| connection.column(j).dot(&(locked * connection.column(j))).high();
         let correlation = DMatrix::from_fn(n, n, |i, j| inertia[(i, j)].high() / (free(i) * free(j)).sqrt());
         Self {
-            lever: Ratio::largest((0..n).map(|j| 1.0 + terms(model, &seconds, total, j) / free(j))),
+            lever: Ratio::largest(levers(model, &mut shape).into_iter()),
             distance: Ratio::largest((0..n).map(|j| way(model, j) / reach)),
             lightness: Ratio::largest((0..n).map(|j| 1.0 + carried(j) / free(j))),
             condition: condition(correlation),
@@ -115,12 +114,9 @@ impl Conditioning {
         worst
     }
 
-    /// What rounding may do at most, in units of `f64::EPSILON` of the natural scale.
-    ///
-    /// Some twenty roundings make an entry from the poses of two bodies, each joint before them adds four, and they add up like a
-    /// random walk, of which this is three times the expected size.
+    /// What rounding may do at most, in units of `f64::EPSILON` of the natural scale: [`roundings`] times the ratios concerned.
     pub fn bound(&self, bounded: Bounded) -> f64 {
-        let quantities = 3.0 * (20.0 + 4.0 * self.joints as f64).sqrt() * self.lever.value * self.distance.value;
+        let quantities = roundings(self.joints) * self.lever.value * self.distance.value;
         match bounded {
             Bounded::Quantities => quantities,
             Bounded::TextbookInertia => quantities * self.lightness.value,
@@ -133,6 +129,23 @@ impl Conditioning {
     pub fn digits(&self, bounded: Bounded) -> f64 {
         (-(self.bound(bounded) * f64::EPSILON).log10()).max(0.0)
     }
+}
+
+/// What rounding may add up to in a robot of this many joints, in units of `f64::EPSILON`: three times the size of a random walk.
+///
+/// Some twenty roundings make an entry of Λ_q from the poses of two bodies (an inertia turned and moved, a 3×3 solve, two products of
+/// six terms), and each joint before them adds four.
+pub fn roundings(joints: usize) -> f64 {
+    3.0 * (20.0 + 4.0 * joints as f64).sqrt()
+}
+
+/// By how much the terms of each Λ_jj exceed it, one ratio a coordinate; the largest is [`Conditioning::lever`].
+pub fn levers(model: &Model<DoubleDouble>, shape: &mut Shape<'_, '_, DoubleDouble>) -> Vec<f64> {
+    let mut inertia = DMatrix::zeros(model.dof(), model.dof());
+    shape.shape_inertia(&mut inertia);
+    let (seconds, total) = second_moments(model, shape);
+    let lever = |j: usize| 1.0 + terms(model, &seconds, total, j) / inertia[(j, j)].high();
+    (0..model.dof()).map(lever).collect()
 }
 
 /// A shape within the limits; where there are none, angles within ±π rad and ways within ±1 m.

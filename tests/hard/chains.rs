@@ -6,7 +6,9 @@
 //! more than linearly. The last link of a straight chain is n/2 links away, and its own inertia of 1/3 is the difference of terms n²/4:
 //! there the growth is quadratic.
 
-use crate::judge::{Judged, judge_all, roundings};
+use frs::conditioning::roundings;
+
+use crate::judge::{Judged, judge_all};
 use crate::robots::chain;
 use crate::state::State;
 

@@ -4,12 +4,13 @@
 //! own frame stands at its centre of mass, and links that are fixed to each other are weighed from one another, so that joints and
 //! everything they feel never see the distance.
 
+use frs::conditioning::roundings;
 use frs::model::{InertialDescription, JointKind, RobotDescription};
 use frs::nalgebra::Vector3;
 use frs::spatial::Pose;
 use frs::{Evaluator, Model, Quantity};
 
-use crate::judge::{answer, judge, judge_all, roundings};
+use crate::judge::{answer, judge, judge_all};
 use crate::robots::{brick, turned};
 use crate::state::State;
 

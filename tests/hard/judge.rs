@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use frs::conditioning::roundings;
 use frs::extended::DoubleDouble;
 use frs::nalgebra::DMatrix;
 use frs::spatial::{Twist, Wrench};
@@ -22,19 +23,12 @@ pub struct Judged {
     pub leverless: f64,
     /// The error of Λ_q in the scale of its largest entry.
     pub of_largest: f64,
-    /// The largest lever ratio; this and what follows: see [`Scales`].
+    /// See [`frs::conditioning::Conditioning`].
     pub lever: f64,
     pub lightness: f64,
     pub condition: f64,
+    /// The condition number of Λ_q as it is.
     pub plain_condition: f64,
-}
-
-/// What rounding may add up to, in units of ε: three times the random walk of a robot of this many joints.
-///
-/// Some twenty roundings make an entry of Λ_q from the poses of two bodies (an inertia turned and moved, a 3×3 solve, two products of
-/// six terms), and each joint before them adds four.
-pub fn roundings(joints: usize) -> f64 {
-    3.0 * (20.0 + 4.0 * joints as f64).sqrt()
 }
 
 impl Judged {
@@ -103,9 +97,9 @@ pub fn judge(model: &Model, state: &State) -> Judged {
     let scales = Scales::new(&precise, state);
     let (mut robot, mut truth) = (Evaluator::new(model), Evaluator::<DoubleDouble>::new(&precise));
     let mut judged = Judged {
-        lever: scales.levers.iter().copied().fold(1.0, f64::max),
-        lightness: scales.lightness,
-        condition: scales.condition,
+        lever: scales.conditioning.lever.value,
+        lightness: scales.conditioning.lightness.value,
+        condition: scales.conditioning.condition.value,
         plain_condition: scales.plain_condition,
         ..Judged::default()
     };

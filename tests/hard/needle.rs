@@ -3,7 +3,9 @@
 //! What the joint moves vanishes with the square of the thickness, and Λ_q becomes singular. The needle's own inertia is the
 //! difference of terms that are as large as the other joints' inertias, so what is lost is the condition number of Λ_q, and not more.
 
-use crate::judge::{judge_all, roundings};
+use frs::conditioning::roundings;
+
+use crate::judge::judge_all;
 use crate::robots::{built, needle, turned};
 
 const SHAPES: u64 = 20;

@@ -5,10 +5,10 @@
 //! rounding every mass, length and angle once would cause. Where the equations of the momentum bring in the connection, as in the mixed
 //! blocks of D_μ, the scale is that of a joint that moves while the base is held, `√M_jj`.
 
+use frs::conditioning::{Conditioning, levers};
 use frs::extended::DoubleDouble;
-use frs::model::Motion;
 use frs::nalgebra::{DMatrix, Matrix3, Matrix6xX};
-use frs::{Model, Shape, Workspace};
+use frs::{Model, Workspace};
 
 use crate::state::State;
 
@@ -30,10 +30,8 @@ pub struct Scales {
     reach: f64,
     /// By how much the terms of Λ_ii exceed it.
     pub levers: Vec<f64>,
-    /// The largest M_jj/Λ_jj: by how much a joint moves less mass on the floating base than on a held one.
-    pub lightness: f64,
-    /// The condition number of Λ_q in the scales of its coordinates, and as it is.
-    pub condition: f64,
+    pub conditioning: Conditioning,
+    /// The condition number of Λ_q as it is.
     pub plain_condition: f64,
 }
 
@@ -51,9 +49,10 @@ impl Scales {
         shape.connection(&mut connection);
         let (inertia, connection) = (inertia.map(high), connection.map(high));
 
+        let values = inertia.symmetric_eigenvalues();
         let shape_motion: Vec<f64> = (0..n).map(|j| inertia[(j, j)].sqrt()).collect();
         let correlation = DMatrix::from_fn(n, n, |i, j| inertia[(i, j)] / (shape_motion[i] * shape_motion[j]));
-        let inverse = correlation.clone().try_inverse().expect("Λ_q is positive definite");
+        let inverse = correlation.try_inverse().expect("Λ_q is positive definite");
         let turning: Matrix3<f64> = about_com.try_inverse().expect("Λ_b is positive definite");
         let arm = com.cross_matrix();
         let sliding = Matrix3::identity() / mass - arm * turning * arm;
@@ -64,10 +63,9 @@ impl Scales {
             .collect();
         Self {
             n,
-            lightness: held.iter().zip(&shape_motion).map(|(held, free)| (held / free).powi(2)).fold(1.0, f64::max),
-            condition: condition(correlation),
-            plain_condition: condition(inertia),
+            plain_condition: values.max() / values.min(),
             levers: levers(model, &mut shape),
+            conditioning: Conditioning::at(model, &state.wide("q", n)),
             held,
             force: locked_force.chain(shape_force).collect(),
             motion: (0..6).map(|i| locked[(i, i)].sqrt()).chain(shape_motion).collect(),
@@ -155,34 +153,4 @@ impl Scales {
             other => panic!("{other} has no scale"),
         }
     }
-}
-
-fn condition(matrix: DMatrix<f64>) -> f64 {
-    let values = matrix.symmetric_eigenvalues();
-    values.max() / values.min()
-}
-
-/// By how much the terms of Λ_ii exceed it: `1 + r_i/Λ_ii` of a hinge.
-///
-/// Sweeps take moments about the total centre of mass. What a hinge moves is the difference of terms as large as the second moments
-/// of mass about that point on its two sides, of which the smaller one counts: `1/r_i = 1/Σ_in m x² + 1/Σ_out m x²`.
-fn levers(model: &Model<DoubleDouble>, shape: &mut Shape<'_, '_, DoubleDouble>) -> Vec<f64> {
-    let n = model.dof();
-    let (com, bodies) = (shape.com(), model.bodies());
-    let mut inertia = DMatrix::zeros(n, n);
-    shape.shape_inertia(&mut inertia);
-    let second = |k: usize| {
-        let link = model.links().iter().position(|link| link.body == k).expect("every body has a link");
-        let pose = shape.link_pose(link) * model.links()[link].placement.inverse();
-        let arm = (pose.transform(bodies[k].com) - com).map(DoubleDouble::high);
-        bodies[k].mass.high() * arm.norm_squared() + 0.5 * bodies[k].inertia.to_matrix().trace().high()
-    };
-    let seconds: Vec<f64> = (0..bodies.len()).map(second).collect();
-    let total: f64 = seconds.iter().sum();
-    let mut levers = vec![1.0; n];
-    for (k, body) in bodies.iter().enumerate().skip(1).filter(|(_, body)| body.motion == Motion::Revolute) {
-        let (i, inside) = (body.drive.coordinate, seconds[k..body.end].iter().sum::<f64>());
-        levers[i] += inside * (1.0 - inside / total) / inertia[(i, i)].high();
-    }
-    levers
 }

@@ -4,11 +4,12 @@
 //! centre of mass stands beside it, so that the rounding of the centre of mass, times the mass, would be an impulse that the light
 //! links feel; it is taken out (`sweep/position.rs`).
 
+use frs::conditioning::roundings;
 use frs::nalgebra::Vector3;
 use frs::spatial::Symmetric3;
 use frs::{Model, urdf};
 
-use crate::judge::{Judged, judge_all, roundings};
+use crate::judge::{Judged, judge_all};
 use crate::robots::{brick, rods, turned, with_tool};
 
 /// Shapes a robot.
