@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -172,6 +172,80 @@ fn settings_are_written_and_everything_else_of_a_scene_stays() {
     let kept: Vec<&str> = after.lines().filter(own).filter(|line| !line.is_empty()).collect();
     assert_eq!(kept, before.lines().filter(own).filter(|line| !line.is_empty()).collect::<Vec<_>>());
     assert!(after.contains("[solver]"), "{after}");
+}
+
+/// Motions of other programs are judged as our own: one that is as exact as the yardstick, one that is a hundredth off, one that ends early.
+#[cfg(unix)]
+#[test]
+fn other_programs_are_judged_and_drawn() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let scene = beginning("tumbling", "0.1");
+    let (path, folder) = (scene.to_str().unwrap(), scene.with_file_name("study"));
+    let whole = std::fs::read_to_string(&scene).unwrap();
+    let exact = whole.lines().filter(|line| !line.starts_with("accuracy") && !line.starts_with("samples_per_second"));
+    let exact = exact.fold("accuracy = 1e-13\nsamples_per_second = 100\n".to_owned(), |text, line| text + line + "\n");
+    std::fs::write(scene.with_file_name("exact.toml"), exact).unwrap();
+    let out = scene.with_file_name("exact");
+    let run = frs(&["simulate", scene.with_file_name("exact.toml").to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    assert!(run.status.success(), "{}", text(&run.stderr));
+    let table = std::fs::read_to_string(out.join("trajectory.csv")).unwrap();
+    let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let states = |off: f64| -> Vec<Value> {
+        // The first line is the start.
+        let rows =
+            table.lines().skip(2).map(|line| line.split(',').map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>());
+        let take = |row: &[f64], start: &str| -> Vec<f64> {
+            names.iter().zip(row).filter(|(name, _)| name.starts_with(start)).map(|(_, x)| *x).collect()
+        };
+        rows.map(|row| {
+            let q: Vec<f64> = take(&row, "q.").iter().map(|x| x + off).collect();
+            let rotation: Vec<Vec<f64>> = take(&row, "pose.r_").chunks(3).map(<[f64]>::to_vec).collect();
+            json!({ "position": take(&row, "pose.")[..3], "rotation": rotation, "q": q })
+        })
+        .collect()
+    };
+    let motion = |method: &str, states: &[Value]| {
+        json!({ "program": "Other", "method": method, "step": 0.01, "evaluations": 40, "seconds": 1e-3, "states": states }).to_string()
+    };
+    let lines = [
+        motion("exact", &states(0.0)),
+        motion("late", &states(0.01)),
+        motion("short", &states(0.0)[..4]),
+        json!({ "left_out": "Another is not installed" }).to_string(),
+    ];
+    std::fs::write(folder.with_file_name("answer"), lines.join("\n") + "\n").unwrap();
+    let other = scene.with_file_name("python");
+    let heard = scene.with_file_name("heard");
+    let answer =
+        format!("#!/bin/sh\ncat > '{}'\ncat '{}'\n", heard.display(), scene.with_file_name("answer").display());
+    std::fs::write(&other, answer).unwrap();
+    std::fs::set_permissions(&other, std::fs::Permissions::from_mode(0o755)).unwrap();
+
+    let peers = format!("--peers={}", other.display());
+    let study = frs(&["accuracy", path, "--seconds", "0.5", "--json", &peers, "--out", folder.to_str().unwrap()]);
+    assert!(study.status.success(), "{}", text(&study.stderr));
+    assert!(text(&study.stderr).contains("Another is not installed"), "{}", text(&study.stderr));
+    let told: Value = serde_json::from_slice(&study.stdout).unwrap();
+    let error = |i: usize| told["peers"]["motions"][i]["error"].as_f64();
+    assert!(error(0).unwrap() < 1e-10 && (error(1).unwrap() - 0.01).abs() < 1e-9, "{}", told["peers"]);
+    // null is infinite.
+    assert_eq!((error(2), told["peers"]["motions"][2]["method"].as_str()), (None, Some("short")));
+    let picture = std::fs::read_to_string(folder.join("accuracy.svg")).unwrap();
+    assert!(picture.contains("Other exact") && picture.contains("Other late") && !picture.contains("Other short"));
+    assert!(std::fs::read_to_string(folder.join("peers.csv")).unwrap().lines().count() == 4);
+    let request: Value = serde_json::from_str(&std::fs::read_to_string(&heard).unwrap()).unwrap();
+    assert_eq!(request["times"].as_array().unwrap().len(), 10);
+    assert!(request["stiffness"].as_array().unwrap().iter().any(|k| k.as_f64() > Some(0.0)), "the scene has springs");
+
+    let absent = frs(&["accuracy", path, "--seconds", "0.1", "--peers=/no/such/python"]);
+    assert_eq!(absent.status.code(), Some(2));
+    assert!(text(&absent.stderr).contains("--peers: /no/such/python cannot be started"), "{}", text(&absent.stderr));
+    let gibberish = frs(&["accuracy", path, "--seconds", "0.1", "--peers=/bin/echo"]);
+    assert_eq!(gibberish.status.code(), Some(2));
+    assert!(text(&gibberish.stderr).contains("says what is no answer"), "{}", text(&gibberish.stderr));
+    let unknown = frs(&["accuracy", "scenes/underwater.toml", "--seconds", "0.1", &peers]);
+    assert!(text(&unknown.stderr).contains("they do not know a wrench elsewhere than in the base's origin (line 14)"), "{}", text(&unknown.stderr));
 }
 
 #[test]

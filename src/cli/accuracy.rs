@@ -4,6 +4,7 @@ mod advice;
 #[cfg(feature = "jit")]
 mod compiled;
 mod page;
+mod peers;
 mod picture;
 mod search;
 mod settings;
@@ -20,6 +21,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
 use self::advice::ASKED;
+use self::peers::Peers;
 use self::search::{Cost, Point, Search, words};
 use super::scene::{self, Loaded};
 use super::{Failure, RobotArgs, parquet, write};
@@ -53,6 +55,12 @@ pub struct Accuracy {
     /// Write them into the scene.
     #[arg(long, requires = "want")]
     write: bool,
+    /// Let MuJoCo and Pinocchio compute the scene, too, and draw them beside; with a Python that has them (pip install mujoco pin).
+    #[arg(
+        long, value_name = "PYTHON", num_args = 0..=1, require_equals = true, default_missing_value = "python3",
+        conflicts_with_all = ["counts", "eval"]
+    )]
+    peers: Option<String>,
     /// Try and time for this long at most, a scene (s).
     #[arg(long, value_name = "SECONDS", default_value_t = 120.0)]
     seconds: f64,
@@ -90,7 +98,7 @@ impl Accuracy {
 
     /// One scene; what was asked and cannot be had, if so.
     fn scene(&self, path: &Path) -> Result<Option<String>, Failure> {
-        let Loaded { scene, model, scene_text, .. } = scene::load(path)?;
+        let Loaded { scene, model, scene_text, robot_text, .. } = scene::load(path)?;
         let name = path.display();
         if let Some(reason) = reason_against(&scene) {
             return Err(Failure::Input(format!(
@@ -106,7 +114,14 @@ impl Accuracy {
         bar.set_message(name.to_string());
         let cost = if self.counts { Cost::Operations } else { Cost::Time };
         let search = Search::of(&scene, &model, &truth, cost, self.seconds, &bar);
+        let peers = match &self.peers {
+            Some(python) => Peers::of(python, &scene, &model, &robot_text, &truth, &bar)?,
+            None => Peers::default(),
+        };
         bar.finish_and_clear();
+        for reason in &peers.left_out {
+            eprintln!("{name}: peers: {reason}");
+        }
 
         if let Some(out) = &self.out {
             let folder =
@@ -116,8 +131,8 @@ impl Accuracy {
             if cost == Cost::Time {
                 about = format!("{about}; {}", machine());
             }
-            let picture = picture::svg(&search, &format!("What accuracy costs: {file}"), scene.duration);
-            let page = page::page(&search, &file, &about, scene.duration, truth.error(), &picture);
+            let picture = picture::svg(&search, &peers, &format!("What accuracy costs: {file}"), scene.duration);
+            let page = page::page(&search, &peers, &file, &about, scene.duration, truth.error(), &picture);
             let columns = table::columns(&search);
             for (name, text) in
                 [("accuracy.csv", table::csv(&columns)), ("accuracy.svg", picture), ("accuracy.html", page)]
@@ -125,6 +140,9 @@ impl Accuracy {
                 write(&folder.join(name), &text)?;
             }
             parquet::write(&folder.join("accuracy.parquet"), "accuracy", columns)?;
+            if self.peers.is_some() {
+                write(&folder.join("peers.csv"), &peers.csv())?;
+            }
         }
         let chosen = self.want.map(|want| (want, search.cheapest(want, has_settings)));
         if let Some((_, Some(point))) = chosen
@@ -136,9 +154,14 @@ impl Accuracy {
         }
         let mut out = io::stdout().lock();
         if self.json {
-            writeln!(out, "{}", object(path, &search, &truth, scene.duration, chosen))?;
+            let mut told = object(path, &search, &truth, scene.duration, chosen);
+            if self.peers.is_some() {
+                told["peers"] = peers.json();
+            }
+            writeln!(out, "{told}")?;
         } else {
             told(&mut out, path, &search, &truth, scene.duration, chosen)?;
+            peers.print(&mut out, scene.duration)?;
         }
         Ok(match chosen {
             Some((want, None)) => Some(format!("{name}: no setting that was tried has an error of {want:e} or less")),

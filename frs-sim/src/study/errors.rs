@@ -57,29 +57,44 @@ impl Errors {
         let most = exact.iter().fold(0.0, |most: f64, observed| most.max(observed.energy.high()));
         let unit = if most > 0.0 { most } else { 1.0 };
         for (found, exact) in found.iter().zip(exact) {
-            let turn = found.pose.rotation.transpose() * exact.pose.rotation;
-            // For small angles, the skew half of a rotation is its angle.
-            let half = DoubleDouble::from_f64(0.5);
-            let skew = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| ((turn[(i, j)] - turn[(j, i)]) * half).high());
-            let angle = match turn.trace().high() < 1.0 {
-                // More than a right angle: the sine says nothing any more.
-                true => std::f64::consts::FRAC_PI_2,
-                false => skew.iter().map(|x| x * x).sum::<f64>().sqrt(),
-            };
-            raise(&mut errors.pose, angle);
-            for (a, b) in found.pose.translation.iter().zip(&exact.pose.translation) {
-                raise(&mut errors.pose, apart(*a, *b));
-            }
-            let joints = exact.shape.len() / 2;
-            for (a, b) in found.shape.iter().zip(&exact.shape).take(joints) {
-                raise(&mut errors.shape, apart(*a, *b));
-            }
+            errors.place(&found.pose, &found.shape, exact);
             for (a, b) in found.momentum.to_array().into_iter().zip(exact.momentum.to_array()) {
                 raise(&mut errors.momentum, (a - b).high().abs());
             }
             raise(&mut errors.energy, (found.energy - exact.energy).high().abs() / unit);
         }
         errors
+    }
+
+    /// Of places and shapes alone; momentum and energy are not known.
+    pub(super) fn of_places<'p>(
+        found: impl Iterator<Item = (&'p Pose<DoubleDouble>, &'p [DoubleDouble])>,
+        exact: &[Observed],
+    ) -> Self {
+        let mut errors = Self { momentum: f64::NAN, energy: f64::NAN, ..Self::default() };
+        found.zip(exact).for_each(|((pose, q), exact)| errors.place(pose, q, exact));
+        errors
+    }
+
+    /// Of a pose and of as many coordinates as the robot has.
+    fn place(&mut self, pose: &Pose<DoubleDouble>, q: &[DoubleDouble], exact: &Observed) {
+        let turn = pose.rotation.transpose() * exact.pose.rotation;
+        // For small angles, the skew half of a rotation is its angle.
+        let half = DoubleDouble::from_f64(0.5);
+        let skew = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| ((turn[(i, j)] - turn[(j, i)]) * half).high());
+        let angle = match turn.trace().high() < 1.0 {
+            // More than a right angle: the sine says nothing any more.
+            true => std::f64::consts::FRAC_PI_2,
+            false => skew.iter().map(|x| x * x).sum::<f64>().sqrt(),
+        };
+        raise(&mut self.pose, angle);
+        for (a, b) in pose.translation.iter().zip(&exact.pose.translation) {
+            raise(&mut self.pose, apart(*a, *b));
+        }
+        let joints = exact.shape.len() / 2;
+        for (a, b) in q.iter().zip(&exact.shape).take(joints) {
+            raise(&mut self.shape, apart(*a, *b));
+        }
     }
 }
 

@@ -14,6 +14,7 @@ use std::time::Instant;
 
 use frs_core::Model;
 use frs_core::extended::DoubleDouble;
+use frs_core::spatial::Pose;
 
 use crate::integrate::{IntegrationError, Method, Steps};
 use crate::run::equations;
@@ -113,6 +114,26 @@ impl<'s> Truth<'s> {
     /// If the motion cannot be computed this way.
     pub fn judge_with(&self, solver: Solver, equate: Equate<'_, '_, f64>) -> Result<Judged, IntegrationError> {
         self.judged(&Scene { solver, ..self.scene.clone() }, equate)
+    }
+
+    /// When motions are judged, s.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// How far a motion from elsewhere is off in pose and shape, at [`times`](Self::times); one that was not seen at all of them is
+    /// infinitely far off. Its momentum and energy are not known: NaN.
+    pub fn judge_places(&self, places: &[(Pose<f64>, Vec<f64>)]) -> Errors {
+        let dof = self.double.dof();
+        if places.len() != self.times.len() || places.iter().any(|(_, q)| q.len() != dof) {
+            return Errors { pose: f64::INFINITY, shape: f64::INFINITY, momentum: f64::NAN, energy: f64::NAN };
+        }
+        let widen = |(pose, q): &(Pose<f64>, Vec<f64>)| {
+            let pose = Pose::new(pose.rotation.map(DoubleDouble::from), pose.translation.map(DoubleDouble::from));
+            (pose, q.iter().copied().map(DoubleDouble::from).collect::<Vec<_>>())
+        };
+        let wide: Vec<_> = places.iter().map(widen).collect();
+        Errors::of_places(wide.iter().map(|(pose, q)| (pose, q.as_slice())), &self.observed)
     }
 
     fn judged<T: track::Number>(&self, scene: &Scene, equate: Equate<'_, '_, T>) -> Result<Judged, IntegrationError> {

@@ -1,8 +1,10 @@
 //! Work and precision: cost over error, both by powers of ten.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use super::advice::time;
+use super::peers::{Motion, Peers};
 use super::search::{Cost, Point, Search, words};
 use crate::cli::svg::{escaped, text};
 
@@ -21,11 +23,20 @@ const COLOURS: [(&str, &str); 7] = [
     ("euler", "#777777"),
 ];
 
+/// The colour of other programs.
+const PEER: &str = "#555";
+
+/// Width and height of the names of their methods, at most, in pixels.
+const LABEL: [f64; 2] = [110.0, 12.0];
+
+/// Errors that are drawn.
+pub const SEEN: Range<f64> = 1e-17..1.0;
+
 /// Dashes of the numbers.
 const DASHES: [(&str, &str); 3] = [("f64", "none"), ("f32", "3 3"), ("double-double", "9 4")];
 
 /// The picture; curves say in `data-…` what they are, points in their titles what they cost.
-pub fn svg(search: &Search, title: &str, duration: f64) -> String {
+pub fn svg(search: &Search, peers: &Peers, title: &str, duration: f64) -> String {
     let [width, height] = PAGE;
     let [left, top, across, down] = AREA;
     let mut out = format!(
@@ -38,14 +49,15 @@ pub fn svg(search: &Search, title: &str, duration: f64) -> String {
         search.curves
     );
     let cost = |point: &Point| point.cost(search.cost) / duration;
-    let shown = |point: &Point| (1e-17..1.0).contains(&point.errors.of_state());
+    let shown = |point: &Point| SEEN.contains(&point.errors.of_state());
     let points = || search.points.iter().filter(|point| shown(point));
     let decades = |values: &mut dyn Iterator<Item = f64>| {
         let [low, high] = values.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], x| [low.min(x), high.max(x)]);
         [low.log10().floor(), high.log10().ceil().max(low.log10().floor() + 1.0)]
     };
-    let errors = decades(&mut points().map(|point| point.errors.of_state()));
-    let costs = decades(&mut points().map(cost));
+    let others = || peers.motions.iter().filter(Motion::is_seen);
+    let errors = decades(&mut points().map(|point| point.errors.of_state()).chain(others().map(|other| other.error)));
+    let costs = decades(&mut points().map(cost).chain(others().map(|other| other.seconds / duration)));
     let place = |error: f64, cost: f64| {
         let x = left + across * (errors[1] - error.log10()) / (errors[1] - errors[0]);
         [x, top + down * (costs[1] - cost.log10()) / (costs[1] - costs[0])]
@@ -118,6 +130,7 @@ pub fn svg(search: &Search, title: &str, duration: f64) -> String {
             named(&DASHES, names[4])
         );
     }
+    draw_peers(&mut out, peers, duration, |motion| place(motion.error, motion.seconds / duration));
     let front: Vec<String> = search
         .front
         .iter()
@@ -131,6 +144,43 @@ pub fn svg(search: &Search, title: &str, duration: f64) -> String {
     );
     legend(&mut out, left + across + 22.0, top + 8.0);
     out + "</svg>\n"
+}
+
+/// Squares and lines, with the names of their methods at their last motions.
+fn draw_peers(out: &mut String, peers: &Peers, duration: f64, place: impl Fn(&Motion) -> [f64; 2]) {
+    let mut labels: Vec<[f64; 2]> = Vec::new();
+    for curve in peers.curves() {
+        let motions: Vec<_> = curve.iter().filter(Motion::is_seen).collect();
+        let Some(last) = motions.last() else { continue };
+        let (name, program) = (escaped(&last.name()), escaped(&last.program));
+        let path: Vec<String> =
+            motions.iter().map(|motion| place(motion)).map(|[x, y]| format!("{x:.1} {y:.1}")).collect();
+        let _ = write!(
+            out,
+            "<g class=\"curve\" data-program=\"{program}\" stroke=\"{PEER}\" fill=\"{PEER}\"><path d=\"M{}\" fill=\"none\"/>",
+            path.join("L")
+        );
+        for motion in &motions {
+            let [x, y] = place(motion).map(|at| at - 2.5);
+            let (step, cost) = (time(motion.step), time(motion.seconds / duration));
+            let _ = write!(
+                out,
+                "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"5\" height=\"5\"><title>{name}, steps of {step}\nerror of pose and shape: {:.1e}\n{cost} a simulated second, {} evaluations</title></rect>",
+                motion.error, motion.evaluations
+            );
+        }
+        let [x, mut y] = place(last);
+        while labels.iter().any(|[left, line]| (x - left).abs() < LABEL[0] && (y - line).abs() < LABEL[1]) {
+            y -= 1.0;
+        }
+        labels.push([x, y]);
+        let _ = writeln!(
+            out,
+            "<text x=\"{:.1}\" y=\"{:.1}\" stroke=\"none\" font-size=\"11\">{name}</text></g>",
+            x + 5.0,
+            y - 5.0
+        );
+    }
 }
 
 fn legend(out: &mut String, x: f64, top: f64) {
