@@ -245,7 +245,11 @@ fn other_programs_are_judged_and_drawn() {
     assert_eq!(gibberish.status.code(), Some(2));
     assert!(text(&gibberish.stderr).contains("says what is no answer"), "{}", text(&gibberish.stderr));
     let unknown = frs(&["accuracy", "scenes/underwater.toml", "--seconds", "0.1", &peers]);
-    assert!(text(&unknown.stderr).contains("they do not know a wrench elsewhere than in the base's origin (line 14)"), "{}", text(&unknown.stderr));
+    assert!(
+        text(&unknown.stderr).contains("they do not know a wrench elsewhere than in the base's origin (line 14)"),
+        "{}",
+        text(&unknown.stderr)
+    );
 }
 
 #[test]
