@@ -65,7 +65,7 @@ impl Interval {
         if rest == 0.0 {
             return Self { lower: nearest, upper: nearest };
         }
-        let (above, below) = (!(rest < 0.0), !(rest > 0.0));
+        let (above, below) = (rest > 0.0 || rest.is_nan(), rest < 0.0 || rest.is_nan());
         let lower = if below { nearest.next_down() } else { nearest };
         Self::between(lower, if above { nearest.next_up() } else { nearest })
     }
@@ -209,7 +209,6 @@ impl Add for Interval {
 
 impl Sub for Interval {
     type Output = Self;
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "a difference is the sum with what is negated")]
     fn sub(self, other: Self) -> Self {
         self + -other
     }

@@ -23,7 +23,8 @@ except ImportError as missing:
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 EPSILON = np.finfo(float).eps
-INTEGRATORS = {"Euler": "mjINT_EULER", "implicit": "mjINT_IMPLICIT", "implicitfast": "mjINT_IMPLICITFAST", "RK4": "mjINT_RK4"}
+INTEGRATORS = {"Euler": "mjINT_EULER", "implicit": "mjINT_IMPLICIT", "implicitfast": "mjINT_IMPLICITFAST",
+               "discrete": "mjINT_DISCRETE", "RK4": "mjINT_RK4"}
 
 
 def simulated(folder, scene, robot):
@@ -66,7 +67,7 @@ class Table:
 
     def __init__(self):
         self.kept = True
-        print("\nMotions: frs, what it is allowed, MuJoCo's four integrators, Pinocchio under RK4")
+        print("\nMotions: frs, what it is allowed, MuJoCo's five integrators, Pinocchio under RK4")
         print(f"{'case':34}{'off by':20}" + "".join(f"{title:>13}" for title in ["frs", "allowed", *self.PEERS]))
 
     def row(self, case, what, frs, allowed, **peers):
