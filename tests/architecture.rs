@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real` and `Model` stand at the crate's root.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("real.rs", &[]),
     ("spatial", &["Real"]),
     ("model", &["Real", "spatial", "model"]),
@@ -14,6 +14,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
     ("hamel", &["Real", "model", "spatial", "sweep"]),
     ("derivatives", &["Real"]),
     ("extended.rs", &["Real"]),
+    ("enclosure.rs", &["Real", "extended"]),
     ("lanes", &["Real"]),
     ("quantity.rs", &[]),
     ("floating_base.rs", &["Curvature", "Model", "Quantity", "Real", "Shape", "Workspace", "spatial"]),
