@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 /// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real` and `Model` stand at the crate's root.
-const ARROWS: [(&str, &[&str]); 14] = [
-    ("real.rs", &[]),
+const ARROWS: [(&str, &[&str]); 15] = [
+    ("turn.rs", &[]),
+    ("real.rs", &["turn"]),
     ("spatial", &["Real"]),
     ("model", &["Real", "spatial", "model"]),
     ("urdf", &["Model", "model", "spatial", "urdf"]),
@@ -15,7 +16,7 @@ const ARROWS: [(&str, &[&str]); 14] = [
     ("derivatives", &["Real"]),
     ("extended.rs", &["Real"]),
     ("enclosure.rs", &["Real", "extended"]),
-    ("lanes", &["Real"]),
+    ("lanes", &["Real", "turn"]),
     ("quantity.rs", &[]),
     ("floating_base.rs", &["Curvature", "Model", "Quantity", "Real", "Shape", "Workspace", "spatial"]),
     ("generated.rs", &["Quantity"]),

@@ -298,7 +298,12 @@ impl Emitter<'_> {
                 None
             }
         };
-        let expressions = Expressions { program: self.program, precision: self.options.precision, names: &name };
+        let expressions = Expressions {
+            program: self.program,
+            precision: self.options.precision,
+            lanes: self.options.lanes,
+            names: &name,
+        };
         let mut body = TokenStream::new();
         let mut heading = None;
         let mut paired: BTreeSet<Place> = BTreeSet::new();
@@ -317,8 +322,8 @@ impl Emitter<'_> {
                                 Some(place) => ident(&names[&place]),
                                 None => ident("_"),
                             });
-                            let angle = expressions.angle(a);
-                            body.extend(quote!(let (#sin, #cos) = #angle.sin_cos();));
+                            let both = expressions.sin_cos(a);
+                            body.extend(quote!(let (#sin, #cos) = #both;));
                         }
                     }
                     _ => {

@@ -5,6 +5,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use crate::options::Lanes;
 use crate::program::Program;
 use crate::record::{Operation, Place};
 use crate::simplify::Precision;
@@ -24,6 +25,8 @@ pub struct Expressions<'a> {
     pub program: &'a Program,
     /// How constants are written.
     pub precision: Precision,
+    /// How many numbers are side by side.
+    pub lanes: Lanes,
     /// What a place is called where it has a name.
     pub names: &'a dyn Fn(Place) -> Option<TokenStream>,
 }
@@ -34,9 +37,15 @@ impl Expressions<'_> {
         self.operation(place).0
     }
 
-    /// The place as something a method is called on.
-    pub fn angle(&self, place: Place) -> TokenStream {
-        self.operand(place, Binding::Atom)
+    /// Sine and cosine of a place.
+    pub fn sin_cos(&self, place: Place) -> TokenStream {
+        let least = if self.lanes == Lanes::One { Binding::Sum } else { Binding::Atom };
+        let angle = self.operand(place, least);
+        match (self.lanes, self.precision) {
+            (Lanes::One, Precision::Double) => quote!(turn::sin_cos(#angle)),
+            (Lanes::One, Precision::Single) => quote!(turn::sin_cos_single(#angle)),
+            _ => quote!(#angle.sin_cos()),
+        }
     }
 
     /// `place` plus 0: no −0 leaves a function. Lanes need `lift` around what is no operation.
@@ -98,12 +107,12 @@ impl Expressions<'_> {
                 (quote!(#a.sqrt()), Binding::Atom)
             }
             Operation::Sin(a) => {
-                let a = at(a, Binding::Atom);
-                (quote!(#a.sin_cos().0), Binding::Atom)
+                let both = self.sin_cos(a);
+                (quote!(#both.0), Binding::Atom)
             }
             Operation::Cos(a) => {
-                let a = at(a, Binding::Atom);
-                (quote!(#a.sin_cos().1), Binding::Atom)
+                let both = self.sin_cos(a);
+                (quote!(#both.1), Binding::Atom)
             }
         }
     }

@@ -124,6 +124,18 @@ impl Emitter<'_> {
     }
 }
 
+/// Sine and cosine of the core, for a module that stands alone.
+pub fn turn() -> TokenStream {
+    let file: syn::File = syn::parse_str(frs_core::generated::TURN).expect("the core's own source is Rust");
+    let (documentation, items) = (&file.attrs, &file.items);
+    quote! {
+        mod turn {
+            #(#documentation)*
+            #(#items)*
+        }
+    }
+}
+
 /// The function that makes the output's type from a slice.
 fn conversion(output: &Output) -> &'static str {
     match (output.shape, output.layers) {

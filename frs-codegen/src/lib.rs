@@ -74,9 +74,15 @@ pub fn generate_on(
     let codes = emitter.codes();
     let (functions, reports) = emitter.functions(&codes);
     let robot = emitter.robot((!options.standalone).then_some(core), &codes);
+    let turns = options.lanes == Lanes::One && reports.iter().any(|report| report.counts.sin_cos > 0);
+    let turn = match (turns, options.standalone) {
+        (false, _) => TokenStream::new(),
+        (true, false) => quote!(use #core::turn;),
+        (true, true) => glue::turn(),
+    };
     Ok(Generated {
         documentation: emitter.module_documentation(),
-        items: quote!(#robot #functions),
+        items: quote!(#turn #robot #functions),
         functions: reports,
     })
 }

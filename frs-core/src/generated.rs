@@ -2,6 +2,9 @@
 
 use crate::Quantity;
 
+/// The source of [`turn`](crate::turn), for robots that stand alone.
+pub const TURN: &str = include_str!("turn.rs");
+
 const SIZES: &str = "inputs and outputs must be those that the quantity lists, each of its length";
 
 /// A slice as an array.

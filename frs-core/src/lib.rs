@@ -16,6 +16,7 @@ mod real;
 pub mod rel;
 pub mod spatial;
 mod sweep;
+pub mod turn;
 pub mod urdf;
 
 pub use floating_base::{Evaluator, FloatingBase};

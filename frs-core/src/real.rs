@@ -5,6 +5,8 @@ use std::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{One, Zero};
 
+use crate::turn;
+
 /// A number the dynamics can be evaluated over.
 ///
 /// `f64` and `f32` are numbers; so is anything that records, encloses, differentiates or widens them. The contract has
@@ -19,7 +21,7 @@ pub trait Real:
     /// √`self`.
     fn sqrt(self) -> Self;
 
-    /// (sin `self`, cos `self`), `self` in radians.
+    /// (sin `self`, cos `self`), `self` in radians; of floats with the same bits on every machine ([`turn`]).
     fn sin_cos(self) -> (Self, Self);
 
     /// The angle of the point (`x`, `self`) in (−π, π].
@@ -30,7 +32,7 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($float:ty, $from_f64:expr) => {
+    ($float:ty, $from_f64:expr, $sin_cos:expr) => {
         impl Real for $float {
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
@@ -44,7 +46,7 @@ macro_rules! impl_real {
 
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
+                $sin_cos(self)
             }
 
             #[inline(always)]
@@ -60,5 +62,5 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(f64, std::convert::identity);
-impl_real!(f32, |value: f64| value as f32);
+impl_real!(f64, std::convert::identity, turn::sin_cos);
+impl_real!(f32, |value: f64| value as f32, turn::sin_cos_single);

@@ -47,8 +47,8 @@ macro_rules! assert_operations {
                 assert_lanes!(-a, x.map(|x| -x), "negation");
                 assert_lanes!(Real::sqrt(a), x.map($element::sqrt), "sqrt");
                 let (sin, cos) = Real::sin_cos(a);
-                assert_lanes!(sin, x.map(|x| x.sin_cos().0), "sin");
-                assert_lanes!(cos, x.map(|x| x.sin_cos().1), "cos");
+                assert_lanes!(sin, x.map(|x| Real::sin_cos(x).0), "sin");
+                assert_lanes!(cos, x.map(|x| Real::sin_cos(x).1), "cos");
                 assert_lanes!(Real::atan2(a, b), std::array::from_fn::<_, { $Lanes::LANES }, _>(|i| x[i].atan2(y[i])), "atan2");
                 // Above y is a limit that single precision cannot hold.
                 let limit = f64::from(y[0]);

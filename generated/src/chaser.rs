@@ -7,6 +7,7 @@
     clippy::excessive_precision,
     clippy::too_many_arguments
 )]
+use ::frs_core::turn;
 use ::frs_core::{FloatingBase, Quantity};
 use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
 /// Number n of coordinates.
@@ -214,9 +215,9 @@ struct Poses {
 #[inline(never)]
 fn poses(q: &[f64; 3]) -> Poses {
     // link_1
-    let (sin_joint_1, cos_joint_1) = q[0].sin_cos();
+    let (sin_joint_1, cos_joint_1) = turn::sin_cos(q[0]);
     // link_2
-    let (sin_joint_2, cos_joint_2) = q[1].sin_cos();
+    let (sin_joint_2, cos_joint_2) = turn::sin_cos(q[1]);
     let minus_rotation_link_2_xx = sin_joint_1 * sin_joint_2;
     let rotation_link_2_yx = cos_joint_1 * sin_joint_2;
     let minus_rotation_link_2_xy = sin_joint_1 * cos_joint_2;
@@ -224,7 +225,7 @@ fn poses(q: &[f64; 3]) -> Poses {
     let origin_link_3_x_0 = minus_rotation_link_2_xx * 0.75;
     let origin_link_3_y_1 = rotation_link_2_yx * 0.75;
     let origin_link_3_z_0 = 0.8011904761904762 + cos_joint_2 * 0.75;
-    let (sin_joint_3, cos_joint_3) = q[2].sin_cos();
+    let (sin_joint_3, cos_joint_3) = turn::sin_cos(q[2]);
     // link_3
     let minus_rotation_link_3_xx = minus_rotation_link_2_xx * cos_joint_3
         + minus_rotation_link_2_xy * sin_joint_3;

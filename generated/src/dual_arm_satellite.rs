@@ -7,6 +7,7 @@
     clippy::excessive_precision,
     clippy::too_many_arguments
 )]
+use ::frs_core::turn;
 use ::frs_core::{FloatingBase, Quantity};
 use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
 /// Number n of coordinates.
@@ -371,7 +372,7 @@ struct Poses {
 /// Rotations and origins of the bodies, from the centre of mass, base axes.
 #[inline(never)]
 fn poses(q: &[f64; 13]) -> Poses {
-    let (sin_left_shoulder_yaw, cos_left_shoulder_yaw) = q[0].sin_cos();
+    let (sin_left_shoulder_yaw, cos_left_shoulder_yaw) = turn::sin_cos(q[0]);
     // left_shoulder
     let minus_rotation_left_shoulder_zx = 0.19866933079506122 * cos_left_shoulder_yaw;
     let rotation_left_shoulder_xx = 0.8088838516750253 * cos_left_shoulder_yaw
@@ -394,7 +395,7 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (0.12740865511936142
             + (rotation_left_shoulder_zy * 0.06
                 - minus_rotation_left_shoulder_zx * 0.02));
-    let (sin_left_shoulder_pitch, cos_left_shoulder_pitch) = q[1].sin_cos();
+    let (sin_left_shoulder_pitch, cos_left_shoulder_pitch) = turn::sin_cos(q[1]);
     // left_upper_arm
     let rotation_left_upper_arm_xx = rotation_left_shoulder_xx * cos_left_shoulder_pitch
         - 0.16396887429543613 * sin_left_shoulder_pitch;
@@ -419,7 +420,7 @@ fn poses(q: &[f64; 13]) -> Poses {
         - (rotation_left_shoulder_zy * 0.03
             + (rotation_left_upper_arm_zy * 0.02
                 + minus_rotation_left_upper_arm_zx * 0.84));
-    let (sin_left_elbow_pitch, cos_left_elbow_pitch) = q[2].sin_cos();
+    let (sin_left_elbow_pitch, cos_left_elbow_pitch) = turn::sin_cos(q[2]);
     // left_forearm
     let rotation_left_forearm_xx = rotation_left_upper_arm_xx * cos_left_elbow_pitch
         - minus_rotation_left_upper_arm_xy * sin_left_elbow_pitch;
@@ -442,7 +443,7 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_left_wrist_bracket_z_0 = origin_left_forearm_z_0
         + (rotation_left_shoulder_zy * 0.025
             + (rotation_left_forearm_zy * 0.01 + rotation_left_forearm_zx * 0.74));
-    let (sin_left_wrist_pitch, cos_left_wrist_pitch) = q[3].sin_cos();
+    let (sin_left_wrist_pitch, cos_left_wrist_pitch) = turn::sin_cos(q[3]);
     // left_wrist_bracket
     let rotation_left_wrist_bracket_xx = rotation_left_forearm_xx * cos_left_wrist_pitch
         - minus_rotation_left_forearm_xy * sin_left_wrist_pitch;
@@ -469,7 +470,7 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (rotation_left_shoulder_zy * 0.012
             + (rotation_left_wrist_bracket_zx * 0.09
                 - rotation_left_wrist_bracket_zy * 0.006));
-    let (sin_left_wrist_yaw, cos_left_wrist_yaw) = q[4].sin_cos();
+    let (sin_left_wrist_yaw, cos_left_wrist_yaw) = turn::sin_cos(q[4]);
     // left_wrist_cross
     let rotation_left_wrist_cross_xx = rotation_left_wrist_bracket_xx
         * cos_left_wrist_yaw - minus_rotation_left_shoulder_xy * sin_left_wrist_yaw;
@@ -497,7 +498,7 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_left_end_plate_z_0 = origin_left_wrist_cross_z_0
         + (rotation_left_wrist_cross_zx * 0.08 - rotation_left_wrist_cross_zy * 0.01
             - origin_left_end_plate_z_0_5);
-    let (sin_left_wrist_roll, cos_left_wrist_roll) = q[5].sin_cos();
+    let (sin_left_wrist_roll, cos_left_wrist_roll) = turn::sin_cos(q[5]);
     // left_end_plate
     let minus_rotation_left_end_plate_xx = rotation_left_wrist_cross_xz
         * cos_left_wrist_roll + minus_rotation_left_wrist_cross_xy * sin_left_wrist_roll;
@@ -511,7 +512,7 @@ fn poses(q: &[f64; 13]) -> Poses {
         + rotation_left_wrist_cross_yz * sin_left_wrist_roll;
     let rotation_left_end_plate_zy = rotation_left_wrist_cross_zy * cos_left_wrist_roll
         - rotation_left_wrist_bracket_zy * sin_left_wrist_roll;
-    let (sin_right_shoulder_yaw, cos_right_shoulder_yaw) = q[6].sin_cos();
+    let (sin_right_shoulder_yaw, cos_right_shoulder_yaw) = turn::sin_cos(q[6]);
     // right_shoulder
     let minus_rotation_right_shoulder_zx = 0.19866933079506122 * cos_right_shoulder_yaw;
     let rotation_right_shoulder_xx = 0.8088838516750253 * cos_right_shoulder_yaw
@@ -532,7 +533,7 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (0.12740865511936142
             - (rotation_right_shoulder_zy * 0.06
                 + minus_rotation_right_shoulder_zx * 0.02));
-    let (sin_right_shoulder_pitch, cos_right_shoulder_pitch) = q[7].sin_cos();
+    let (sin_right_shoulder_pitch, cos_right_shoulder_pitch) = turn::sin_cos(q[7]);
     // right_upper_arm
     let rotation_right_upper_arm_xx = rotation_right_shoulder_xx
         * cos_right_shoulder_pitch - 0.16396887429543613 * sin_right_shoulder_pitch;
@@ -558,7 +559,7 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (rotation_right_shoulder_zy * 0.03
             - (rotation_right_upper_arm_zy * 0.02
                 + minus_rotation_right_upper_arm_zx * 0.84));
-    let (sin_right_elbow_pitch, cos_right_elbow_pitch) = q[8].sin_cos();
+    let (sin_right_elbow_pitch, cos_right_elbow_pitch) = turn::sin_cos(q[8]);
     // right_forearm
     let rotation_right_forearm_xx = rotation_right_upper_arm_xx * cos_right_elbow_pitch
         - minus_rotation_right_upper_arm_xy * sin_right_elbow_pitch;
@@ -581,7 +582,7 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_right_wrist_bracket_z_0 = origin_right_forearm_z_0
         + (rotation_right_forearm_zy * 0.01 + rotation_right_forearm_zx * 0.74
             - rotation_right_shoulder_zy * 0.025);
-    let (sin_right_wrist_pitch, cos_right_wrist_pitch) = q[9].sin_cos();
+    let (sin_right_wrist_pitch, cos_right_wrist_pitch) = turn::sin_cos(q[9]);
     // right_wrist_bracket
     let rotation_right_wrist_bracket_xx = rotation_right_forearm_xx
         * cos_right_wrist_pitch
@@ -609,7 +610,7 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (rotation_right_wrist_bracket_zx * 0.09
             - rotation_right_wrist_bracket_zy * 0.006
             - rotation_right_shoulder_zy * 0.012);
-    let (sin_right_wrist_yaw, cos_right_wrist_yaw) = q[10].sin_cos();
+    let (sin_right_wrist_yaw, cos_right_wrist_yaw) = turn::sin_cos(q[10]);
     // right_wrist_cross
     let rotation_right_wrist_cross_xx = rotation_right_wrist_bracket_xx
         * cos_right_wrist_yaw + rotation_right_shoulder_xy * sin_right_wrist_yaw;
@@ -636,7 +637,7 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_right_end_plate_z_0 = origin_right_wrist_cross_z_0
         + (rotation_right_wrist_cross_zy * 0.01 + rotation_right_wrist_cross_zx * 0.08
             - origin_right_end_plate_z_0_5);
-    let (sin_right_wrist_roll, cos_right_wrist_roll) = q[11].sin_cos();
+    let (sin_right_wrist_roll, cos_right_wrist_roll) = turn::sin_cos(q[11]);
     // right_end_plate
     let rotation_right_end_plate_xx = rotation_right_wrist_cross_xy
         * sin_right_wrist_roll - rotation_right_wrist_cross_xz * cos_right_wrist_roll;

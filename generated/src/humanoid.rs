@@ -7,6 +7,7 @@
     clippy::excessive_precision,
     clippy::too_many_arguments
 )]
+use ::frs_core::turn;
 use ::frs_core::{FloatingBase, Quantity};
 use ::frs_core::generated::{array, array_mut, columns_mut};
 /// Number n of coordinates.
@@ -477,7 +478,7 @@ struct Poses {
 #[inline(never)]
 fn poses(q: &[f64; 30]) -> Poses {
     // left_hip_bracket
-    let (sin_left_hip_yaw, cos_left_hip_yaw) = q[0].sin_cos();
+    let (sin_left_hip_yaw, cos_left_hip_yaw) = turn::sin_cos(q[0]);
     let origin_left_hip_cross_x_0_1 = sin_left_hip_yaw * 0.008;
     let origin_left_hip_cross_y_0_1 = cos_left_hip_yaw * 0.008;
     let origin_left_hip_cross_x_0 = 0.015211180123890746
@@ -485,7 +486,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_hip_cross_y_0 = 0.08787577639768196
         + (origin_left_hip_cross_y_0_1 - sin_left_hip_yaw * 0.01);
     // left_hip_cross
-    let (sin_left_hip_roll, cos_left_hip_roll) = q[1].sin_cos();
+    let (sin_left_hip_roll, cos_left_hip_roll) = turn::sin_cos(q[1]);
     let minus_rotation_left_hip_cross_xx = sin_left_hip_yaw * sin_left_hip_roll;
     let rotation_left_hip_cross_yx = cos_left_hip_yaw * sin_left_hip_roll;
     let minus_rotation_left_hip_cross_xy = sin_left_hip_yaw * cos_left_hip_roll;
@@ -501,7 +502,7 @@ fn poses(q: &[f64; 30]) -> Poses {
             + (rotation_left_hip_cross_yy * 0.015 + rotation_left_hip_cross_yx * 0.02));
     let origin_left_thigh_z_0 = sin_left_hip_roll * 0.015 - cos_left_hip_roll * 0.02
         - 0.14526708074534161;
-    let (sin_left_hip_pitch, cos_left_hip_pitch) = q[2].sin_cos();
+    let (sin_left_hip_pitch, cos_left_hip_pitch) = turn::sin_cos(q[2]);
     // left_thigh
     let minus_rotation_left_thigh_zx = cos_left_hip_roll * sin_left_hip_pitch;
     let rotation_left_thigh_xx = cos_left_hip_yaw * cos_left_hip_pitch
@@ -523,7 +524,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         - (sin_left_hip_roll * 0.006
             + (minus_rotation_left_thigh_zy * 0.36
                 + minus_rotation_left_thigh_zx * 0.01));
-    let (sin_left_knee, cos_left_knee) = q[3].sin_cos();
+    let (sin_left_knee, cos_left_knee) = turn::sin_cos(q[3]);
     // left_shank
     let rotation_left_shank_xx = rotation_left_thigh_xx * cos_left_knee
         - minus_rotation_left_thigh_xy * sin_left_knee;
@@ -549,7 +550,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_ankle_cross_z_0 = origin_left_shank_z_0
         + (origin_left_ankle_cross_z_0_1
             + (rotation_left_shank_zy * 0.36 + minus_rotation_left_shank_zx * 0.012));
-    let (sin_left_ankle_pitch, cos_left_ankle_pitch) = q[4].sin_cos();
+    let (sin_left_ankle_pitch, cos_left_ankle_pitch) = turn::sin_cos(q[4]);
     // left_ankle_cross
     let rotation_left_ankle_cross_xx = rotation_left_shank_xx * cos_left_ankle_pitch
         - minus_rotation_left_shank_xy * sin_left_ankle_pitch;
@@ -573,7 +574,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_ankle_bracket_z_0 = origin_left_ankle_cross_z_0
         + (rotation_left_ankle_cross_zy * 0.018 + rotation_left_ankle_cross_zx * 0.004
             - sin_left_hip_roll * 0.002);
-    let (sin_left_ankle_roll, cos_left_ankle_roll) = q[5].sin_cos();
+    let (sin_left_ankle_roll, cos_left_ankle_roll) = turn::sin_cos(q[5]);
     // left_ankle_bracket
     let minus_rotation_left_ankle_bracket_xx = minus_rotation_left_ankle_cross_xy
         * cos_left_ankle_roll + minus_rotation_left_hip_cross_xy * sin_left_ankle_roll;
@@ -588,7 +589,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let rotation_left_ankle_bracket_zy = sin_left_hip_roll * cos_left_ankle_roll
         - rotation_left_ankle_cross_zy * sin_left_ankle_roll;
     // right_hip_bracket
-    let (sin_right_hip_yaw, cos_right_hip_yaw) = q[6].sin_cos();
+    let (sin_right_hip_yaw, cos_right_hip_yaw) = turn::sin_cos(q[6]);
     let origin_right_hip_cross_x_0_1 = sin_right_hip_yaw * 0.008;
     let minus_origin_right_hip_cross_y_0_1 = cos_right_hip_yaw * 0.008;
     let origin_right_hip_cross_x_0 = 0.015211180123890746
@@ -596,7 +597,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let minus_origin_right_hip_cross_y_0 = 0.09212422360231803
         + (minus_origin_right_hip_cross_y_0_1 + sin_right_hip_yaw * 0.01);
     // right_hip_cross
-    let (sin_right_hip_roll, cos_right_hip_roll) = q[7].sin_cos();
+    let (sin_right_hip_roll, cos_right_hip_roll) = turn::sin_cos(q[7]);
     let minus_rotation_right_hip_cross_xx = sin_right_hip_yaw * sin_right_hip_roll;
     let rotation_right_hip_cross_yx = cos_right_hip_yaw * sin_right_hip_roll;
     let minus_rotation_right_hip_cross_xy = sin_right_hip_yaw * cos_right_hip_roll;
@@ -612,7 +613,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         - minus_origin_right_hip_cross_y_0;
     let minus_origin_right_thigh_z_0 = 0.14526708074534161
         + (sin_right_hip_roll * 0.015 + cos_right_hip_roll * 0.02);
-    let (sin_right_hip_pitch, cos_right_hip_pitch) = q[8].sin_cos();
+    let (sin_right_hip_pitch, cos_right_hip_pitch) = turn::sin_cos(q[8]);
     // right_thigh
     let minus_rotation_right_thigh_zx = cos_right_hip_roll * sin_right_hip_pitch;
     let rotation_right_thigh_xx = cos_right_hip_yaw * cos_right_hip_pitch
@@ -633,7 +634,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_right_shank_z_0 = sin_right_hip_roll * 0.006
         - (minus_rotation_right_thigh_zy * 0.36 + minus_rotation_right_thigh_zx * 0.01)
         - minus_origin_right_thigh_z_0;
-    let (sin_right_knee, cos_right_knee) = q[9].sin_cos();
+    let (sin_right_knee, cos_right_knee) = turn::sin_cos(q[9]);
     // right_shank
     let rotation_right_shank_xx = rotation_right_thigh_xx * cos_right_knee
         - minus_rotation_right_thigh_xy * sin_right_knee;
@@ -659,7 +660,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_right_ankle_cross_z_0 = origin_right_shank_z_0
         + (rotation_right_shank_zy * 0.36 + minus_rotation_right_shank_zx * 0.012
             - origin_right_ankle_cross_z_0_5);
-    let (sin_right_ankle_pitch, cos_right_ankle_pitch) = q[10].sin_cos();
+    let (sin_right_ankle_pitch, cos_right_ankle_pitch) = turn::sin_cos(q[10]);
     // right_ankle_cross
     let rotation_right_ankle_cross_xx = rotation_right_shank_xx * cos_right_ankle_pitch
         - minus_rotation_right_shank_xy * sin_right_ankle_pitch;
@@ -685,7 +686,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (sin_right_hip_roll * 0.002
             + (rotation_right_ankle_cross_zy * 0.018
                 + rotation_right_ankle_cross_zx * 0.004));
-    let (sin_right_ankle_roll, cos_right_ankle_roll) = q[11].sin_cos();
+    let (sin_right_ankle_roll, cos_right_ankle_roll) = turn::sin_cos(q[11]);
     // right_ankle_bracket
     let minus_rotation_right_ankle_bracket_xx = minus_rotation_right_ankle_cross_xy
         * cos_right_ankle_roll
@@ -702,11 +703,11 @@ fn poses(q: &[f64; 30]) -> Poses {
     let rotation_right_ankle_bracket_zy = sin_right_hip_roll * cos_right_ankle_roll
         - rotation_right_ankle_cross_zy * sin_right_ankle_roll;
     // waist_bracket
-    let (sin_waist_yaw, cos_waist_yaw) = q[12].sin_cos();
+    let (sin_waist_yaw, cos_waist_yaw) = turn::sin_cos(q[12]);
     let origin_waist_cross_x_0 = cos_waist_yaw * 0.008 - 0.0017888198761092534;
     let origin_waist_cross_y_0 = sin_waist_yaw * 0.008 - 0.002124223602318044;
     // waist_cross
-    let (sin_waist_roll, cos_waist_roll) = q[13].sin_cos();
+    let (sin_waist_roll, cos_waist_roll) = turn::sin_cos(q[13]);
     let minus_rotation_waist_cross_xx = sin_waist_yaw * sin_waist_roll;
     let rotation_waist_cross_yx = cos_waist_yaw * sin_waist_roll;
     let minus_rotation_waist_cross_xy = sin_waist_yaw * cos_waist_roll;
@@ -716,7 +717,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_torso_y_0 = origin_waist_cross_y_0
         + (sin_waist_yaw * 0.006 - rotation_waist_cross_yx * 0.03);
     let origin_torso_z_0 = 0.1297329192546584 + cos_waist_roll * 0.03;
-    let (sin_waist_pitch, cos_waist_pitch) = q[14].sin_cos();
+    let (sin_waist_pitch, cos_waist_pitch) = turn::sin_cos(q[14]);
     // torso
     let minus_rotation_torso_zx = cos_waist_roll * sin_waist_pitch;
     let rotation_torso_xx = cos_waist_yaw * cos_waist_pitch
@@ -736,7 +737,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         - (rotation_torso_yy * 0.4 + rotation_torso_yx * 0.01);
     let origin_neck_bracket_z_0 = origin_torso_z_0
         + (rotation_neck_bracket_zz * 0.4 + minus_rotation_torso_zx * 0.01);
-    let (sin_neck_yaw, cos_neck_yaw) = q[15].sin_cos();
+    let (sin_neck_yaw, cos_neck_yaw) = turn::sin_cos(q[15]);
     // neck_bracket
     let rotation_neck_bracket_xx = rotation_torso_xx * cos_neck_yaw
         - minus_rotation_waist_cross_xy * sin_neck_yaw;
@@ -756,7 +757,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_neck_bracket_yx * 0.006 - rotation_torso_yy * 0.045);
     let origin_neck_cross_z_0 = origin_neck_bracket_z_0
         + (rotation_neck_bracket_zz * 0.045 + rotation_neck_bracket_zx * 0.006);
-    let (sin_neck_roll, cos_neck_roll) = q[16].sin_cos();
+    let (sin_neck_roll, cos_neck_roll) = turn::sin_cos(q[16]);
     // neck_cross
     let minus_rotation_neck_cross_xx = rotation_neck_bracket_xz * cos_neck_roll
         + minus_rotation_neck_bracket_xy * sin_neck_roll;
@@ -776,7 +777,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_neck_bracket_yx * 0.01 - rotation_neck_cross_yx * 0.025);
     let origin_head_z_0 = origin_neck_cross_z_0
         + (rotation_neck_bracket_zx * 0.01 - rotation_neck_cross_zx * 0.025);
-    let (sin_neck_pitch, cos_neck_pitch) = q[17].sin_cos();
+    let (sin_neck_pitch, cos_neck_pitch) = turn::sin_cos(q[17]);
     // head
     let rotation_head_xx = rotation_neck_bracket_xx * cos_neck_pitch
         - minus_rotation_neck_cross_xx * sin_neck_pitch;
@@ -838,7 +839,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (origin_left_shoulder_bracket_y_0_1 - origin_left_shoulder_bracket_y_0_2);
     let origin_left_shoulder_bracket_z_0 = origin_torso_z_0
         + (origin_left_shoulder_bracket_z_0_1 + origin_left_shoulder_bracket_z_0_2);
-    let (sin_left_shoulder_pitch, cos_left_shoulder_pitch) = q[18].sin_cos();
+    let (sin_left_shoulder_pitch, cos_left_shoulder_pitch) = turn::sin_cos(q[18]);
     let rotation_left_shoulder_bracket_xx = rotation_torso_xx * cos_left_shoulder_pitch
         - rotation_left_shoulder_bracket_xx_2 * sin_left_shoulder_pitch;
     let rotation_left_shoulder_bracket_yx = rotation_torso_yx * cos_left_shoulder_pitch
@@ -863,7 +864,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_left_shoulder_bracket_zz * 0.07
             + (rotation_left_shoulder_bracket_zy * 0.005
                 + rotation_left_shoulder_bracket_zx * 0.012));
-    let (sin_left_shoulder_roll, cos_left_shoulder_roll) = q[19].sin_cos();
+    let (sin_left_shoulder_roll, cos_left_shoulder_roll) = turn::sin_cos(q[19]);
     // left_shoulder_cross
     let rotation_left_shoulder_cross_xx = rotation_left_shoulder_bracket_xz
         * sin_left_shoulder_roll
@@ -895,7 +896,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_upper_arm_z_0 = origin_left_shoulder_cross_z_0
         + (rotation_left_shoulder_cross_zy * 0.012
             + rotation_left_shoulder_cross_zx * 0.06 - origin_left_upper_arm_z_0_5);
-    let (sin_left_shoulder_yaw, cos_left_shoulder_yaw) = q[20].sin_cos();
+    let (sin_left_shoulder_yaw, cos_left_shoulder_yaw) = turn::sin_cos(q[20]);
     // left_upper_arm
     let rotation_left_upper_arm_xx = rotation_left_shoulder_bracket_xx
         * cos_left_shoulder_yaw
@@ -924,7 +925,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_forearm_z_0 = origin_left_upper_arm_z_0
         + (rotation_left_shoulder_cross_zx * 0.22
             + (rotation_left_upper_arm_zx * 0.015 - rotation_left_upper_arm_zy * 0.004));
-    let (sin_left_elbow, cos_left_elbow) = q[21].sin_cos();
+    let (sin_left_elbow, cos_left_elbow) = turn::sin_cos(q[21]);
     // left_forearm
     let rotation_left_forearm_xx = rotation_left_upper_arm_xx * cos_left_elbow
         + rotation_left_shoulder_cross_xx * sin_left_elbow;
@@ -950,7 +951,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_wrist_bracket_z_0 = origin_left_forearm_z_0
         + (origin_left_wrist_bracket_z_0_1
             + (rotation_left_forearm_zy * 0.19 - rotation_left_forearm_zx * 0.01));
-    let (sin_left_wrist_yaw, cos_left_wrist_yaw) = q[22].sin_cos();
+    let (sin_left_wrist_yaw, cos_left_wrist_yaw) = turn::sin_cos(q[22]);
     // left_wrist_bracket
     let rotation_left_wrist_bracket_xx = rotation_left_forearm_xx * cos_left_wrist_yaw
         + rotation_left_upper_arm_xy * sin_left_wrist_yaw;
@@ -976,7 +977,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_left_forearm_zy * 0.04
             + (rotation_left_wrist_bracket_zx * 0.004
                 - rotation_left_wrist_bracket_zy * 0.002));
-    let (sin_left_wrist_pitch, cos_left_wrist_pitch) = q[23].sin_cos();
+    let (sin_left_wrist_pitch, cos_left_wrist_pitch) = turn::sin_cos(q[23]);
     // left_wrist_cross
     let rotation_left_wrist_cross_xx = rotation_left_wrist_bracket_xx
         * cos_left_wrist_pitch + rotation_left_forearm_xy * sin_left_wrist_pitch;
@@ -1009,7 +1010,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         - (origin_left_shoulder_bracket_y_0_1 + origin_left_shoulder_bracket_y_0_2);
     let origin_right_shoulder_bracket_z_0 = origin_torso_z_0
         + (origin_left_shoulder_bracket_z_0_2 - origin_left_shoulder_bracket_z_0_1);
-    let (sin_right_shoulder_pitch, cos_right_shoulder_pitch) = q[24].sin_cos();
+    let (sin_right_shoulder_pitch, cos_right_shoulder_pitch) = turn::sin_cos(q[24]);
     let rotation_right_shoulder_bracket_xx = rotation_torso_xx * cos_right_shoulder_pitch
         + rotation_right_shoulder_bracket_xx_2 * sin_right_shoulder_pitch;
     let rotation_right_shoulder_bracket_yx = rotation_torso_yx * cos_right_shoulder_pitch
@@ -1036,7 +1037,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_right_shoulder_bracket_zy * 0.005
             - minus_rotation_right_shoulder_bracket_zx * 0.012
             - rotation_right_shoulder_bracket_zz * 0.07);
-    let (sin_right_shoulder_roll, cos_right_shoulder_roll) = q[25].sin_cos();
+    let (sin_right_shoulder_roll, cos_right_shoulder_roll) = turn::sin_cos(q[25]);
     // right_shoulder_cross
     let rotation_right_shoulder_cross_xx = rotation_right_shoulder_bracket_xy
         * cos_right_shoulder_roll
@@ -1069,7 +1070,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (origin_right_upper_arm_z_0_1
             + (rotation_right_shoulder_cross_zx * 0.06
                 - rotation_right_shoulder_cross_zy * 0.012));
-    let (sin_right_shoulder_yaw, cos_right_shoulder_yaw) = q[26].sin_cos();
+    let (sin_right_shoulder_yaw, cos_right_shoulder_yaw) = turn::sin_cos(q[26]);
     // right_upper_arm
     let rotation_right_upper_arm_xx = rotation_right_shoulder_bracket_xx
         * cos_right_shoulder_yaw
@@ -1101,7 +1102,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_right_shoulder_cross_zx * 0.22
             + (rotation_right_upper_arm_zy * 0.004
                 + rotation_right_upper_arm_zx * 0.015));
-    let (sin_right_elbow, cos_right_elbow) = q[27].sin_cos();
+    let (sin_right_elbow, cos_right_elbow) = turn::sin_cos(q[27]);
     // right_forearm
     let rotation_right_forearm_xx = rotation_right_upper_arm_xx * cos_right_elbow
         + rotation_right_shoulder_cross_xx * sin_right_elbow;
@@ -1127,7 +1128,7 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_right_wrist_bracket_z_0 = origin_right_forearm_z_0
         + (rotation_right_forearm_zy * 0.19 - rotation_right_forearm_zx * 0.01
             - origin_right_wrist_bracket_z_0_5);
-    let (sin_right_wrist_yaw, cos_right_wrist_yaw) = q[28].sin_cos();
+    let (sin_right_wrist_yaw, cos_right_wrist_yaw) = turn::sin_cos(q[28]);
     // right_wrist_bracket
     let rotation_right_wrist_bracket_xx = rotation_right_forearm_xx * cos_right_wrist_yaw
         - minus_rotation_right_upper_arm_xy * sin_right_wrist_yaw;
@@ -1153,7 +1154,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_right_forearm_zy * 0.04
             + (rotation_right_wrist_bracket_zy * 0.002
                 + rotation_right_wrist_bracket_zx * 0.004));
-    let (sin_right_wrist_pitch, cos_right_wrist_pitch) = q[29].sin_cos();
+    let (sin_right_wrist_pitch, cos_right_wrist_pitch) = turn::sin_cos(q[29]);
     // right_wrist_cross
     let rotation_right_wrist_cross_xx = rotation_right_wrist_bracket_xx
         * cos_right_wrist_pitch + rotation_right_forearm_xy * sin_right_wrist_pitch;

@@ -7,6 +7,7 @@
     clippy::excessive_precision,
     clippy::too_many_arguments
 )]
+use ::frs_core::turn;
 use ::frs_core::{FloatingBase, Quantity};
 use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
 /// Number n of coordinates.
@@ -266,9 +267,9 @@ struct Poses {
 #[inline(never)]
 fn poses(q: &[f64; 7]) -> Poses {
     // link_1
-    let (sin_joint_1, cos_joint_1) = q[0].sin_cos();
+    let (sin_joint_1, cos_joint_1) = turn::sin_cos(q[0]);
     // link_2
-    let (sin_joint_2, cos_joint_2) = q[1].sin_cos();
+    let (sin_joint_2, cos_joint_2) = turn::sin_cos(q[1]);
     let rotation_link_2_xx = cos_joint_1 * cos_joint_2;
     let rotation_link_2_yx = sin_joint_1 * cos_joint_2;
     let minus_rotation_link_2_xy = cos_joint_1 * sin_joint_2;
@@ -277,7 +278,7 @@ fn poses(q: &[f64; 7]) -> Poses {
     let minus_origin_link_3_y_0 = minus_rotation_link_2_yy * 0.2;
     let origin_link_3_z_0_1 = cos_joint_2 * 0.2;
     let origin_link_3_z_0 = 0.31 + origin_link_3_z_0_1;
-    let (sin_joint_3, cos_joint_3) = q[2].sin_cos();
+    let (sin_joint_3, cos_joint_3) = turn::sin_cos(q[2]);
     // link_3
     let rotation_link_3_zx = sin_joint_2 * cos_joint_3;
     let rotation_link_3_xx = rotation_link_2_xx * cos_joint_3
@@ -292,7 +293,7 @@ fn poses(q: &[f64; 7]) -> Poses {
     let minus_origin_link_4_x_0 = minus_origin_link_3_x_0 + minus_origin_link_3_x_0;
     let minus_origin_link_4_y_0 = minus_origin_link_3_y_0 + minus_origin_link_3_y_0;
     let origin_link_4_z_0 = origin_link_3_z_0 + origin_link_3_z_0_1;
-    let (sin_joint_4, cos_joint_4) = q[3].sin_cos();
+    let (sin_joint_4, cos_joint_4) = turn::sin_cos(q[3]);
     // link_4
     let rotation_link_4_xx = rotation_link_3_xx * cos_joint_4
         + minus_rotation_link_2_xy * sin_joint_4;
@@ -310,7 +311,7 @@ fn poses(q: &[f64; 7]) -> Poses {
     let minus_origin_link_5_x_0 = minus_origin_link_4_x_0 + rotation_link_4_xy * 0.2;
     let minus_origin_link_5_y_0 = minus_origin_link_4_y_0 + rotation_link_4_yy * 0.2;
     let origin_link_5_z_0 = origin_link_4_z_0 + rotation_link_5_zz * 0.2;
-    let (sin_joint_5, cos_joint_5) = q[4].sin_cos();
+    let (sin_joint_5, cos_joint_5) = turn::sin_cos(q[4]);
     let rotation_link_5_xx = rotation_link_4_xx * cos_joint_5
         - minus_rotation_link_3_xy * sin_joint_5;
     let rotation_link_5_yx = rotation_link_4_yx * cos_joint_5
@@ -329,7 +330,7 @@ fn poses(q: &[f64; 7]) -> Poses {
     let com_x_10 = minus_origin_link_5_x_0 + rotation_link_4_xy * 0.19;
     let com_y_10 = minus_origin_link_5_y_0 + rotation_link_4_yy * 0.19;
     let com_z_9 = origin_link_5_z_0 + rotation_link_5_zz * 0.19;
-    let (sin_joint_6, cos_joint_6) = q[5].sin_cos();
+    let (sin_joint_6, cos_joint_6) = turn::sin_cos(q[5]);
     let rotation_link_6_xx = rotation_link_5_xx * cos_joint_6
         - rotation_link_4_xy * sin_joint_6;
     let rotation_link_6_yx = rotation_link_5_yx * cos_joint_6
@@ -345,7 +346,7 @@ fn poses(q: &[f64; 7]) -> Poses {
     let com_x_12 = com_x_10 + minus_rotation_link_6_xy * 0.078;
     let com_y_12 = com_y_10 + minus_rotation_link_6_yy * 0.078;
     let com_z_11 = com_z_9 + rotation_link_6_zy * 0.078;
-    let (sin_joint_7, cos_joint_7) = q[6].sin_cos();
+    let (sin_joint_7, cos_joint_7) = turn::sin_cos(q[6]);
     // link_7
     let rotation_link_7_xx = rotation_link_6_xx * cos_joint_7
         - rotation_link_6_xz * sin_joint_7;

@@ -7,6 +7,7 @@
     clippy::excessive_precision,
     clippy::too_many_arguments
 )]
+use ::frs_core::turn;
 use ::frs_core::{FloatingBase, Quantity};
 use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
 /// Number n of coordinates.
@@ -196,10 +197,10 @@ struct Poses {
 /// Rotations and origins of the bodies, from the centre of mass, base axes.
 fn poses(q: &[f64; 2]) -> Poses {
     // link_1
-    let (sin_joint_1, cos_joint_1) = q[0].sin_cos();
+    let (sin_joint_1, cos_joint_1) = turn::sin_cos(q[0]);
     let origin_link_2_y_0 = sin_joint_1 * 0.875;
     let origin_link_2_x_0 = 0.5 + cos_joint_1 * 0.875;
-    let (sin_joint_2, cos_joint_2) = q[1].sin_cos();
+    let (sin_joint_2, cos_joint_2) = turn::sin_cos(q[1]);
     // link_2
     let rotation_link_2_xx = cos_joint_1 * cos_joint_2 - sin_joint_1 * sin_joint_2;
     let rotation_link_2_yx = sin_joint_1 * cos_joint_2 + cos_joint_1 * sin_joint_2;

@@ -7,6 +7,7 @@
     clippy::excessive_precision,
     clippy::too_many_arguments
 )]
+use ::frs_core::turn;
 use ::frs_core::{FloatingBase, Quantity};
 use ::frs_core::generated::{array, array_mut, columns_mut, layers_mut, number_mut};
 /// Number n of coordinates.
@@ -339,13 +340,13 @@ struct Poses {
 #[inline(never)]
 fn poses(q: &[f64; 12]) -> Poses {
     // front_left_hip
-    let (sin_front_left_hip_roll, cos_front_left_hip_roll) = q[0].sin_cos();
+    let (sin_front_left_hip_roll, cos_front_left_hip_roll) = turn::sin_cos(q[0]);
     let origin_front_left_thigh_y_0 = 0.068
         + (cos_front_left_hip_roll * 0.078 + sin_front_left_hip_roll * 0.006);
     let origin_front_left_thigh_z_0 = sin_front_left_hip_roll * 0.078
         - cos_front_left_hip_roll * 0.006 - 0.016;
     // front_left_thigh
-    let (sin_front_left_hip_pitch, cos_front_left_hip_pitch) = q[1].sin_cos();
+    let (sin_front_left_hip_pitch, cos_front_left_hip_pitch) = turn::sin_cos(q[1]);
     let rotation_front_left_thigh_yx = sin_front_left_hip_roll
         * sin_front_left_hip_pitch;
     let minus_rotation_front_left_thigh_zx = cos_front_left_hip_roll
@@ -364,7 +365,7 @@ fn poses(q: &[f64; 12]) -> Poses {
         + (sin_front_left_hip_roll * 0.015
             + (minus_rotation_front_left_thigh_zx * 0.008
                 - minus_rotation_front_left_thigh_zy * 0.21));
-    let (sin_front_left_knee, cos_front_left_knee) = q[2].sin_cos();
+    let (sin_front_left_knee, cos_front_left_knee) = turn::sin_cos(q[2]);
     // front_left_shank
     let rotation_front_left_shank_xx = cos_front_left_hip_pitch * cos_front_left_knee
         - sin_front_left_hip_pitch * sin_front_left_knee;
@@ -379,13 +380,13 @@ fn poses(q: &[f64; 12]) -> Poses {
     let rotation_front_left_shank_zy = minus_rotation_front_left_thigh_zx
         * sin_front_left_knee - minus_rotation_front_left_thigh_zy * cos_front_left_knee;
     // front_right_hip
-    let (sin_front_right_hip_roll, cos_front_right_hip_roll) = q[3].sin_cos();
+    let (sin_front_right_hip_roll, cos_front_right_hip_roll) = turn::sin_cos(q[3]);
     let origin_front_right_thigh_y_0 = sin_front_right_hip_roll * 0.006
         - cos_front_right_hip_roll * 0.078 - 0.062;
     let minus_origin_front_right_thigh_z_0 = 0.016
         + (sin_front_right_hip_roll * 0.078 + cos_front_right_hip_roll * 0.006);
     // front_right_thigh
-    let (sin_front_right_hip_pitch, cos_front_right_hip_pitch) = q[4].sin_cos();
+    let (sin_front_right_hip_pitch, cos_front_right_hip_pitch) = turn::sin_cos(q[4]);
     let rotation_front_right_thigh_yx = sin_front_right_hip_roll
         * sin_front_right_hip_pitch;
     let minus_rotation_front_right_thigh_zx = cos_front_right_hip_roll
@@ -402,7 +403,7 @@ fn poses(q: &[f64; 12]) -> Poses {
     let origin_front_right_shank_z_0 = minus_rotation_front_right_thigh_zx * 0.008
         - minus_rotation_front_right_thigh_zy * 0.21 - sin_front_right_hip_roll * 0.015
         - minus_origin_front_right_thigh_z_0;
-    let (sin_front_right_knee, cos_front_right_knee) = q[5].sin_cos();
+    let (sin_front_right_knee, cos_front_right_knee) = turn::sin_cos(q[5]);
     // front_right_shank
     let rotation_front_right_shank_xx = cos_front_right_hip_pitch * cos_front_right_knee
         - sin_front_right_hip_pitch * sin_front_right_knee;
@@ -419,13 +420,13 @@ fn poses(q: &[f64; 12]) -> Poses {
         * sin_front_right_knee
         - minus_rotation_front_right_thigh_zy * cos_front_right_knee;
     // hind_left_hip
-    let (sin_hind_left_hip_roll, cos_hind_left_hip_roll) = q[6].sin_cos();
+    let (sin_hind_left_hip_roll, cos_hind_left_hip_roll) = turn::sin_cos(q[6]);
     let origin_hind_left_thigh_y_0 = 0.068
         + (cos_hind_left_hip_roll * 0.078 + sin_hind_left_hip_roll * 0.006);
     let origin_hind_left_thigh_z_0 = sin_hind_left_hip_roll * 0.078
         - cos_hind_left_hip_roll * 0.006 - 0.016;
     // hind_left_thigh
-    let (sin_hind_left_hip_pitch, cos_hind_left_hip_pitch) = q[7].sin_cos();
+    let (sin_hind_left_hip_pitch, cos_hind_left_hip_pitch) = turn::sin_cos(q[7]);
     let rotation_hind_left_thigh_yx = sin_hind_left_hip_roll * sin_hind_left_hip_pitch;
     let minus_rotation_hind_left_thigh_zx = cos_hind_left_hip_roll
         * sin_hind_left_hip_pitch;
@@ -442,7 +443,7 @@ fn poses(q: &[f64; 12]) -> Poses {
         + (sin_hind_left_hip_roll * 0.015
             + (minus_rotation_hind_left_thigh_zx * 0.008
                 - minus_rotation_hind_left_thigh_zy * 0.21));
-    let (sin_hind_left_knee, cos_hind_left_knee) = q[8].sin_cos();
+    let (sin_hind_left_knee, cos_hind_left_knee) = turn::sin_cos(q[8]);
     // hind_left_shank
     let rotation_hind_left_shank_xx = cos_hind_left_hip_pitch * cos_hind_left_knee
         - sin_hind_left_hip_pitch * sin_hind_left_knee;
@@ -457,13 +458,13 @@ fn poses(q: &[f64; 12]) -> Poses {
     let rotation_hind_left_shank_zy = minus_rotation_hind_left_thigh_zx
         * sin_hind_left_knee - minus_rotation_hind_left_thigh_zy * cos_hind_left_knee;
     // hind_right_hip
-    let (sin_hind_right_hip_roll, cos_hind_right_hip_roll) = q[9].sin_cos();
+    let (sin_hind_right_hip_roll, cos_hind_right_hip_roll) = turn::sin_cos(q[9]);
     let origin_hind_right_thigh_y_0 = sin_hind_right_hip_roll * 0.006
         - cos_hind_right_hip_roll * 0.078 - 0.062;
     let minus_origin_hind_right_thigh_z_0 = 0.016
         + (sin_hind_right_hip_roll * 0.078 + cos_hind_right_hip_roll * 0.006);
     // hind_right_thigh
-    let (sin_hind_right_hip_pitch, cos_hind_right_hip_pitch) = q[10].sin_cos();
+    let (sin_hind_right_hip_pitch, cos_hind_right_hip_pitch) = turn::sin_cos(q[10]);
     let rotation_hind_right_thigh_yx = sin_hind_right_hip_roll
         * sin_hind_right_hip_pitch;
     let minus_rotation_hind_right_thigh_zx = cos_hind_right_hip_roll
@@ -480,7 +481,7 @@ fn poses(q: &[f64; 12]) -> Poses {
     let origin_hind_right_shank_z_0 = minus_rotation_hind_right_thigh_zx * 0.008
         - minus_rotation_hind_right_thigh_zy * 0.21 - sin_hind_right_hip_roll * 0.015
         - minus_origin_hind_right_thigh_z_0;
-    let (sin_hind_right_knee, cos_hind_right_knee) = q[11].sin_cos();
+    let (sin_hind_right_knee, cos_hind_right_knee) = turn::sin_cos(q[11]);
     // hind_right_shank
     let rotation_hind_right_shank_xx = cos_hind_right_hip_pitch * cos_hind_right_knee
         - sin_hind_right_hip_pitch * sin_hind_right_knee;

@@ -44,34 +44,33 @@ fn solid(random: &mut fastrand::Rng) -> InertialDescription {
     }
 }
 
-/// The worst errors, in units of ε of the natural scale. What may lie between the record and a run elsewhere is the last digit of a
-/// machine's sine and cosine, and which robot is the worst.
+/// The worst errors, in units of ε of the natural scale.
 const RECORD: [(&str, f64); 21] = [
-    ("b2", 33.0),
+    ("b2", 24.0),
     ("base_twist", 0.52),
-    ("base_wrench", 0.8),
-    ("body_momentum", 2.6),
-    ("centroidal_momentum", 1.4),
+    ("base_wrench", 0.83),
+    ("body_momentum", 2.5),
+    ("centroidal_momentum", 1.3),
     ("com", 2.6),
-    ("connection", 11.0),
-    ("coupling_torque", 5.1),
-    ("curvature", 32.0),
-    ("d_mu", 67.0),
-    ("d_mu_xi", 6.0),
-    ("d_qdot", 5.6),
-    ("d_qdot_xi", 4.7),
-    ("hamel_bias", 0.95),
-    ("kinetic_energy", 2.3),
+    ("connection", 14.0),
+    ("coupling_torque", 4.1),
+    ("curvature", 33.0),
+    ("d_mu", 47.0),
+    ("d_mu_xi", 4.6),
+    ("d_qdot", 5.9),
+    ("d_qdot_xi", 10.0),
+    ("hamel_bias", 0.92),
+    ("kinetic_energy", 1.8),
     ("locked_inertia", 5.9),
-    ("mu", 4.1),
-    ("shape_inertia", 140.0),
-    ("tau", 1.0),
-    ("xi_dot", 310_000.0),
-    ("xi_dot, factored", 36.0),
+    ("mu", 5.5),
+    ("shape_inertia", 210.0),
+    ("tau", 0.94),
+    ("xi_dot", 360_000.0),
+    ("xi_dot, factored", 47.0),
 ];
 
-/// By which a run may differ from the record; a record that is worse than this is put right.
-const ELSEWHERE: f64 = 2.0;
+/// By which a run may differ from the record, for another order of operations has another worst robot; beyond it the record is put right.
+const CHANGED: f64 = 2.0;
 
 #[test]
 fn the_worst_of_random_robots_is_the_record() {
@@ -84,6 +83,6 @@ fn the_worst_of_random_robots_is_the_record() {
     assert_eq!(worst.errors.len(), RECORD.len());
     for (output, error) in RECORD {
         let measured = worst.errors[output];
-        assert!((error / ELSEWHERE..=error * ELSEWHERE).contains(&measured), "{output} {measured}: {worst}");
+        assert!((error / CHANGED..=error * CHANGED).contains(&measured), "{output} {measured}: {worst}");
     }
 }

@@ -3,6 +3,8 @@
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use crate::turn;
+
 /// An operation lane by lane, with the plain number on either side and with assignment.
 macro_rules! operation {
     ($Lanes:ident, $element:ty, $Operation:ident, $operation:ident, $Assign:ident, $assign:ident) => {
@@ -83,26 +85,11 @@ macro_rules! lanes {
                 Self(self.0.sqrt())
             }
 
-            /// (sin, cos) of each lane, in radians.
-            #[inline(always)]
-            pub fn sin_cos(self) -> (Self, Self) {
-                let pairs = self.to_array().map(<$element>::sin_cos);
-                (Self::from_array(pairs.map(|(sin, _)| sin)), Self::from_array(pairs.map(|(_, cos)| cos)))
-            }
-
             /// The angle of the point (`x`, `self`) in each lane, in (−π, π].
             #[inline(always)]
             pub fn atan2(self, x: Self) -> Self {
                 let (y, x) = (self.to_array(), x.to_array());
                 Self::from_array(from_fn(|lane| y[lane].atan2(x[lane])))
-            }
-
-            /// `below` in the lanes where `self < limit`, else `otherwise`.
-            #[inline(always)]
-            pub fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self {
-                let (value, below, otherwise) = (self.to_array(), below.to_array(), otherwise.to_array());
-                let select = |lane: usize| if f64::from(value[lane]) < limit { below[lane] } else { otherwise[lane] };
-                Self::from_array(from_fn(select))
             }
         }
 
@@ -122,6 +109,49 @@ macro_rules! lanes {
     };
 }
 
+/// What doubles do at once, and singles as doubles.
+macro_rules! doubles {
+    ($Lanes:ident, $wide:ty) => {
+        impl $Lanes {
+            /// (sin, cos) of each lane, in radians.
+            pub fn sin_cos(self) -> (Self, Self) {
+                if self.0.abs().simd_lt(<$wide>::splat(turn::NEAR)).all() {
+                    return turn::near(self, Self::splat, |x, limit, below, otherwise| {
+                        x.select_below(limit, below, otherwise)
+                    });
+                }
+                let pairs = self.to_array().map(turn::sin_cos);
+                (Self::from_array(pairs.map(|(sin, _)| sin)), Self::from_array(pairs.map(|(_, cos)| cos)))
+            }
+
+            /// `below` in the lanes where `self < limit`, else `otherwise`.
+            #[inline(always)]
+            pub fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self {
+                Self(self.0.simd_lt(<$wide>::splat(limit)).select(below.0, otherwise.0))
+            }
+        }
+    };
+}
+
 lanes!(F64x4, wide::f64x4, f64, 4, "Four doubles side by side.");
 lanes!(F64x8, wide::f64x8, f64, 8, "Eight doubles side by side.");
 lanes!(F32x8, wide::f32x8, f32, 8, "Eight singles side by side.");
+doubles!(F64x4, wide::f64x4);
+doubles!(F64x8, wide::f64x8);
+
+impl F32x8 {
+    /// (sin, cos) of each lane, in radians.
+    pub fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = F64x8::from_array(self.to_array().map(f64::from)).sin_cos();
+        let [sin, cos] = [sin, cos].map(|side| Self::from_array(side.to_array().map(|x| x as f32)));
+        (sin, cos)
+    }
+
+    /// `below` in the lanes where `self < limit`, else `otherwise`.
+    #[inline(always)]
+    pub fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self {
+        let (value, below, otherwise) = (self.to_array(), below.to_array(), otherwise.to_array());
+        let select = |lane: usize| if f64::from(value[lane]) < limit { below[lane] } else { otherwise[lane] };
+        Self::from_array(from_fn(select))
+    }
+}

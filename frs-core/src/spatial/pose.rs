@@ -37,11 +37,7 @@ impl<T: Real> Pose<T> {
 
     /// The pose `(R_z(yaw) R_y(pitch) R_x(roll), p)`, the convention of URDF's `origin`.
     pub fn from_rpy(translation: Vector3<T>, rpy: [T; 3]) -> Self {
-        Self::from_rpy_sin_cos(translation, rpy.map(T::sin_cos))
-    }
-
-    /// The same from (sin, cos) of roll, pitch and yaw.
-    pub(crate) fn from_rpy_sin_cos(translation: Vector3<T>, [(sr, cr), (sp, cp), (sy, cy)]: [(T, T); 3]) -> Self {
+        let [(sr, cr), (sp, cp), (sy, cy)] = rpy.map(T::sin_cos);
         let rotation = Matrix3::new(
             cy * cp,
             cy * sp * sr - sy * cr,

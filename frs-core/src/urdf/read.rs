@@ -199,8 +199,7 @@ fn origin(node: Node<'_, '_>, values: &mut Values<'_>, part: Part) -> Pose<f64> 
     };
     let xyz = values.vector(origin, "xyz", part).unwrap_or_default();
     let rpy = values.vector(origin, "rpy", part).unwrap_or_default();
-    // A robot has the same bits on every machine: sin and cos are not the platform's.
-    Pose::from_rpy_sin_cos(xyz.into(), rpy.map(libm::sincos))
+    Pose::from_rpy(xyz.into(), rpy)
 }
 
 impl Elements<'_, '_> {

@@ -26,6 +26,9 @@ const ROUNDS: usize = 12;
 /// Corrections below this, relative to the slope, are rounding.
 const ROUNDING: f64 = 1e-14;
 
+/// Corrections that fall by less than this a round are not those of fresh differences.
+const SLOW: f64 = 0.1;
+
 /// A correction that is not smaller than this is no convergence when it stops decreasing.
 const CONVERGED: f64 = 1e-9;
 
@@ -88,8 +91,8 @@ impl<T: Real + Into<f64>> ImplicitMidpoint<T> {
                 to.set_moved(from, &self.step);
                 return Ok(());
             }
-            if change >= before {
-                // The differences of the first round do not fit any more.
+            if change > SLOW * before {
+                // The differences of an earlier round do not fit any more.
                 self.differentiate(system, time + half, half);
             }
             before = change;
