@@ -135,7 +135,7 @@ def flips(table, folder, b):
 
 def gait(table, folder):
     """Case 7: turns of a closed gait, beside as many times the holonomy of one."""
-    turns, steps, rate = 10_000, 16, 2 * np.pi
+    turns, steps, rate = 2_000, 16, 2 * np.pi
     courses = [(0.4, 0.8, 0.0), (-0.7, 0.6, np.pi / 2)]
     robot = ROBOTS / "planar_three_link.urdf"
     prescribed = "".join(
