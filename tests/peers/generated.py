@@ -20,7 +20,7 @@ ROBOTS = {
     "allegro_hand_description/urdf/allegro_left_hand.urdf": "inertia,forward_dynamics",
     "g1_description/urdf/g1_29dof_rev_1_0.urdf": "inertia,forward_dynamics",
     "talos_data/robots/talos_full_v2.urdf": "inertia,momentum",
-    "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf": "inertia,forward_dynamics",
+    "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf": "inertia",
 }
 # Enough that an operation done otherwise would show in some bit of some output; hard states come on top.
 STATES = 1000
