@@ -236,7 +236,7 @@ fn an_observer_tells_how_it_converges() {
     let (names, rows) = trajectory(&out);
     let energy = names.iter().position(|name| name == "observer_energy").unwrap();
     assert_eq!((energy + 1, names[energy - 1].as_str()), (names.len(), "mu_error.v_z"));
-    let factor = (rows[0][energy] / rows.last().unwrap()[energy]).sqrt();
+    let factor = rows[0][energy].sqrt() / rows.last().unwrap()[energy].sqrt();
     assert_eq!(told["observer"]["factor"].as_f64(), Some(factor));
     // e⁵ in half a second, and 1/e after a tenth, but for the turning inertia and the time between samples.
     assert!(

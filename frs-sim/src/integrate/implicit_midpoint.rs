@@ -63,9 +63,6 @@ impl<T: Real + Into<f64>> ImplicitMidpoint<T> {
     ) -> Result<(), IntegrationError> {
         let half = h * T::from_f64(0.5);
         system.rate(time, from, &mut self.slope);
-        // A stiff force at the start says nothing about the middle: followed for half a long step, it ends in velocities at which
-        // Newton's method goes astray.
-        self.slope.flat[system.velocities()].fill(T::zero());
         let mut before = f64::INFINITY;
         for round in 0..ROUNDS {
             self.step.set_sum(half, &[T::one()], std::slice::from_ref(&self.slope));
