@@ -37,7 +37,7 @@ pub struct Accuracy {
     /// The scenes (docs/scenes.md).
     #[arg(value_name = "SCENE.toml", required_unless_present = "eval")]
     scenes: Vec<PathBuf>,
-    /// Instead of scenes: how far each quantity of this robot is from itself with 31 digits, over random and hard states.
+    /// Instead of scenes: how far each quantity of this robot is from itself with 31 digits, and provably is at most, over random and hard states.
     #[arg(long, value_name = "ROBOT.urdf", conflicts_with_all = ["scenes", "out", "counts", "want"])]
     eval: Option<PathBuf>,
     /// States of each kind for --eval.
