@@ -317,14 +317,32 @@ impl Emitter<'_> {
             match *line {
                 Line::Let(place) => match self.program.graph.operation(place) {
                     Operation::Sin(a) | Operation::Cos(a) => {
-                        if paired.insert(a) {
-                            let [sin, cos] = angles[&a].map(|side| match side {
+                        // What no line of this block computes is turned at once.
+                        let at_once = self.options.lanes == Lanes::One && !self.reads(a, &own);
+                        let group: Vec<Place> = if at_once {
+                            angles.keys().copied().filter(|&a| !paired.contains(&a) && !self.reads(a, &own)).collect()
+                        } else {
+                            Some(a).filter(|a| !paired.contains(a)).into_iter().collect()
+                        };
+                        let pairs = group.iter().map(|a| {
+                            let [sin, cos] = angles[a].map(|side| match side {
                                 Some(place) => ident(&names[&place]),
                                 None => ident("_"),
                             });
-                            let both = expressions.sin_cos(a);
-                            body.extend(quote!(let (#sin, #cos) = #both;));
-                        }
+                            quote!((#sin, #cos))
+                        });
+                        body.extend(match *group {
+                            [] => TokenStream::new(),
+                            [a] => {
+                                let both = expressions.sin_cos(a);
+                                quote!(let #(#pairs)* = #both;)
+                            }
+                            _ => {
+                                let each = expressions.sin_cos_each(&group);
+                                quote!(let [#(#pairs),*] = #each;)
+                            }
+                        });
+                        paired.extend(group);
                     }
                     _ => {
                         let (name, value) = (ident(&names[&place]), expressions.definition(place));
@@ -350,6 +368,12 @@ impl Emitter<'_> {
                 .filter_map(|line| if let Line::Store(o, _) = line { Some(*o) } else { None })
                 .collect(),
         }
+    }
+
+    /// Whether what `place` stands on, itself included, is among `places`.
+    fn reads(&self, place: Place, places: &BTreeSet<Place>) -> bool {
+        places.contains(&place)
+            || self.program.graph.operation(place).operands().any(|operand| self.reads(operand, places))
     }
 
     /// The sine and cosine of each angle among `places`.

@@ -48,6 +48,15 @@ impl Expressions<'_> {
         }
     }
 
+    /// Sines and cosines of several places at once, for plain numbers.
+    pub fn sin_cos_each(&self, places: &[Place]) -> TokenStream {
+        let angles = places.iter().map(|&place| self.operand(place, Binding::Sum));
+        match self.precision {
+            Precision::Double => quote!(turn::sin_cos_each([#(#angles),*])),
+            Precision::Single => quote!(turn::sin_cos_single_each([#(#angles),*])),
+        }
+    }
+
     /// `place` plus 0: no −0 leaves a function. Lanes need `lift` around what is no operation.
     pub fn output(&self, place: Place, lift: impl Fn(TokenStream) -> TokenStream) -> TokenStream {
         match self.program.graph.operation(place) {

@@ -1,8 +1,10 @@
 //! What makes functions a robot: its name, its coordinates, and the interface it shares with the core.
 
+use std::collections::BTreeSet;
+
 use frs_core::Quantity;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Literal, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
 
 use crate::emit::{Code, Emitter, ident};
 use crate::name::camel_case;
@@ -124,14 +126,42 @@ impl Emitter<'_> {
     }
 }
 
-/// Sine and cosine of the core, for a module that stands alone.
-pub fn turn() -> TokenStream {
+/// Sine and cosine of the core, for a module that stands alone: what of them `functions` call.
+pub fn turn(functions: &TokenStream) -> TokenStream {
     let file: syn::File = syn::parse_str(frs_core::generated::TURN).expect("the core's own source is Rust");
-    let (documentation, items) = (&file.attrs, &file.items);
+    let (mut known, mut needed) = (BTreeSet::new(), vec![false; file.items.len()]);
+    words(functions.clone(), &mut known);
+    let next = |known: &BTreeSet<String>, needed: &[bool]| {
+        let named = |item: &syn::Item| match item {
+            syn::Item::Fn(function) => known.contains(&function.sig.ident.to_string()),
+            syn::Item::Const(constant) => known.contains(&constant.ident.to_string()),
+            _ => true,
+        };
+        (0..needed.len()).find(|&number| !needed[number] && named(&file.items[number]))
+    };
+    while let Some(number) = next(&known, &needed) {
+        needed[number] = true;
+        words(file.items[number].to_token_stream(), &mut known);
+    }
+    let documentation = &file.attrs;
+    let items = file.items.iter().zip(needed).filter(|(_, needed)| *needed).map(|(item, _)| item);
     quote! {
         mod turn {
             #(#documentation)*
             #(#items)*
+        }
+    }
+}
+
+/// Adds all identifiers of `tokens`.
+fn words(tokens: TokenStream, known: &mut BTreeSet<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(word) => {
+                known.insert(word.to_string());
+            }
+            TokenTree::Group(group) => words(group.stream(), known),
+            _ => {}
         }
     }
 }

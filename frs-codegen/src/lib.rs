@@ -78,7 +78,7 @@ pub fn generate_on(
     let turn = match (turns, options.standalone) {
         (false, _) => TokenStream::new(),
         (true, false) => quote!(use #core::turn;),
-        (true, true) => glue::turn(),
+        (true, true) => glue::turn(&functions),
     };
     Ok(Generated {
         documentation: emitter.module_documentation(),

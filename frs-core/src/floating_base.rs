@@ -103,9 +103,8 @@ impl<T: Real> FloatingBase<T> for Evaluator<'_, T> {
             }
             Quantity::Matrices => {
                 put_inertia(&mut shape, six_rows, square, &mut out);
-                shape.d_mu(twist(inputs[1]), full);
+                shape.d_mu_with_b2(twist(inputs[1]), full, square);
                 out.put(full.as_slice());
-                shape.b2(twist(inputs[1]), square);
                 out.put(square.as_slice());
             }
             Quantity::DQdot => {
@@ -202,8 +201,11 @@ impl<T: Real> Outputs<'_, '_, T> {
     fn put_all<const N: usize>(&mut self, parts: [&[T]; N]) {
         let slice = self.slices.next().expect(SIZES);
         assert_eq!(slice.len(), parts.iter().map(|part| part.len()).sum::<usize>(), "{SIZES}");
-        for (entry, &number) in slice.iter_mut().zip(parts.into_iter().flatten()) {
-            *entry = number + T::zero();
+        let mut rest: &mut [T] = slice;
+        for part in parts {
+            let (written, after) = rest.split_at_mut(part.len());
+            written.iter_mut().zip(part).for_each(|(entry, &number)| *entry = number + T::zero());
+            rest = after;
         }
     }
 }

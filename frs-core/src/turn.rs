@@ -79,6 +79,38 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     }
 }
 
+/// (sin, cos) of several angles, four at a time: each as [`sin_cos`] gives it.
+pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
+    let mut pairs = [(0.0, 0.0); N];
+    for (pairs, angles) in pairs.chunks_mut(4).zip(angles.chunks(4)) {
+        let mut four = [0.0; 4];
+        four[..angles.len()].copy_from_slice(angles);
+        let (sin, cos) = sin_cos_of_four(four);
+        pairs.iter_mut().zip(sin.into_iter().zip(cos)).for_each(|(pair, both)| *pair = both);
+    }
+    pairs
+}
+
+/// [`sin_cos_each`] of singles, each rounded once more.
+pub fn sin_cos_single_each<const N: usize>(angles: [f32; N]) -> [(f32, f32); N] {
+    sin_cos_each(angles.map(f64::from)).map(|(sin, cos)| (sin as f32, cos as f32))
+}
+
+fn sin_cos_of_four(x: [f64; 4]) -> ([f64; 4], [f64; 4]) {
+    let (mut sin, mut cos) = ([0.0; 4], [0.0; 4]);
+    if x.iter().all(|x| x.abs() < NEAR) {
+        // No branch and no call: a compiler does all four at once.
+        for lane in 0..4 {
+            (sin[lane], cos[lane]) = near(x[lane], |value| value, below);
+        }
+    } else {
+        for lane in 0..4 {
+            (sin[lane], cos[lane]) = sin_cos(x[lane]);
+        }
+    }
+    (sin, cos)
+}
+
 /// (sin `x`, cos `x`) of a single, each rounded once more.
 pub fn sin_cos_single(x: f32) -> (f32, f32) {
     let (sin, cos) = sin_cos(x.into());

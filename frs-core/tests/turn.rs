@@ -60,11 +60,12 @@ fn angles_of_all_sizes_are_within_a_unit_in_the_last_place() {
     }
 }
 
-/// A million angles of a joint, against sines of 31 digits.
+/// A million angles of a joint, against sines of 31 digits; the variable `FRS_ANGLES` asks for another number of them.
 #[test]
 fn angles_of_joints_are_within_a_unit_in_the_last_place() {
+    let angles: usize = std::env::var("FRS_ANGLES").map_or(1_000_000, |number| number.parse().unwrap());
     let (mut random, mut worst) = (Random(29), 0.0_f64);
-    for _ in 0..1_000_000 {
+    for _ in 0..angles {
         let x = 10.0 * random.number();
         let (sin, cos) = turn::sin_cos(x);
         let exact = DoubleDouble::from(x).sin_cos();
@@ -72,8 +73,33 @@ fn angles_of_joints_are_within_a_unit_in_the_last_place() {
         let [of_sin, of_cos] = errors(x, [exact.0.high(), exact.1.high()], off);
         worst = worst.max(of_sin).max(of_cos);
     }
-    println!("worst of a million: {worst:.3} units in the last place");
+    println!("worst of {angles} angles: {worst:.3} units in the last place");
     assert!(worst <= ULPS, "{worst}");
+}
+
+/// Angles near and far from zero, in groups of every length.
+#[test]
+fn several_angles_at_once_have_the_bits_of_one() {
+    fn check<const N: usize>(random: &mut Random) {
+        let mut angles = [0.0; N];
+        for size in [1.0, 1e-8, 1e3, 1e4, 1e300] {
+            for _ in 0..1000 {
+                angles = angles.map(|_| size * random.number());
+                let bits = |(sin, cos): (f64, f64)| [sin.to_bits(), cos.to_bits()];
+                assert_eq!(turn::sin_cos_each(angles).map(bits), angles.map(turn::sin_cos).map(bits));
+                let (singles, bits) =
+                    (angles.map(|x| x as f32), |(sin, cos): (f32, f32)| [sin.to_bits(), cos.to_bits()]);
+                let finite = singles.map(|x| if x.is_finite() { x } else { 1.0 });
+                assert_eq!(turn::sin_cos_single_each(finite).map(bits), finite.map(turn::sin_cos_single).map(bits));
+            }
+        }
+    }
+    let mut random = Random(31);
+    check::<1>(&mut random);
+    check::<4>(&mut random);
+    check::<7>(&mut random);
+    check::<8>(&mut random);
+    assert_eq!(turn::sin_cos_each([]), []);
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! A recording as machine code.
 
+use std::array::from_fn;
 use std::fmt;
 
 use frs_codegen::record::{Operation, Place};
 use frs_codegen::{Graph, Precision};
-use frs_core::Real;
+use frs_core::turn;
 
 use crate::error::JitError;
 use crate::machine::{Lengths, Machine, SLICES};
@@ -94,8 +95,11 @@ impl Code {
     pub fn call_slices(&mut self, inputs: &[&[f64]], outputs: &mut [&mut [f64]]) {
         let Self { machine, turns, memory, .. } = self;
         machine.call(inputs, memory, outputs, |part, memory| {
-            for turn in &turns[part] {
-                (memory[turn.sine], memory[turn.cosine]) = Real::sin_cos(memory[turn.angle]);
+            for turns in turns[part].chunks(4) {
+                let angles = from_fn(|k| turns.get(k).map_or(0.0, |turn| memory[turn.angle]));
+                for (turn, pair) in turns.iter().zip(turn::sin_cos_each::<4>(angles)) {
+                    (memory[turn.sine], memory[turn.cosine]) = pair;
+                }
             }
         });
     }

@@ -211,15 +211,9 @@ struct Poses {
     rotation_left_shoulder_zy: f64,
     minus_rotation_left_shoulder_xy: f64,
     rotation_left_shoulder_yy: f64,
-    rotation_left_upper_arm_xx: f64,
-    rotation_left_upper_arm_yx: f64,
-    minus_rotation_left_upper_arm_zx: f64,
     minus_rotation_left_upper_arm_xy: f64,
     minus_rotation_left_upper_arm_yy: f64,
     rotation_left_upper_arm_zy: f64,
-    rotation_left_forearm_xx: f64,
-    rotation_left_forearm_yx: f64,
-    rotation_left_forearm_zx: f64,
     minus_rotation_left_forearm_xy: f64,
     minus_rotation_left_forearm_yy: f64,
     rotation_left_forearm_zy: f64,
@@ -247,15 +241,9 @@ struct Poses {
     rotation_right_shoulder_zy: f64,
     rotation_right_shoulder_xy: f64,
     rotation_right_shoulder_yy: f64,
-    rotation_right_upper_arm_xx: f64,
-    rotation_right_upper_arm_yx: f64,
-    minus_rotation_right_upper_arm_zx: f64,
     minus_rotation_right_upper_arm_xy: f64,
     rotation_right_upper_arm_yy: f64,
     rotation_right_upper_arm_zy: f64,
-    rotation_right_forearm_xx: f64,
-    rotation_right_forearm_yx: f64,
-    rotation_right_forearm_zx: f64,
     minus_rotation_right_forearm_xy: f64,
     rotation_right_forearm_yy: f64,
     rotation_right_forearm_zy: f64,
@@ -372,7 +360,30 @@ struct Poses {
 /// Rotations and origins of the bodies, from the centre of mass, base axes.
 #[inline(never)]
 fn poses(q: &[f64; 13]) -> Poses {
-    let (sin_left_shoulder_yaw, cos_left_shoulder_yaw) = turn::sin_cos(q[0]);
+    let [(sin_left_shoulder_yaw, cos_left_shoulder_yaw),
+    (sin_left_shoulder_pitch, cos_left_shoulder_pitch),
+    (sin_left_elbow_pitch, cos_left_elbow_pitch),
+    (sin_left_wrist_pitch, cos_left_wrist_pitch),
+    (sin_left_wrist_yaw, cos_left_wrist_yaw), (sin_left_wrist_roll, cos_left_wrist_roll),
+    (sin_right_shoulder_yaw, cos_right_shoulder_yaw),
+    (sin_right_shoulder_pitch, cos_right_shoulder_pitch),
+    (sin_right_elbow_pitch, cos_right_elbow_pitch),
+    (sin_right_wrist_pitch, cos_right_wrist_pitch),
+    (sin_right_wrist_yaw, cos_right_wrist_yaw),
+    (sin_right_wrist_roll, cos_right_wrist_roll)] = turn::sin_cos_each([
+        q[0],
+        q[1],
+        q[2],
+        q[3],
+        q[4],
+        q[5],
+        q[6],
+        q[7],
+        q[8],
+        q[9],
+        q[10],
+        q[11],
+    ]);
     // left_shoulder
     let minus_rotation_left_shoulder_zx = 0.19866933079506122 * cos_left_shoulder_yaw;
     let rotation_left_shoulder_xx = 0.8088838516750253 * cos_left_shoulder_yaw
@@ -395,7 +406,6 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (0.12740865511936142
             + (rotation_left_shoulder_zy * 0.06
                 - minus_rotation_left_shoulder_zx * 0.02));
-    let (sin_left_shoulder_pitch, cos_left_shoulder_pitch) = turn::sin_cos(q[1]);
     // left_upper_arm
     let rotation_left_upper_arm_xx = rotation_left_shoulder_xx * cos_left_shoulder_pitch
         - 0.16396887429543613 * sin_left_shoulder_pitch;
@@ -420,7 +430,6 @@ fn poses(q: &[f64; 13]) -> Poses {
         - (rotation_left_shoulder_zy * 0.03
             + (rotation_left_upper_arm_zy * 0.02
                 + minus_rotation_left_upper_arm_zx * 0.84));
-    let (sin_left_elbow_pitch, cos_left_elbow_pitch) = turn::sin_cos(q[2]);
     // left_forearm
     let rotation_left_forearm_xx = rotation_left_upper_arm_xx * cos_left_elbow_pitch
         - minus_rotation_left_upper_arm_xy * sin_left_elbow_pitch;
@@ -443,7 +452,6 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_left_wrist_bracket_z_0 = origin_left_forearm_z_0
         + (rotation_left_shoulder_zy * 0.025
             + (rotation_left_forearm_zy * 0.01 + rotation_left_forearm_zx * 0.74));
-    let (sin_left_wrist_pitch, cos_left_wrist_pitch) = turn::sin_cos(q[3]);
     // left_wrist_bracket
     let rotation_left_wrist_bracket_xx = rotation_left_forearm_xx * cos_left_wrist_pitch
         - minus_rotation_left_forearm_xy * sin_left_wrist_pitch;
@@ -470,7 +478,6 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (rotation_left_shoulder_zy * 0.012
             + (rotation_left_wrist_bracket_zx * 0.09
                 - rotation_left_wrist_bracket_zy * 0.006));
-    let (sin_left_wrist_yaw, cos_left_wrist_yaw) = turn::sin_cos(q[4]);
     // left_wrist_cross
     let rotation_left_wrist_cross_xx = rotation_left_wrist_bracket_xx
         * cos_left_wrist_yaw - minus_rotation_left_shoulder_xy * sin_left_wrist_yaw;
@@ -498,7 +505,6 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_left_end_plate_z_0 = origin_left_wrist_cross_z_0
         + (rotation_left_wrist_cross_zx * 0.08 - rotation_left_wrist_cross_zy * 0.01
             - origin_left_end_plate_z_0_5);
-    let (sin_left_wrist_roll, cos_left_wrist_roll) = turn::sin_cos(q[5]);
     // left_end_plate
     let minus_rotation_left_end_plate_xx = rotation_left_wrist_cross_xz
         * cos_left_wrist_roll + minus_rotation_left_wrist_cross_xy * sin_left_wrist_roll;
@@ -512,7 +518,6 @@ fn poses(q: &[f64; 13]) -> Poses {
         + rotation_left_wrist_cross_yz * sin_left_wrist_roll;
     let rotation_left_end_plate_zy = rotation_left_wrist_cross_zy * cos_left_wrist_roll
         - rotation_left_wrist_bracket_zy * sin_left_wrist_roll;
-    let (sin_right_shoulder_yaw, cos_right_shoulder_yaw) = turn::sin_cos(q[6]);
     // right_shoulder
     let minus_rotation_right_shoulder_zx = 0.19866933079506122 * cos_right_shoulder_yaw;
     let rotation_right_shoulder_xx = 0.8088838516750253 * cos_right_shoulder_yaw
@@ -533,7 +538,6 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (0.12740865511936142
             - (rotation_right_shoulder_zy * 0.06
                 + minus_rotation_right_shoulder_zx * 0.02));
-    let (sin_right_shoulder_pitch, cos_right_shoulder_pitch) = turn::sin_cos(q[7]);
     // right_upper_arm
     let rotation_right_upper_arm_xx = rotation_right_shoulder_xx
         * cos_right_shoulder_pitch - 0.16396887429543613 * sin_right_shoulder_pitch;
@@ -559,7 +563,6 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (rotation_right_shoulder_zy * 0.03
             - (rotation_right_upper_arm_zy * 0.02
                 + minus_rotation_right_upper_arm_zx * 0.84));
-    let (sin_right_elbow_pitch, cos_right_elbow_pitch) = turn::sin_cos(q[8]);
     // right_forearm
     let rotation_right_forearm_xx = rotation_right_upper_arm_xx * cos_right_elbow_pitch
         - minus_rotation_right_upper_arm_xy * sin_right_elbow_pitch;
@@ -582,7 +585,6 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_right_wrist_bracket_z_0 = origin_right_forearm_z_0
         + (rotation_right_forearm_zy * 0.01 + rotation_right_forearm_zx * 0.74
             - rotation_right_shoulder_zy * 0.025);
-    let (sin_right_wrist_pitch, cos_right_wrist_pitch) = turn::sin_cos(q[9]);
     // right_wrist_bracket
     let rotation_right_wrist_bracket_xx = rotation_right_forearm_xx
         * cos_right_wrist_pitch
@@ -610,7 +612,6 @@ fn poses(q: &[f64; 13]) -> Poses {
         + (rotation_right_wrist_bracket_zx * 0.09
             - rotation_right_wrist_bracket_zy * 0.006
             - rotation_right_shoulder_zy * 0.012);
-    let (sin_right_wrist_yaw, cos_right_wrist_yaw) = turn::sin_cos(q[10]);
     // right_wrist_cross
     let rotation_right_wrist_cross_xx = rotation_right_wrist_bracket_xx
         * cos_right_wrist_yaw + rotation_right_shoulder_xy * sin_right_wrist_yaw;
@@ -637,7 +638,6 @@ fn poses(q: &[f64; 13]) -> Poses {
     let origin_right_end_plate_z_0 = origin_right_wrist_cross_z_0
         + (rotation_right_wrist_cross_zy * 0.01 + rotation_right_wrist_cross_zx * 0.08
             - origin_right_end_plate_z_0_5);
-    let (sin_right_wrist_roll, cos_right_wrist_roll) = turn::sin_cos(q[11]);
     // right_end_plate
     let rotation_right_end_plate_xx = rotation_right_wrist_cross_xy
         * sin_right_wrist_roll - rotation_right_wrist_cross_xz * cos_right_wrist_roll;
@@ -995,15 +995,9 @@ fn poses(q: &[f64; 13]) -> Poses {
         rotation_left_shoulder_zy,
         minus_rotation_left_shoulder_xy,
         rotation_left_shoulder_yy,
-        rotation_left_upper_arm_xx,
-        rotation_left_upper_arm_yx,
-        minus_rotation_left_upper_arm_zx,
         minus_rotation_left_upper_arm_xy,
         minus_rotation_left_upper_arm_yy,
         rotation_left_upper_arm_zy,
-        rotation_left_forearm_xx,
-        rotation_left_forearm_yx,
-        rotation_left_forearm_zx,
         minus_rotation_left_forearm_xy,
         minus_rotation_left_forearm_yy,
         rotation_left_forearm_zy,
@@ -1031,15 +1025,9 @@ fn poses(q: &[f64; 13]) -> Poses {
         rotation_right_shoulder_zy,
         rotation_right_shoulder_xy,
         rotation_right_shoulder_yy,
-        rotation_right_upper_arm_xx,
-        rotation_right_upper_arm_yx,
-        minus_rotation_right_upper_arm_zx,
         minus_rotation_right_upper_arm_xy,
         rotation_right_upper_arm_yy,
         rotation_right_upper_arm_zy,
-        rotation_right_forearm_xx,
-        rotation_right_forearm_yx,
-        rotation_right_forearm_zx,
         minus_rotation_right_forearm_xy,
         rotation_right_forearm_yy,
         rotation_right_forearm_zy,
@@ -1170,7 +1158,7 @@ struct Inertias {
     inertia_left_shoulder_hz: f64,
     inertia_left_shoulder_xx: f64,
     inertia_left_shoulder_xy: f64,
-    inertia_left_shoulder_xz: f64,
+    minus_inertia_left_shoulder_xz: f64,
     inertia_left_shoulder_yy: f64,
     inertia_left_shoulder_yz: f64,
     inertia_left_shoulder_zz: f64,
@@ -1188,7 +1176,7 @@ struct Inertias {
     inertia_left_forearm_hz: f64,
     inertia_left_forearm_xx: f64,
     inertia_left_forearm_xy: f64,
-    inertia_left_forearm_xz: f64,
+    minus_inertia_left_forearm_xz: f64,
     inertia_left_forearm_yy: f64,
     inertia_left_forearm_yz: f64,
     inertia_left_forearm_zz: f64,
@@ -1527,10 +1515,14 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_bus_y_1;
     let inertia_left_shoulder_hz_0 = poses.minus_origin_bus_z_1_0_0
         - poses.minus_origin_bus_z_1;
-    let inertia_left_shoulder_xx_0 = 0.011433333 * poses.rotation_left_shoulder_xx;
-    let inertia_left_shoulder_xx_2 = 0.011433333 * poses.minus_rotation_left_shoulder_xy;
-    let inertia_left_shoulder_yy_0 = 0.011433333 * poses.rotation_left_shoulder_yx;
-    let inertia_left_shoulder_yy_2 = 0.011433333 * poses.rotation_left_shoulder_yy;
+    let inertia_left_shoulder_xx_0 = 0.0016333330000000007
+        * poses.rotation_left_shoulder_xx;
+    let inertia_left_shoulder_xx_2 = 0.0016333330000000007
+        * poses.minus_rotation_left_shoulder_xy;
+    let inertia_left_shoulder_yy_0 = 0.0016333330000000007
+        * poses.rotation_left_shoulder_yx;
+    let inertia_left_shoulder_yy_2 = 0.0016333330000000007
+        * poses.rotation_left_shoulder_yy;
     // left_shoulder
     let inertia_left_shoulder_hx = inertia_left_shoulder_hx_0 * 4.0;
     let inertia_left_shoulder_hy = inertia_left_shoulder_hy_0 * 4.0;
@@ -1543,30 +1535,28 @@ fn inertias(poses: &Poses) -> Inertias {
         * inertia_left_shoulder_hz_0;
     let inertia_left_shoulder_xx = inertia_left_shoulder_xx_0
         * poses.rotation_left_shoulder_xx
-        + inertia_left_shoulder_xx_2 * poses.minus_rotation_left_shoulder_xy
-        + 0.00026348075902958286
+        + inertia_left_shoulder_xx_2 * poses.minus_rotation_left_shoulder_xy + 0.0098
         + (inertia_left_shoulder_xx_5 + inertia_left_shoulder_xx_6);
     let inertia_left_shoulder_xy = inertia_left_shoulder_xx_0
         * poses.rotation_left_shoulder_yx
         - inertia_left_shoulder_xx_2 * poses.rotation_left_shoulder_yy
-        + 0.00018025688554194533 - inertia_left_shoulder_hx * inertia_left_shoulder_hy_0;
-    let inertia_left_shoulder_xz = 0.0015748640523314465
-        - (inertia_left_shoulder_xx_0 * poses.minus_rotation_left_shoulder_zx
-            + inertia_left_shoulder_xx_2 * poses.rotation_left_shoulder_zy)
-        - inertia_left_shoulder_hx * inertia_left_shoulder_hz_0;
+        - inertia_left_shoulder_hx * inertia_left_shoulder_hy_0;
+    let minus_inertia_left_shoulder_xz = inertia_left_shoulder_xx_0
+        * poses.minus_rotation_left_shoulder_zx
+        + inertia_left_shoulder_xx_2 * poses.rotation_left_shoulder_zy
+        + inertia_left_shoulder_hx * inertia_left_shoulder_hz_0;
     let inertia_left_shoulder_yy = inertia_left_shoulder_yy_0
         * poses.rotation_left_shoulder_yx
-        + inertia_left_shoulder_yy_2 * poses.rotation_left_shoulder_yy
-        + 0.00012332037035628024
+        + inertia_left_shoulder_yy_2 * poses.rotation_left_shoulder_yy + 0.0098
         + (inertia_left_shoulder_yy_5 + inertia_left_shoulder_xx_6);
     let inertia_left_shoulder_yz = inertia_left_shoulder_yy_2
         * poses.rotation_left_shoulder_zy
         - inertia_left_shoulder_yy_0 * poses.minus_rotation_left_shoulder_zx
-        + 0.0010774224663340998 - inertia_left_shoulder_hy * inertia_left_shoulder_hz_0;
-    let inertia_left_shoulder_zz = 0.011433333 * poses.minus_rotation_left_shoulder_zx
-        * poses.minus_rotation_left_shoulder_zx
-        + 0.011433333 * poses.rotation_left_shoulder_zy * poses.rotation_left_shoulder_zy
-        + 0.009413198870614136
+        - inertia_left_shoulder_hy * inertia_left_shoulder_hz_0;
+    let inertia_left_shoulder_zz = 0.0016333330000000007
+        * poses.minus_rotation_left_shoulder_zx * poses.minus_rotation_left_shoulder_zx
+        + 0.0016333330000000007 * poses.rotation_left_shoulder_zy
+            * poses.rotation_left_shoulder_zy + 0.0098
         + (inertia_left_shoulder_yy_5 + inertia_left_shoulder_xx_5);
     let inertia_left_upper_arm_hx_0 = poses.minus_origin_bus_x_1_0_4
         - poses.minus_origin_bus_x_1;
@@ -1574,216 +1564,189 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_bus_y_1;
     let inertia_left_upper_arm_hz_0 = poses.minus_origin_bus_z_1_0_4
         - poses.minus_origin_bus_z_1;
-    let inertia_left_upper_arm_xx_0 = 0.006875 * poses.rotation_left_upper_arm_xx;
-    let inertia_left_upper_arm_xx_2 = 0.29677083
+    let inertia_left_upper_arm_xx_0 = 0.28989582999999997
         * poses.minus_rotation_left_upper_arm_xy;
-    let inertia_left_upper_arm_xx_4 = 0.29677083 * poses.minus_rotation_left_shoulder_xy;
-    let inertia_left_upper_arm_yy_0 = 0.006875 * poses.rotation_left_upper_arm_yx;
-    let inertia_left_upper_arm_yy_2 = 0.29677083
+    let inertia_left_upper_arm_xx_2 = 0.28989582999999997
+        * poses.minus_rotation_left_shoulder_xy;
+    let inertia_left_upper_arm_yy_0 = 0.28989582999999997
         * poses.minus_rotation_left_upper_arm_yy;
-    let inertia_left_upper_arm_yy_4 = 0.29677083 * poses.rotation_left_shoulder_yy;
+    let inertia_left_upper_arm_yy_2 = 0.28989582999999997
+        * poses.rotation_left_shoulder_yy;
     // left_upper_arm
     let inertia_left_upper_arm_hx = inertia_left_upper_arm_hx_0 * 5.5;
     let inertia_left_upper_arm_hy = inertia_left_upper_arm_hy_0 * 5.5;
     let inertia_left_upper_arm_hz = inertia_left_upper_arm_hz_0 * 5.5;
-    let inertia_left_upper_arm_yy_6 = inertia_left_upper_arm_hx
+    let inertia_left_upper_arm_yy_5 = inertia_left_upper_arm_hx
         * inertia_left_upper_arm_hx_0;
-    let inertia_left_upper_arm_xx_6 = inertia_left_upper_arm_hy
+    let inertia_left_upper_arm_xx_5 = inertia_left_upper_arm_hy
         * inertia_left_upper_arm_hy_0;
-    let inertia_left_upper_arm_xx_7 = inertia_left_upper_arm_hz
+    let inertia_left_upper_arm_xx_6 = inertia_left_upper_arm_hz
         * inertia_left_upper_arm_hz_0;
     let inertia_left_upper_arm_xx = inertia_left_upper_arm_xx_0
-        * poses.rotation_left_upper_arm_xx
-        + inertia_left_upper_arm_xx_2 * poses.minus_rotation_left_upper_arm_xy
-        + inertia_left_upper_arm_xx_4 * poses.minus_rotation_left_shoulder_xy
-        + (inertia_left_upper_arm_xx_6 + inertia_left_upper_arm_xx_7);
+        * poses.minus_rotation_left_upper_arm_xy
+        + inertia_left_upper_arm_xx_2 * poses.minus_rotation_left_shoulder_xy + 0.006875
+        + (inertia_left_upper_arm_xx_5 + inertia_left_upper_arm_xx_6);
     let inertia_left_upper_arm_xy = inertia_left_upper_arm_xx_0
-        * poses.rotation_left_upper_arm_yx
-        + inertia_left_upper_arm_xx_2 * poses.minus_rotation_left_upper_arm_yy
-        - inertia_left_upper_arm_xx_4 * poses.rotation_left_shoulder_yy
+        * poses.minus_rotation_left_upper_arm_yy
+        - inertia_left_upper_arm_xx_2 * poses.rotation_left_shoulder_yy
         - inertia_left_upper_arm_hx * inertia_left_upper_arm_hy_0;
     let minus_inertia_left_upper_arm_xz = inertia_left_upper_arm_xx_0
-        * poses.minus_rotation_left_upper_arm_zx
-        + inertia_left_upper_arm_xx_2 * poses.rotation_left_upper_arm_zy
-        + inertia_left_upper_arm_xx_4 * poses.rotation_left_shoulder_zy
+        * poses.rotation_left_upper_arm_zy
+        + inertia_left_upper_arm_xx_2 * poses.rotation_left_shoulder_zy
         + inertia_left_upper_arm_hx * inertia_left_upper_arm_hz_0;
     let inertia_left_upper_arm_yy = inertia_left_upper_arm_yy_0
-        * poses.rotation_left_upper_arm_yx
-        + inertia_left_upper_arm_yy_2 * poses.minus_rotation_left_upper_arm_yy
-        + inertia_left_upper_arm_yy_4 * poses.rotation_left_shoulder_yy
-        + (inertia_left_upper_arm_yy_6 + inertia_left_upper_arm_xx_7);
-    let inertia_left_upper_arm_yz = inertia_left_upper_arm_yy_4
+        * poses.minus_rotation_left_upper_arm_yy
+        + inertia_left_upper_arm_yy_2 * poses.rotation_left_shoulder_yy + 0.006875
+        + (inertia_left_upper_arm_yy_5 + inertia_left_upper_arm_xx_6);
+    let inertia_left_upper_arm_yz = inertia_left_upper_arm_yy_2
         * poses.rotation_left_shoulder_zy
-        - (inertia_left_upper_arm_yy_0 * poses.minus_rotation_left_upper_arm_zx
-            + inertia_left_upper_arm_yy_2 * poses.rotation_left_upper_arm_zy)
+        - inertia_left_upper_arm_yy_0 * poses.rotation_left_upper_arm_zy
         - inertia_left_upper_arm_hy * inertia_left_upper_arm_hz_0;
-    let inertia_left_upper_arm_zz = 0.006875 * poses.minus_rotation_left_upper_arm_zx
-        * poses.minus_rotation_left_upper_arm_zx
-        + 0.29677083 * poses.rotation_left_upper_arm_zy
-            * poses.rotation_left_upper_arm_zy
-        + 0.29677083 * poses.rotation_left_shoulder_zy * poses.rotation_left_shoulder_zy
-        + (inertia_left_upper_arm_yy_6 + inertia_left_upper_arm_xx_6);
+    let inertia_left_upper_arm_zz = 0.28989582999999997
+        * poses.rotation_left_upper_arm_zy * poses.rotation_left_upper_arm_zy
+        + 0.28989582999999997 * poses.rotation_left_shoulder_zy
+            * poses.rotation_left_shoulder_zy + 0.006875
+        + (inertia_left_upper_arm_yy_5 + inertia_left_upper_arm_xx_5);
     let inertia_left_forearm_hx_0 = poses.minus_origin_bus_x_1_0_6
         - poses.minus_origin_bus_x_1;
     let inertia_left_forearm_hy_0 = poses.minus_origin_bus_y_1_0_6
         - poses.minus_origin_bus_y_1;
     let inertia_left_forearm_hz_0 = poses.minus_origin_bus_z_1_0_6
         - poses.minus_origin_bus_z_1;
-    let inertia_left_forearm_xx_0 = 0.0042525 * poses.rotation_left_forearm_xx;
-    let inertia_left_forearm_xx_2 = 0.17362625 * poses.minus_rotation_left_forearm_xy;
-    let inertia_left_forearm_xx_4 = 0.17362625 * poses.minus_rotation_left_shoulder_xy;
-    let inertia_left_forearm_yy_0 = 0.0042525 * poses.rotation_left_forearm_yx;
-    let inertia_left_forearm_yy_2 = 0.17362625 * poses.minus_rotation_left_forearm_yy;
-    let inertia_left_forearm_yy_4 = 0.17362625 * poses.rotation_left_shoulder_yy;
+    let inertia_left_forearm_xx_0 = 0.16937375000000002
+        * poses.minus_rotation_left_forearm_xy;
+    let inertia_left_forearm_xx_2 = 0.16937375000000002
+        * poses.minus_rotation_left_shoulder_xy;
+    let inertia_left_forearm_yy_0 = 0.16937375000000002
+        * poses.minus_rotation_left_forearm_yy;
+    let inertia_left_forearm_yy_2 = 0.16937375000000002
+        * poses.rotation_left_shoulder_yy;
     // left_forearm
     let inertia_left_forearm_hx = inertia_left_forearm_hx_0 * 4.2;
     let inertia_left_forearm_hy = inertia_left_forearm_hy_0 * 4.2;
     let inertia_left_forearm_hz = inertia_left_forearm_hz_0 * 4.2;
-    let inertia_left_forearm_yy_6 = inertia_left_forearm_hx * inertia_left_forearm_hx_0;
-    let inertia_left_forearm_xx_6 = inertia_left_forearm_hy * inertia_left_forearm_hy_0;
-    let inertia_left_forearm_xx_7 = inertia_left_forearm_hz * inertia_left_forearm_hz_0;
+    let inertia_left_forearm_yy_5 = inertia_left_forearm_hx * inertia_left_forearm_hx_0;
+    let inertia_left_forearm_xx_5 = inertia_left_forearm_hy * inertia_left_forearm_hy_0;
+    let inertia_left_forearm_xx_6 = inertia_left_forearm_hz * inertia_left_forearm_hz_0;
     let inertia_left_forearm_xx = inertia_left_forearm_xx_0
-        * poses.rotation_left_forearm_xx
-        + inertia_left_forearm_xx_2 * poses.minus_rotation_left_forearm_xy
-        + inertia_left_forearm_xx_4 * poses.minus_rotation_left_shoulder_xy
-        + (inertia_left_forearm_xx_6 + inertia_left_forearm_xx_7);
+        * poses.minus_rotation_left_forearm_xy
+        + inertia_left_forearm_xx_2 * poses.minus_rotation_left_shoulder_xy + 0.0042525
+        + (inertia_left_forearm_xx_5 + inertia_left_forearm_xx_6);
     let inertia_left_forearm_xy = inertia_left_forearm_xx_0
-        * poses.rotation_left_forearm_yx
-        + inertia_left_forearm_xx_2 * poses.minus_rotation_left_forearm_yy
-        - inertia_left_forearm_xx_4 * poses.rotation_left_shoulder_yy
+        * poses.minus_rotation_left_forearm_yy
+        - inertia_left_forearm_xx_2 * poses.rotation_left_shoulder_yy
         - inertia_left_forearm_hx * inertia_left_forearm_hy_0;
-    let inertia_left_forearm_xz = inertia_left_forearm_xx_0
-        * poses.rotation_left_forearm_zx
-        - inertia_left_forearm_xx_2 * poses.rotation_left_forearm_zy
-        - inertia_left_forearm_xx_4 * poses.rotation_left_shoulder_zy
-        - inertia_left_forearm_hx * inertia_left_forearm_hz_0;
+    let minus_inertia_left_forearm_xz = inertia_left_forearm_xx_0
+        * poses.rotation_left_forearm_zy
+        + inertia_left_forearm_xx_2 * poses.rotation_left_shoulder_zy
+        + inertia_left_forearm_hx * inertia_left_forearm_hz_0;
     let inertia_left_forearm_yy = inertia_left_forearm_yy_0
-        * poses.rotation_left_forearm_yx
-        + inertia_left_forearm_yy_2 * poses.minus_rotation_left_forearm_yy
-        + inertia_left_forearm_yy_4 * poses.rotation_left_shoulder_yy
-        + (inertia_left_forearm_yy_6 + inertia_left_forearm_xx_7);
-    let inertia_left_forearm_yz = inertia_left_forearm_yy_0
-        * poses.rotation_left_forearm_zx
-        - inertia_left_forearm_yy_2 * poses.rotation_left_forearm_zy
-        + inertia_left_forearm_yy_4 * poses.rotation_left_shoulder_zy
+        * poses.minus_rotation_left_forearm_yy
+        + inertia_left_forearm_yy_2 * poses.rotation_left_shoulder_yy + 0.0042525
+        + (inertia_left_forearm_yy_5 + inertia_left_forearm_xx_6);
+    let inertia_left_forearm_yz = inertia_left_forearm_yy_2
+        * poses.rotation_left_shoulder_zy
+        - inertia_left_forearm_yy_0 * poses.rotation_left_forearm_zy
         - inertia_left_forearm_hy * inertia_left_forearm_hz_0;
-    let inertia_left_forearm_zz = 0.0042525 * poses.rotation_left_forearm_zx
-        * poses.rotation_left_forearm_zx
-        + 0.17362625 * poses.rotation_left_forearm_zy * poses.rotation_left_forearm_zy
-        + 0.17362625 * poses.rotation_left_shoulder_zy * poses.rotation_left_shoulder_zy
-        + (inertia_left_forearm_yy_6 + inertia_left_forearm_xx_6);
+    let inertia_left_forearm_zz = 0.16937375000000002 * poses.rotation_left_forearm_zy
+        * poses.rotation_left_forearm_zy
+        + 0.16937375000000002 * poses.rotation_left_shoulder_zy
+            * poses.rotation_left_shoulder_zy + 0.0042525
+        + (inertia_left_forearm_yy_5 + inertia_left_forearm_xx_5);
     let inertia_left_wrist_bracket_hx_0 = poses.minus_origin_bus_x_1_0_8
         - poses.minus_origin_bus_x_1;
     let inertia_left_wrist_bracket_hy_0 = poses.minus_origin_bus_y_1_0_8
         - poses.minus_origin_bus_y_1;
     let inertia_left_wrist_bracket_hz_0 = poses.minus_origin_bus_z_1_0_8
         - poses.minus_origin_bus_z_1;
-    let inertia_left_wrist_bracket_xx_0 = 0.00288 * poses.rotation_left_wrist_bracket_xx;
-    let inertia_left_wrist_bracket_xx_2 = 0.00288 * poses.rotation_left_wrist_cross_xz;
-    let inertia_left_wrist_bracket_xx_4 = 0.00144
-        * poses.minus_rotation_left_shoulder_xy;
-    let inertia_left_wrist_bracket_yy_0 = 0.00288 * poses.rotation_left_wrist_bracket_yx;
-    let inertia_left_wrist_bracket_yy_2 = 0.00288 * poses.rotation_left_wrist_cross_yz;
-    let inertia_left_wrist_bracket_yy_4 = 0.00144 * poses.rotation_left_shoulder_yy;
+    let inertia_left_wrist_bracket_xx_0 = 0.00144 * poses.rotation_left_wrist_bracket_xx;
+    let inertia_left_wrist_bracket_xx_2 = 0.00144 * poses.rotation_left_wrist_cross_xz;
+    let inertia_left_wrist_bracket_yy_0 = 0.00144 * poses.rotation_left_wrist_bracket_yx;
+    let inertia_left_wrist_bracket_yy_2 = 0.00144 * poses.rotation_left_wrist_cross_yz;
     // left_wrist_bracket
     let inertia_left_wrist_bracket_hx = inertia_left_wrist_bracket_hx_0 * 1.8;
     let inertia_left_wrist_bracket_hy = inertia_left_wrist_bracket_hy_0 * 1.8;
     let inertia_left_wrist_bracket_hz = inertia_left_wrist_bracket_hz_0 * 1.8;
-    let inertia_left_wrist_bracket_yy_6 = inertia_left_wrist_bracket_hx
+    let inertia_left_wrist_bracket_yy_5 = inertia_left_wrist_bracket_hx
         * inertia_left_wrist_bracket_hx_0;
-    let inertia_left_wrist_bracket_xx_6 = inertia_left_wrist_bracket_hy
+    let inertia_left_wrist_bracket_xx_5 = inertia_left_wrist_bracket_hy
         * inertia_left_wrist_bracket_hy_0;
-    let inertia_left_wrist_bracket_xx_7 = inertia_left_wrist_bracket_hz
+    let inertia_left_wrist_bracket_xx_6 = inertia_left_wrist_bracket_hz
         * inertia_left_wrist_bracket_hz_0;
     let inertia_left_wrist_bracket_xx = inertia_left_wrist_bracket_xx_0
         * poses.rotation_left_wrist_bracket_xx
-        + inertia_left_wrist_bracket_xx_2 * poses.rotation_left_wrist_cross_xz
-        + inertia_left_wrist_bracket_xx_4 * poses.minus_rotation_left_shoulder_xy
-        + (inertia_left_wrist_bracket_xx_6 + inertia_left_wrist_bracket_xx_7);
+        + inertia_left_wrist_bracket_xx_2 * poses.rotation_left_wrist_cross_xz + 0.00144
+        + (inertia_left_wrist_bracket_xx_5 + inertia_left_wrist_bracket_xx_6);
     let inertia_left_wrist_bracket_xy = inertia_left_wrist_bracket_xx_0
         * poses.rotation_left_wrist_bracket_yx
         + inertia_left_wrist_bracket_xx_2 * poses.rotation_left_wrist_cross_yz
-        - inertia_left_wrist_bracket_xx_4 * poses.rotation_left_shoulder_yy
         - inertia_left_wrist_bracket_hx * inertia_left_wrist_bracket_hy_0;
     let inertia_left_wrist_bracket_xz = inertia_left_wrist_bracket_xx_0
         * poses.rotation_left_wrist_bracket_zx
         - inertia_left_wrist_bracket_xx_2 * poses.rotation_left_wrist_bracket_zy
-        - inertia_left_wrist_bracket_xx_4 * poses.rotation_left_shoulder_zy
         - inertia_left_wrist_bracket_hx * inertia_left_wrist_bracket_hz_0;
     let inertia_left_wrist_bracket_yy = inertia_left_wrist_bracket_yy_0
         * poses.rotation_left_wrist_bracket_yx
-        + inertia_left_wrist_bracket_yy_2 * poses.rotation_left_wrist_cross_yz
-        + inertia_left_wrist_bracket_yy_4 * poses.rotation_left_shoulder_yy
-        + (inertia_left_wrist_bracket_yy_6 + inertia_left_wrist_bracket_xx_7);
+        + inertia_left_wrist_bracket_yy_2 * poses.rotation_left_wrist_cross_yz + 0.00144
+        + (inertia_left_wrist_bracket_yy_5 + inertia_left_wrist_bracket_xx_6);
     let inertia_left_wrist_bracket_yz = inertia_left_wrist_bracket_yy_0
         * poses.rotation_left_wrist_bracket_zx
         - inertia_left_wrist_bracket_yy_2 * poses.rotation_left_wrist_bracket_zy
-        + inertia_left_wrist_bracket_yy_4 * poses.rotation_left_shoulder_zy
         - inertia_left_wrist_bracket_hy * inertia_left_wrist_bracket_hz_0;
-    let inertia_left_wrist_bracket_zz = 0.00288 * poses.rotation_left_wrist_bracket_zx
+    let inertia_left_wrist_bracket_zz = 0.00144 * poses.rotation_left_wrist_bracket_zx
         * poses.rotation_left_wrist_bracket_zx
-        + 0.00288 * poses.rotation_left_wrist_bracket_zy
-            * poses.rotation_left_wrist_bracket_zy
-        + 0.00144 * poses.rotation_left_shoulder_zy * poses.rotation_left_shoulder_zy
-        + (inertia_left_wrist_bracket_yy_6 + inertia_left_wrist_bracket_xx_6);
+        + 0.00144 * poses.rotation_left_wrist_bracket_zy
+            * poses.rotation_left_wrist_bracket_zy + 0.00144
+        + (inertia_left_wrist_bracket_yy_5 + inertia_left_wrist_bracket_xx_5);
     let inertia_left_wrist_cross_hx_0 = poses.minus_origin_bus_x_1_0_10
         - poses.minus_origin_bus_x_1;
     let inertia_left_wrist_cross_hy_0 = poses.minus_origin_bus_y_1_0_10
         - poses.minus_origin_bus_y_1;
     let inertia_left_wrist_cross_hz_0 = poses.minus_origin_bus_z_1_0_10
         - poses.minus_origin_bus_z_1;
-    let inertia_left_wrist_cross_xx_0 = 0.0019733333
+    let inertia_left_wrist_cross_xx_0 = 0.0006933332999999999
         * poses.rotation_left_wrist_cross_xx;
-    let inertia_left_wrist_cross_xx_2 = 0.0019733333
+    let inertia_left_wrist_cross_xx_2 = 0.0006933332999999999
         * poses.minus_rotation_left_wrist_cross_xy;
-    let inertia_left_wrist_cross_xx_4 = 0.00128 * poses.rotation_left_wrist_cross_xz;
-    let inertia_left_wrist_cross_yy_0 = 0.0019733333
+    let inertia_left_wrist_cross_yy_0 = 0.0006933332999999999
         * poses.rotation_left_wrist_cross_yx;
-    let inertia_left_wrist_cross_yy_2 = 0.0019733333
+    let inertia_left_wrist_cross_yy_2 = 0.0006933332999999999
         * poses.rotation_left_wrist_cross_yy;
-    let inertia_left_wrist_cross_yy_4 = 0.00128 * poses.rotation_left_wrist_cross_yz;
     // left_wrist_cross
     let inertia_left_wrist_cross_hx = inertia_left_wrist_cross_hx_0 * 1.6;
     let inertia_left_wrist_cross_hy = inertia_left_wrist_cross_hy_0 * 1.6;
     let inertia_left_wrist_cross_hz = inertia_left_wrist_cross_hz_0 * 1.6;
-    let inertia_left_wrist_cross_yy_6 = inertia_left_wrist_cross_hx
+    let inertia_left_wrist_cross_yy_5 = inertia_left_wrist_cross_hx
         * inertia_left_wrist_cross_hx_0;
-    let inertia_left_wrist_cross_xx_6 = inertia_left_wrist_cross_hy
+    let inertia_left_wrist_cross_xx_5 = inertia_left_wrist_cross_hy
         * inertia_left_wrist_cross_hy_0;
-    let inertia_left_wrist_cross_xx_7 = inertia_left_wrist_cross_hz
+    let inertia_left_wrist_cross_xx_6 = inertia_left_wrist_cross_hz
         * inertia_left_wrist_cross_hz_0;
     let inertia_left_wrist_cross_xx = inertia_left_wrist_cross_xx_0
         * poses.rotation_left_wrist_cross_xx
         + inertia_left_wrist_cross_xx_2 * poses.minus_rotation_left_wrist_cross_xy
-        + inertia_left_wrist_cross_xx_4 * poses.rotation_left_wrist_cross_xz
-        + (inertia_left_wrist_cross_xx_6 + inertia_left_wrist_cross_xx_7);
+        + 0.00128 + (inertia_left_wrist_cross_xx_5 + inertia_left_wrist_cross_xx_6);
     let inertia_left_wrist_cross_xy = inertia_left_wrist_cross_xx_0
         * poses.rotation_left_wrist_cross_yx
         - inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_yy
-        + inertia_left_wrist_cross_xx_4 * poses.rotation_left_wrist_cross_yz
         - inertia_left_wrist_cross_hx * inertia_left_wrist_cross_hy_0;
     let inertia_left_wrist_cross_xz = inertia_left_wrist_cross_xx_0
         * poses.rotation_left_wrist_cross_zx
         - inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_zy
-        - inertia_left_wrist_cross_xx_4 * poses.rotation_left_wrist_bracket_zy
         - inertia_left_wrist_cross_hx * inertia_left_wrist_cross_hz_0;
     let inertia_left_wrist_cross_yy = inertia_left_wrist_cross_yy_0
         * poses.rotation_left_wrist_cross_yx
-        + inertia_left_wrist_cross_yy_2 * poses.rotation_left_wrist_cross_yy
-        + inertia_left_wrist_cross_yy_4 * poses.rotation_left_wrist_cross_yz
-        + (inertia_left_wrist_cross_yy_6 + inertia_left_wrist_cross_xx_7);
+        + inertia_left_wrist_cross_yy_2 * poses.rotation_left_wrist_cross_yy + 0.00128
+        + (inertia_left_wrist_cross_yy_5 + inertia_left_wrist_cross_xx_6);
     let inertia_left_wrist_cross_yz = inertia_left_wrist_cross_yy_0
         * poses.rotation_left_wrist_cross_zx
         + inertia_left_wrist_cross_yy_2 * poses.rotation_left_wrist_cross_zy
-        - inertia_left_wrist_cross_yy_4 * poses.rotation_left_wrist_bracket_zy
         - inertia_left_wrist_cross_hy * inertia_left_wrist_cross_hz_0;
-    let inertia_left_wrist_cross_zz = 0.0019733333 * poses.rotation_left_wrist_cross_zx
-        * poses.rotation_left_wrist_cross_zx
-        + 0.0019733333 * poses.rotation_left_wrist_cross_zy
-            * poses.rotation_left_wrist_cross_zy
-        + 0.00128 * poses.rotation_left_wrist_bracket_zy
-            * poses.rotation_left_wrist_bracket_zy
-        + (inertia_left_wrist_cross_yy_6 + inertia_left_wrist_cross_xx_6);
+    let inertia_left_wrist_cross_zz = 0.0006933332999999999
+        * poses.rotation_left_wrist_cross_zx * poses.rotation_left_wrist_cross_zx
+        + 0.0006933332999999999 * poses.rotation_left_wrist_cross_zy
+            * poses.rotation_left_wrist_cross_zy + 0.00128
+        + (inertia_left_wrist_cross_yy_5 + inertia_left_wrist_cross_xx_5);
     let inertia_left_end_plate_hx_0 = poses.minus_origin_bus_x_1_0_12
         - poses.minus_origin_bus_x_1;
     let inertia_left_end_plate_hy_0 = poses.minus_origin_bus_y_1_0_12
@@ -1792,87 +1755,90 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_bus_z_1;
     let inertia_left_end_plate_xx_2 = 0.0003872191033037509
         * poses.rotation_left_end_plate_xy
-        - 0.0045651625567947555 * poses.minus_rotation_left_end_plate_xx
+        - 0.0018288436111363205 * poses.minus_rotation_left_end_plate_xx
         + 0.001402848308376686 * poses.rotation_left_wrist_cross_xx;
-    let inertia_left_end_plate_xx_0 = 0.005205307973041426
+    let inertia_left_end_plate_xx_0 = 0.0024689890273829913
         * poses.rotation_left_end_plate_xy
         - 0.0003872191033037509 * poses.minus_rotation_left_end_plate_xx
         - 0.0006513129379752526 * poses.rotation_left_wrist_cross_xx;
-    let inertia_left_end_plate_xx_4 = 0.002736318945658435
-        * poses.rotation_left_wrist_cross_xx
-        - (0.001402848308376686 * poses.minus_rotation_left_end_plate_xx
-            + 0.0006513129379752526 * poses.rotation_left_end_plate_xy);
-    let inertia_left_end_plate_yy_0 = 0.0045651625567947555
+    let inertia_left_end_plate_xx_4 = 0.001402848308376686
+        * poses.minus_rotation_left_end_plate_xx
+        + 0.0006513129379752526 * poses.rotation_left_end_plate_xy;
+    let inertia_left_end_plate_yy_0 = 0.0018288436111363205
         * poses.rotation_left_end_plate_yx
         + 0.0003872191033037509 * poses.rotation_left_end_plate_yy
         + 0.001402848308376686 * poses.rotation_left_wrist_cross_yx;
     let inertia_left_end_plate_yy_2 = 0.0003872191033037509
         * poses.rotation_left_end_plate_yx
-        + 0.005205307973041426 * poses.rotation_left_end_plate_yy
+        + 0.0024689890273829913 * poses.rotation_left_end_plate_yy
         - 0.0006513129379752526 * poses.rotation_left_wrist_cross_yx;
     let inertia_left_end_plate_yy_4 = 0.001402848308376686
         * poses.rotation_left_end_plate_yx
-        - 0.0006513129379752526 * poses.rotation_left_end_plate_yy
-        + 0.002736318945658435 * poses.rotation_left_wrist_cross_yx;
+        - 0.0006513129379752526 * poses.rotation_left_end_plate_yy;
     // left_end_plate
     let inertia_left_end_plate_hx = inertia_left_end_plate_hx_0 * 1.7000000000000002;
     let inertia_left_end_plate_hy = inertia_left_end_plate_hy_0 * 1.7000000000000002;
     let inertia_left_end_plate_hz = inertia_left_end_plate_hz_0 * 1.7000000000000002;
-    let inertia_left_end_plate_yy_6 = inertia_left_end_plate_hx
+    let inertia_left_end_plate_yy_7 = inertia_left_end_plate_hx
         * inertia_left_end_plate_hx_0;
-    let inertia_left_end_plate_xx_6 = inertia_left_end_plate_hy
+    let inertia_left_end_plate_xx_7 = inertia_left_end_plate_hy
         * inertia_left_end_plate_hy_0;
-    let inertia_left_end_plate_xx_7 = inertia_left_end_plate_hz
+    let inertia_left_end_plate_xx_8 = inertia_left_end_plate_hz
         * inertia_left_end_plate_hz_0;
     let inertia_left_end_plate_xx = inertia_left_end_plate_xx_0
         * poses.rotation_left_end_plate_xy
         - inertia_left_end_plate_xx_2 * poses.minus_rotation_left_end_plate_xx
-        + inertia_left_end_plate_xx_4 * poses.rotation_left_wrist_cross_xx
-        + (inertia_left_end_plate_xx_6 + inertia_left_end_plate_xx_7);
+        - inertia_left_end_plate_xx_4 * poses.rotation_left_wrist_cross_xx
+        + 0.002736318945658435
+        + (inertia_left_end_plate_xx_7 + inertia_left_end_plate_xx_8);
     let inertia_left_end_plate_xy = inertia_left_end_plate_xx_2
         * poses.rotation_left_end_plate_yx
         + inertia_left_end_plate_xx_0 * poses.rotation_left_end_plate_yy
-        + inertia_left_end_plate_xx_4 * poses.rotation_left_wrist_cross_yx
+        - inertia_left_end_plate_xx_4 * poses.rotation_left_wrist_cross_yx
         - inertia_left_end_plate_hx * inertia_left_end_plate_hy_0;
     let inertia_left_end_plate_xz = inertia_left_end_plate_xx_2
         * poses.rotation_left_end_plate_zx
         + inertia_left_end_plate_xx_0 * poses.rotation_left_end_plate_zy
-        + inertia_left_end_plate_xx_4 * poses.rotation_left_wrist_cross_zx
+        - inertia_left_end_plate_xx_4 * poses.rotation_left_wrist_cross_zx
         - inertia_left_end_plate_hx * inertia_left_end_plate_hz_0;
     let inertia_left_end_plate_yy = inertia_left_end_plate_yy_0
         * poses.rotation_left_end_plate_yx
         + inertia_left_end_plate_yy_2 * poses.rotation_left_end_plate_yy
         + inertia_left_end_plate_yy_4 * poses.rotation_left_wrist_cross_yx
-        + (inertia_left_end_plate_yy_6 + inertia_left_end_plate_xx_7);
+        + 0.002736318945658435
+        + (inertia_left_end_plate_yy_7 + inertia_left_end_plate_xx_8);
     let inertia_left_end_plate_yz = inertia_left_end_plate_yy_0
         * poses.rotation_left_end_plate_zx
         + inertia_left_end_plate_yy_2 * poses.rotation_left_end_plate_zy
         + inertia_left_end_plate_yy_4 * poses.rotation_left_wrist_cross_zx
         - inertia_left_end_plate_hy * inertia_left_end_plate_hz_0;
-    let inertia_left_end_plate_zz = (0.0045651625567947555
+    let inertia_left_end_plate_zz = (0.0018288436111363205
         * poses.rotation_left_end_plate_zx
         + 0.0003872191033037509 * poses.rotation_left_end_plate_zy
         + 0.001402848308376686 * poses.rotation_left_wrist_cross_zx)
         * poses.rotation_left_end_plate_zx
         + (0.0003872191033037509 * poses.rotation_left_end_plate_zx
-            + 0.005205307973041426 * poses.rotation_left_end_plate_zy
+            + 0.0024689890273829913 * poses.rotation_left_end_plate_zy
             - 0.0006513129379752526 * poses.rotation_left_wrist_cross_zx)
             * poses.rotation_left_end_plate_zy
         + (0.001402848308376686 * poses.rotation_left_end_plate_zx
-            - 0.0006513129379752526 * poses.rotation_left_end_plate_zy
-            + 0.002736318945658435 * poses.rotation_left_wrist_cross_zx)
-            * poses.rotation_left_wrist_cross_zx
-        + (inertia_left_end_plate_yy_6 + inertia_left_end_plate_xx_6);
+            - 0.0006513129379752526 * poses.rotation_left_end_plate_zy)
+            * poses.rotation_left_wrist_cross_zx + 0.002736318945658435
+        + (inertia_left_end_plate_yy_7 + inertia_left_end_plate_xx_7);
     let inertia_right_shoulder_hx_0 = poses.minus_origin_bus_x_1_0_14
         - poses.minus_origin_bus_x_1;
     let inertia_right_shoulder_hy_0 = poses.minus_origin_bus_y_1_0_14
         - poses.minus_origin_bus_y_1;
     let inertia_right_shoulder_hz_0 = poses.minus_origin_bus_z_1_0_14
         - poses.minus_origin_bus_z_1;
-    let inertia_right_shoulder_xx_0 = 0.011433333 * poses.rotation_right_shoulder_xx;
-    let inertia_right_shoulder_xx_2 = 0.011433333 * poses.rotation_right_shoulder_xy;
-    let inertia_right_shoulder_yy_0 = 0.011433333 * poses.rotation_right_shoulder_yx;
-    let inertia_right_shoulder_yy_2 = 0.011433333 * poses.rotation_right_shoulder_yy;
+    let inertia_right_shoulder_xx_0 = 0.0016333330000000007
+        * poses.rotation_right_shoulder_xx;
+    let inertia_right_shoulder_xx_2 = 0.0016333330000000007
+        * poses.rotation_right_shoulder_xy;
+    let inertia_right_shoulder_yy_0 = 0.0016333330000000007
+        * poses.rotation_right_shoulder_yx;
+    let inertia_right_shoulder_yy_2 = 0.0016333330000000007
+        * poses.rotation_right_shoulder_yy;
     // right_shoulder
     let inertia_right_shoulder_hx = inertia_right_shoulder_hx_0 * 4.0;
     let inertia_right_shoulder_hy = inertia_right_shoulder_hy_0 * 4.0;
@@ -1885,33 +1851,28 @@ fn inertias(poses: &Poses) -> Inertias {
         * inertia_right_shoulder_hz_0;
     let inertia_right_shoulder_xx = inertia_right_shoulder_xx_0
         * poses.rotation_right_shoulder_xx
-        + inertia_right_shoulder_xx_2 * poses.rotation_right_shoulder_xy
-        + 0.00026348075902958286
+        + inertia_right_shoulder_xx_2 * poses.rotation_right_shoulder_xy + 0.0098
         + (inertia_right_shoulder_xx_5 + inertia_right_shoulder_xx_6);
     let inertia_right_shoulder_xy = inertia_right_shoulder_xx_0
         * poses.rotation_right_shoulder_yx
         + inertia_right_shoulder_xx_2 * poses.rotation_right_shoulder_yy
-        - 0.00018025688554194533
         - inertia_right_shoulder_hx * inertia_right_shoulder_hy_0;
     let inertia_right_shoulder_xz = inertia_right_shoulder_xx_2
         * poses.rotation_right_shoulder_zy
         - inertia_right_shoulder_xx_0 * poses.minus_rotation_right_shoulder_zx
-        + 0.0015748640523314465
         - inertia_right_shoulder_hx * inertia_right_shoulder_hz_0;
     let inertia_right_shoulder_yy = inertia_right_shoulder_yy_0
         * poses.rotation_right_shoulder_yx
-        + inertia_right_shoulder_yy_2 * poses.rotation_right_shoulder_yy
-        + 0.00012332037035628024
+        + inertia_right_shoulder_yy_2 * poses.rotation_right_shoulder_yy + 0.0098
         + (inertia_right_shoulder_yy_5 + inertia_right_shoulder_xx_6);
     let inertia_right_shoulder_yz = inertia_right_shoulder_yy_2
         * poses.rotation_right_shoulder_zy
         - inertia_right_shoulder_yy_0 * poses.minus_rotation_right_shoulder_zx
-        - 0.0010774224663340998
         - inertia_right_shoulder_hy * inertia_right_shoulder_hz_0;
-    let inertia_right_shoulder_zz = 0.011433333 * poses.minus_rotation_right_shoulder_zx
-        * poses.minus_rotation_right_shoulder_zx
-        + 0.011433333 * poses.rotation_right_shoulder_zy
-            * poses.rotation_right_shoulder_zy + 0.009413198870614136
+    let inertia_right_shoulder_zz = 0.0016333330000000007
+        * poses.minus_rotation_right_shoulder_zx * poses.minus_rotation_right_shoulder_zx
+        + 0.0016333330000000007 * poses.rotation_right_shoulder_zy
+            * poses.rotation_right_shoulder_zy + 0.0098
         + (inertia_right_shoulder_yy_5 + inertia_right_shoulder_xx_5);
     let inertia_right_upper_arm_hx_0 = poses.minus_origin_bus_x_1_0_16
         - poses.minus_origin_bus_x_1;
@@ -1919,267 +1880,241 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_bus_y_1;
     let inertia_right_upper_arm_hz_0 = poses.minus_origin_bus_z_1_0_16
         - poses.minus_origin_bus_z_1;
-    let inertia_right_upper_arm_xx_0 = 0.006875 * poses.rotation_right_upper_arm_xx;
-    let inertia_right_upper_arm_xx_2 = 0.29677083
+    let inertia_right_upper_arm_xx_0 = 0.28989582999999997
         * poses.minus_rotation_right_upper_arm_xy;
-    let inertia_right_upper_arm_xx_4 = 0.29677083 * poses.rotation_right_shoulder_xy;
-    let inertia_right_upper_arm_yy_0 = 0.006875 * poses.rotation_right_upper_arm_yx;
-    let inertia_right_upper_arm_yy_2 = 0.29677083 * poses.rotation_right_upper_arm_yy;
-    let inertia_right_upper_arm_yy_4 = 0.29677083 * poses.rotation_right_shoulder_yy;
+    let inertia_right_upper_arm_xx_2 = 0.28989582999999997
+        * poses.rotation_right_shoulder_xy;
+    let inertia_right_upper_arm_yy_0 = 0.28989582999999997
+        * poses.rotation_right_upper_arm_yy;
+    let inertia_right_upper_arm_yy_2 = 0.28989582999999997
+        * poses.rotation_right_shoulder_yy;
     // right_upper_arm
     let inertia_right_upper_arm_hx = inertia_right_upper_arm_hx_0 * 5.5;
     let inertia_right_upper_arm_hy = inertia_right_upper_arm_hy_0 * 5.5;
     let inertia_right_upper_arm_hz = inertia_right_upper_arm_hz_0 * 5.5;
-    let inertia_right_upper_arm_yy_6 = inertia_right_upper_arm_hx
+    let inertia_right_upper_arm_yy_5 = inertia_right_upper_arm_hx
         * inertia_right_upper_arm_hx_0;
-    let inertia_right_upper_arm_xx_6 = inertia_right_upper_arm_hy
+    let inertia_right_upper_arm_xx_5 = inertia_right_upper_arm_hy
         * inertia_right_upper_arm_hy_0;
-    let inertia_right_upper_arm_xx_7 = inertia_right_upper_arm_hz
+    let inertia_right_upper_arm_xx_6 = inertia_right_upper_arm_hz
         * inertia_right_upper_arm_hz_0;
     let inertia_right_upper_arm_xx = inertia_right_upper_arm_xx_0
-        * poses.rotation_right_upper_arm_xx
-        + inertia_right_upper_arm_xx_2 * poses.minus_rotation_right_upper_arm_xy
-        + inertia_right_upper_arm_xx_4 * poses.rotation_right_shoulder_xy
-        + (inertia_right_upper_arm_xx_6 + inertia_right_upper_arm_xx_7);
-    let inertia_right_upper_arm_xy = inertia_right_upper_arm_xx_0
-        * poses.rotation_right_upper_arm_yx
-        - inertia_right_upper_arm_xx_2 * poses.rotation_right_upper_arm_yy
-        + inertia_right_upper_arm_xx_4 * poses.rotation_right_shoulder_yy
+        * poses.minus_rotation_right_upper_arm_xy
+        + inertia_right_upper_arm_xx_2 * poses.rotation_right_shoulder_xy + 0.006875
+        + (inertia_right_upper_arm_xx_5 + inertia_right_upper_arm_xx_6);
+    let inertia_right_upper_arm_xy = inertia_right_upper_arm_xx_2
+        * poses.rotation_right_shoulder_yy
+        - inertia_right_upper_arm_xx_0 * poses.rotation_right_upper_arm_yy
         - inertia_right_upper_arm_hx * inertia_right_upper_arm_hy_0;
-    let inertia_right_upper_arm_xz = inertia_right_upper_arm_xx_4
+    let inertia_right_upper_arm_xz = inertia_right_upper_arm_xx_2
         * poses.rotation_right_shoulder_zy
-        - (inertia_right_upper_arm_xx_0 * poses.minus_rotation_right_upper_arm_zx
-            + inertia_right_upper_arm_xx_2 * poses.rotation_right_upper_arm_zy)
+        - inertia_right_upper_arm_xx_0 * poses.rotation_right_upper_arm_zy
         - inertia_right_upper_arm_hx * inertia_right_upper_arm_hz_0;
     let inertia_right_upper_arm_yy = inertia_right_upper_arm_yy_0
-        * poses.rotation_right_upper_arm_yx
-        + inertia_right_upper_arm_yy_2 * poses.rotation_right_upper_arm_yy
-        + inertia_right_upper_arm_yy_4 * poses.rotation_right_shoulder_yy
-        + (inertia_right_upper_arm_yy_6 + inertia_right_upper_arm_xx_7);
-    let inertia_right_upper_arm_yz = inertia_right_upper_arm_yy_2
+        * poses.rotation_right_upper_arm_yy
+        + inertia_right_upper_arm_yy_2 * poses.rotation_right_shoulder_yy + 0.006875
+        + (inertia_right_upper_arm_yy_5 + inertia_right_upper_arm_xx_6);
+    let inertia_right_upper_arm_yz = inertia_right_upper_arm_yy_0
         * poses.rotation_right_upper_arm_zy
-        - inertia_right_upper_arm_yy_0 * poses.minus_rotation_right_upper_arm_zx
-        + inertia_right_upper_arm_yy_4 * poses.rotation_right_shoulder_zy
+        + inertia_right_upper_arm_yy_2 * poses.rotation_right_shoulder_zy
         - inertia_right_upper_arm_hy * inertia_right_upper_arm_hz_0;
-    let inertia_right_upper_arm_zz = 0.006875 * poses.minus_rotation_right_upper_arm_zx
-        * poses.minus_rotation_right_upper_arm_zx
-        + 0.29677083 * poses.rotation_right_upper_arm_zy
-            * poses.rotation_right_upper_arm_zy
-        + 0.29677083 * poses.rotation_right_shoulder_zy
-            * poses.rotation_right_shoulder_zy
-        + (inertia_right_upper_arm_yy_6 + inertia_right_upper_arm_xx_6);
+    let inertia_right_upper_arm_zz = 0.28989582999999997
+        * poses.rotation_right_upper_arm_zy * poses.rotation_right_upper_arm_zy
+        + 0.28989582999999997 * poses.rotation_right_shoulder_zy
+            * poses.rotation_right_shoulder_zy + 0.006875
+        + (inertia_right_upper_arm_yy_5 + inertia_right_upper_arm_xx_5);
     let inertia_right_forearm_hx_0 = poses.minus_origin_bus_x_1_0_18
         - poses.minus_origin_bus_x_1;
     let inertia_right_forearm_hy_0 = poses.minus_origin_bus_y_1_0_18
         - poses.minus_origin_bus_y_1;
     let inertia_right_forearm_hz_0 = poses.minus_origin_bus_z_1_0_18
         - poses.minus_origin_bus_z_1;
-    let inertia_right_forearm_xx_0 = 0.0042525 * poses.rotation_right_forearm_xx;
-    let inertia_right_forearm_xx_2 = 0.17362625 * poses.minus_rotation_right_forearm_xy;
-    let inertia_right_forearm_xx_4 = 0.17362625 * poses.rotation_right_shoulder_xy;
-    let inertia_right_forearm_yy_0 = 0.0042525 * poses.rotation_right_forearm_yx;
-    let inertia_right_forearm_yy_2 = 0.17362625 * poses.rotation_right_forearm_yy;
-    let inertia_right_forearm_yy_4 = 0.17362625 * poses.rotation_right_shoulder_yy;
+    let inertia_right_forearm_xx_0 = 0.16937375000000002
+        * poses.minus_rotation_right_forearm_xy;
+    let inertia_right_forearm_xx_2 = 0.16937375000000002
+        * poses.rotation_right_shoulder_xy;
+    let inertia_right_forearm_yy_0 = 0.16937375000000002
+        * poses.rotation_right_forearm_yy;
+    let inertia_right_forearm_yy_2 = 0.16937375000000002
+        * poses.rotation_right_shoulder_yy;
     // right_forearm
     let inertia_right_forearm_hx = inertia_right_forearm_hx_0 * 4.2;
     let inertia_right_forearm_hy = inertia_right_forearm_hy_0 * 4.2;
     let inertia_right_forearm_hz = inertia_right_forearm_hz_0 * 4.2;
-    let inertia_right_forearm_yy_6 = inertia_right_forearm_hx
+    let inertia_right_forearm_yy_5 = inertia_right_forearm_hx
         * inertia_right_forearm_hx_0;
-    let inertia_right_forearm_xx_6 = inertia_right_forearm_hy
+    let inertia_right_forearm_xx_5 = inertia_right_forearm_hy
         * inertia_right_forearm_hy_0;
-    let inertia_right_forearm_xx_7 = inertia_right_forearm_hz
+    let inertia_right_forearm_xx_6 = inertia_right_forearm_hz
         * inertia_right_forearm_hz_0;
     let inertia_right_forearm_xx = inertia_right_forearm_xx_0
-        * poses.rotation_right_forearm_xx
-        + inertia_right_forearm_xx_2 * poses.minus_rotation_right_forearm_xy
-        + inertia_right_forearm_xx_4 * poses.rotation_right_shoulder_xy
-        + (inertia_right_forearm_xx_6 + inertia_right_forearm_xx_7);
-    let inertia_right_forearm_xy = inertia_right_forearm_xx_0
-        * poses.rotation_right_forearm_yx
-        - inertia_right_forearm_xx_2 * poses.rotation_right_forearm_yy
-        + inertia_right_forearm_xx_4 * poses.rotation_right_shoulder_yy
+        * poses.minus_rotation_right_forearm_xy
+        + inertia_right_forearm_xx_2 * poses.rotation_right_shoulder_xy + 0.0042525
+        + (inertia_right_forearm_xx_5 + inertia_right_forearm_xx_6);
+    let inertia_right_forearm_xy = inertia_right_forearm_xx_2
+        * poses.rotation_right_shoulder_yy
+        - inertia_right_forearm_xx_0 * poses.rotation_right_forearm_yy
         - inertia_right_forearm_hx * inertia_right_forearm_hy_0;
-    let inertia_right_forearm_xz = inertia_right_forearm_xx_0
-        * poses.rotation_right_forearm_zx
-        - inertia_right_forearm_xx_2 * poses.rotation_right_forearm_zy
-        + inertia_right_forearm_xx_4 * poses.rotation_right_shoulder_zy
+    let inertia_right_forearm_xz = inertia_right_forearm_xx_2
+        * poses.rotation_right_shoulder_zy
+        - inertia_right_forearm_xx_0 * poses.rotation_right_forearm_zy
         - inertia_right_forearm_hx * inertia_right_forearm_hz_0;
     let inertia_right_forearm_yy = inertia_right_forearm_yy_0
-        * poses.rotation_right_forearm_yx
-        + inertia_right_forearm_yy_2 * poses.rotation_right_forearm_yy
-        + inertia_right_forearm_yy_4 * poses.rotation_right_shoulder_yy
-        + (inertia_right_forearm_yy_6 + inertia_right_forearm_xx_7);
+        * poses.rotation_right_forearm_yy
+        + inertia_right_forearm_yy_2 * poses.rotation_right_shoulder_yy + 0.0042525
+        + (inertia_right_forearm_yy_5 + inertia_right_forearm_xx_6);
     let inertia_right_forearm_yz = inertia_right_forearm_yy_0
-        * poses.rotation_right_forearm_zx
-        + inertia_right_forearm_yy_2 * poses.rotation_right_forearm_zy
-        + inertia_right_forearm_yy_4 * poses.rotation_right_shoulder_zy
+        * poses.rotation_right_forearm_zy
+        + inertia_right_forearm_yy_2 * poses.rotation_right_shoulder_zy
         - inertia_right_forearm_hy * inertia_right_forearm_hz_0;
-    let inertia_right_forearm_zz = 0.0042525 * poses.rotation_right_forearm_zx
-        * poses.rotation_right_forearm_zx
-        + 0.17362625 * poses.rotation_right_forearm_zy * poses.rotation_right_forearm_zy
-        + 0.17362625 * poses.rotation_right_shoulder_zy
-            * poses.rotation_right_shoulder_zy
-        + (inertia_right_forearm_yy_6 + inertia_right_forearm_xx_6);
+    let inertia_right_forearm_zz = 0.16937375000000002 * poses.rotation_right_forearm_zy
+        * poses.rotation_right_forearm_zy
+        + 0.16937375000000002 * poses.rotation_right_shoulder_zy
+            * poses.rotation_right_shoulder_zy + 0.0042525
+        + (inertia_right_forearm_yy_5 + inertia_right_forearm_xx_5);
     let inertia_right_wrist_bracket_hx_0 = poses.minus_origin_bus_x_1_0_20
         - poses.minus_origin_bus_x_1;
     let inertia_right_wrist_bracket_hy_0 = poses.minus_origin_bus_y_1_0_20
         - poses.minus_origin_bus_y_1;
     let inertia_right_wrist_bracket_hz_0 = poses.minus_origin_bus_z_1_0_20
         - poses.minus_origin_bus_z_1;
-    let inertia_right_wrist_bracket_xx_0 = 0.00288
+    let inertia_right_wrist_bracket_xx_0 = 0.00144
         * poses.rotation_right_wrist_bracket_xx;
-    let inertia_right_wrist_bracket_xx_2 = 0.00288 * poses.rotation_right_wrist_cross_xz;
-    let inertia_right_wrist_bracket_xx_4 = 0.00144 * poses.rotation_right_shoulder_xy;
-    let inertia_right_wrist_bracket_yy_0 = 0.00288
+    let inertia_right_wrist_bracket_xx_2 = 0.00144 * poses.rotation_right_wrist_cross_xz;
+    let inertia_right_wrist_bracket_yy_0 = 0.00144
         * poses.rotation_right_wrist_bracket_yx;
-    let inertia_right_wrist_bracket_yy_2 = 0.00288
+    let inertia_right_wrist_bracket_yy_2 = 0.00144
         * poses.rotation_right_wrist_bracket_yy;
-    let inertia_right_wrist_bracket_yy_4 = 0.00144 * poses.rotation_right_shoulder_yy;
     // right_wrist_bracket
     let inertia_right_wrist_bracket_hx = inertia_right_wrist_bracket_hx_0 * 1.8;
     let inertia_right_wrist_bracket_hy = inertia_right_wrist_bracket_hy_0 * 1.8;
     let inertia_right_wrist_bracket_hz = inertia_right_wrist_bracket_hz_0 * 1.8;
-    let inertia_right_wrist_bracket_yy_6 = inertia_right_wrist_bracket_hx
+    let inertia_right_wrist_bracket_yy_5 = inertia_right_wrist_bracket_hx
         * inertia_right_wrist_bracket_hx_0;
-    let inertia_right_wrist_bracket_xx_6 = inertia_right_wrist_bracket_hy
+    let inertia_right_wrist_bracket_xx_5 = inertia_right_wrist_bracket_hy
         * inertia_right_wrist_bracket_hy_0;
-    let inertia_right_wrist_bracket_xx_7 = inertia_right_wrist_bracket_hz
+    let inertia_right_wrist_bracket_xx_6 = inertia_right_wrist_bracket_hz
         * inertia_right_wrist_bracket_hz_0;
     let inertia_right_wrist_bracket_xx = inertia_right_wrist_bracket_xx_0
         * poses.rotation_right_wrist_bracket_xx
         + inertia_right_wrist_bracket_xx_2 * poses.rotation_right_wrist_cross_xz
-        + inertia_right_wrist_bracket_xx_4 * poses.rotation_right_shoulder_xy
-        + (inertia_right_wrist_bracket_xx_6 + inertia_right_wrist_bracket_xx_7);
+        + 0.00144
+        + (inertia_right_wrist_bracket_xx_5 + inertia_right_wrist_bracket_xx_6);
     let inertia_right_wrist_bracket_xy = inertia_right_wrist_bracket_xx_0
         * poses.rotation_right_wrist_bracket_yx
         - inertia_right_wrist_bracket_xx_2 * poses.rotation_right_wrist_bracket_yy
-        + inertia_right_wrist_bracket_xx_4 * poses.rotation_right_shoulder_yy
         - inertia_right_wrist_bracket_hx * inertia_right_wrist_bracket_hy_0;
     let inertia_right_wrist_bracket_xz = inertia_right_wrist_bracket_xx_0
         * poses.rotation_right_wrist_bracket_zx
         - inertia_right_wrist_bracket_xx_2 * poses.rotation_right_wrist_bracket_zy
-        + inertia_right_wrist_bracket_xx_4 * poses.rotation_right_shoulder_zy
         - inertia_right_wrist_bracket_hx * inertia_right_wrist_bracket_hz_0;
     let inertia_right_wrist_bracket_yy = inertia_right_wrist_bracket_yy_0
         * poses.rotation_right_wrist_bracket_yx
         + inertia_right_wrist_bracket_yy_2 * poses.rotation_right_wrist_bracket_yy
-        + inertia_right_wrist_bracket_yy_4 * poses.rotation_right_shoulder_yy
-        + (inertia_right_wrist_bracket_yy_6 + inertia_right_wrist_bracket_xx_7);
+        + 0.00144
+        + (inertia_right_wrist_bracket_yy_5 + inertia_right_wrist_bracket_xx_6);
     let inertia_right_wrist_bracket_yz = inertia_right_wrist_bracket_yy_0
         * poses.rotation_right_wrist_bracket_zx
         + inertia_right_wrist_bracket_yy_2 * poses.rotation_right_wrist_bracket_zy
-        + inertia_right_wrist_bracket_yy_4 * poses.rotation_right_shoulder_zy
         - inertia_right_wrist_bracket_hy * inertia_right_wrist_bracket_hz_0;
-    let inertia_right_wrist_bracket_zz = 0.00288 * poses.rotation_right_wrist_bracket_zx
+    let inertia_right_wrist_bracket_zz = 0.00144 * poses.rotation_right_wrist_bracket_zx
         * poses.rotation_right_wrist_bracket_zx
-        + 0.00288 * poses.rotation_right_wrist_bracket_zy
-            * poses.rotation_right_wrist_bracket_zy
-        + 0.00144 * poses.rotation_right_shoulder_zy * poses.rotation_right_shoulder_zy
-        + (inertia_right_wrist_bracket_yy_6 + inertia_right_wrist_bracket_xx_6);
+        + 0.00144 * poses.rotation_right_wrist_bracket_zy
+            * poses.rotation_right_wrist_bracket_zy + 0.00144
+        + (inertia_right_wrist_bracket_yy_5 + inertia_right_wrist_bracket_xx_5);
     let inertia_right_wrist_cross_hx_0 = poses.minus_origin_bus_x_1_0_22
         - poses.minus_origin_bus_x_1;
     let inertia_right_wrist_cross_hy_0 = poses.minus_origin_bus_y_1_0_22
         - poses.minus_origin_bus_y_1;
     let inertia_right_wrist_cross_hz_0 = poses.minus_origin_bus_z_1_0_22
         - poses.minus_origin_bus_z_1;
-    let inertia_right_wrist_cross_xx_0 = 0.0019733333
+    let inertia_right_wrist_cross_xx_0 = 0.0006933332999999999
         * poses.rotation_right_wrist_cross_xx;
-    let inertia_right_wrist_cross_xx_2 = 0.0019733333
+    let inertia_right_wrist_cross_xx_2 = 0.0006933332999999999
         * poses.rotation_right_wrist_cross_xy;
-    let inertia_right_wrist_cross_xx_4 = 0.00128 * poses.rotation_right_wrist_cross_xz;
-    let inertia_right_wrist_cross_yy_0 = 0.0019733333
+    let inertia_right_wrist_cross_yy_0 = 0.0006933332999999999
         * poses.rotation_right_wrist_cross_yx;
-    let inertia_right_wrist_cross_yy_2 = 0.0019733333
+    let inertia_right_wrist_cross_yy_2 = 0.0006933332999999999
         * poses.rotation_right_wrist_cross_yy;
-    let inertia_right_wrist_cross_yy_4 = 0.00128 * poses.rotation_right_wrist_bracket_yy;
     // right_wrist_cross
     let inertia_right_wrist_cross_hx = inertia_right_wrist_cross_hx_0 * 1.6;
     let inertia_right_wrist_cross_hy = inertia_right_wrist_cross_hy_0 * 1.6;
     let inertia_right_wrist_cross_hz = inertia_right_wrist_cross_hz_0 * 1.6;
-    let inertia_right_wrist_cross_yy_6 = inertia_right_wrist_cross_hx
+    let inertia_right_wrist_cross_yy_5 = inertia_right_wrist_cross_hx
         * inertia_right_wrist_cross_hx_0;
-    let inertia_right_wrist_cross_xx_6 = inertia_right_wrist_cross_hy
+    let inertia_right_wrist_cross_xx_5 = inertia_right_wrist_cross_hy
         * inertia_right_wrist_cross_hy_0;
-    let inertia_right_wrist_cross_xx_7 = inertia_right_wrist_cross_hz
+    let inertia_right_wrist_cross_xx_6 = inertia_right_wrist_cross_hz
         * inertia_right_wrist_cross_hz_0;
     let inertia_right_wrist_cross_xx = inertia_right_wrist_cross_xx_0
         * poses.rotation_right_wrist_cross_xx
-        + inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_xy
-        + inertia_right_wrist_cross_xx_4 * poses.rotation_right_wrist_cross_xz
-        + (inertia_right_wrist_cross_xx_6 + inertia_right_wrist_cross_xx_7);
+        + inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_xy + 0.00128
+        + (inertia_right_wrist_cross_xx_5 + inertia_right_wrist_cross_xx_6);
     let inertia_right_wrist_cross_xy = inertia_right_wrist_cross_xx_0
         * poses.rotation_right_wrist_cross_yx
         + inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_yy
-        - inertia_right_wrist_cross_xx_4 * poses.rotation_right_wrist_bracket_yy
         - inertia_right_wrist_cross_hx * inertia_right_wrist_cross_hy_0;
     let inertia_right_wrist_cross_xz = inertia_right_wrist_cross_xx_0
         * poses.rotation_right_wrist_cross_zx
         + inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_zy
-        - inertia_right_wrist_cross_xx_4 * poses.rotation_right_wrist_bracket_zy
         - inertia_right_wrist_cross_hx * inertia_right_wrist_cross_hz_0;
     let inertia_right_wrist_cross_yy = inertia_right_wrist_cross_yy_0
         * poses.rotation_right_wrist_cross_yx
-        + inertia_right_wrist_cross_yy_2 * poses.rotation_right_wrist_cross_yy
-        + inertia_right_wrist_cross_yy_4 * poses.rotation_right_wrist_bracket_yy
-        + (inertia_right_wrist_cross_yy_6 + inertia_right_wrist_cross_xx_7);
+        + inertia_right_wrist_cross_yy_2 * poses.rotation_right_wrist_cross_yy + 0.00128
+        + (inertia_right_wrist_cross_yy_5 + inertia_right_wrist_cross_xx_6);
     let inertia_right_wrist_cross_yz = inertia_right_wrist_cross_yy_0
         * poses.rotation_right_wrist_cross_zx
         + inertia_right_wrist_cross_yy_2 * poses.rotation_right_wrist_cross_zy
-        + inertia_right_wrist_cross_yy_4 * poses.rotation_right_wrist_bracket_zy
         - inertia_right_wrist_cross_hy * inertia_right_wrist_cross_hz_0;
-    let inertia_right_wrist_cross_zz = 0.0019733333 * poses.rotation_right_wrist_cross_zx
-        * poses.rotation_right_wrist_cross_zx
-        + 0.0019733333 * poses.rotation_right_wrist_cross_zy
-            * poses.rotation_right_wrist_cross_zy
-        + 0.00128 * poses.rotation_right_wrist_bracket_zy
-            * poses.rotation_right_wrist_bracket_zy
-        + (inertia_right_wrist_cross_yy_6 + inertia_right_wrist_cross_xx_6);
+    let inertia_right_wrist_cross_zz = 0.0006933332999999999
+        * poses.rotation_right_wrist_cross_zx * poses.rotation_right_wrist_cross_zx
+        + 0.0006933332999999999 * poses.rotation_right_wrist_cross_zy
+            * poses.rotation_right_wrist_cross_zy + 0.00128
+        + (inertia_right_wrist_cross_yy_5 + inertia_right_wrist_cross_xx_5);
     let inertia_right_end_plate_hx_0 = poses.minus_origin_bus_x_1_0_24
         - poses.minus_origin_bus_x_1;
     let inertia_right_end_plate_hy_0 = poses.minus_origin_bus_y_1_0_24
         - poses.minus_origin_bus_y_1;
     let inertia_right_end_plate_hz_0 = poses.minus_origin_bus_z_1_0_24
         - poses.minus_origin_bus_z_1;
-    let inertia_right_end_plate_xx_0 = 0.00630823152173913
+    let inertia_right_end_plate_xx_0 = 0.0028371771739130434
         * poses.rotation_right_end_plate_xx
         - 0.000016069565217391308 * poses.rotation_right_end_plate_xy
         + 0.00028121739130434787 * poses.rotation_right_wrist_cross_xx;
-    let inertia_right_end_plate_xx_2 = 0.004727170652173913
+    let inertia_right_end_plate_xx_2 = 0.0012561163043478263
         * poses.rotation_right_end_plate_xy
         - 0.000016069565217391308 * poses.rotation_right_end_plate_xx
         + 0.00016069565217391305 * poses.rotation_right_wrist_cross_xx;
     let inertia_right_end_plate_xx_4 = 0.00028121739130434787
         * poses.rotation_right_end_plate_xx
-        + 0.00016069565217391305 * poses.rotation_right_end_plate_xy
-        + 0.003471054347826087 * poses.rotation_right_wrist_cross_xx;
-    let inertia_right_end_plate_yy_0 = 0.00630823152173913
+        + 0.00016069565217391305 * poses.rotation_right_end_plate_xy;
+    let inertia_right_end_plate_yy_0 = 0.0028371771739130434
         * poses.rotation_right_end_plate_yx
         - 0.000016069565217391308 * poses.rotation_right_end_plate_yy
         + 0.00028121739130434787 * poses.rotation_right_wrist_cross_yx;
-    let inertia_right_end_plate_yy_2 = 0.004727170652173913
+    let inertia_right_end_plate_yy_2 = 0.0012561163043478263
         * poses.rotation_right_end_plate_yy
         - 0.000016069565217391308 * poses.rotation_right_end_plate_yx
         + 0.00016069565217391305 * poses.rotation_right_wrist_cross_yx;
     let inertia_right_end_plate_yy_4 = 0.00028121739130434787
         * poses.rotation_right_end_plate_yx
-        + 0.00016069565217391305 * poses.rotation_right_end_plate_yy
-        + 0.003471054347826087 * poses.rotation_right_wrist_cross_yx;
+        + 0.00016069565217391305 * poses.rotation_right_end_plate_yy;
     // right_end_plate
     let inertia_right_end_plate_hx = inertia_right_end_plate_hx_0 * 2.3;
     let inertia_right_end_plate_hy = inertia_right_end_plate_hy_0 * 2.3;
     let inertia_right_end_plate_hz = inertia_right_end_plate_hz_0 * 2.3;
-    let inertia_right_end_plate_yy_6 = inertia_right_end_plate_hx
+    let inertia_right_end_plate_yy_7 = inertia_right_end_plate_hx
         * inertia_right_end_plate_hx_0;
-    let inertia_right_end_plate_xx_6 = inertia_right_end_plate_hy
+    let inertia_right_end_plate_xx_7 = inertia_right_end_plate_hy
         * inertia_right_end_plate_hy_0;
-    let inertia_right_end_plate_xx_7 = inertia_right_end_plate_hz
+    let inertia_right_end_plate_xx_8 = inertia_right_end_plate_hz
         * inertia_right_end_plate_hz_0;
     let inertia_right_end_plate_xx = inertia_right_end_plate_xx_0
         * poses.rotation_right_end_plate_xx
         + inertia_right_end_plate_xx_2 * poses.rotation_right_end_plate_xy
         + inertia_right_end_plate_xx_4 * poses.rotation_right_wrist_cross_xx
-        + (inertia_right_end_plate_xx_6 + inertia_right_end_plate_xx_7);
+        + 0.003471054347826087
+        + (inertia_right_end_plate_xx_7 + inertia_right_end_plate_xx_8);
     let inertia_right_end_plate_xy = inertia_right_end_plate_xx_0
         * poses.rotation_right_end_plate_yx
         + inertia_right_end_plate_xx_2 * poses.rotation_right_end_plate_yy
@@ -2194,64 +2129,55 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_end_plate_yx
         + inertia_right_end_plate_yy_2 * poses.rotation_right_end_plate_yy
         + inertia_right_end_plate_yy_4 * poses.rotation_right_wrist_cross_yx
-        + (inertia_right_end_plate_yy_6 + inertia_right_end_plate_xx_7);
+        + 0.003471054347826087
+        + (inertia_right_end_plate_yy_7 + inertia_right_end_plate_xx_8);
     let inertia_right_end_plate_yz = inertia_right_end_plate_yy_0
         * poses.rotation_right_end_plate_zx
         + inertia_right_end_plate_yy_2 * poses.rotation_right_end_plate_zy
         + inertia_right_end_plate_yy_4 * poses.rotation_right_wrist_cross_zx
         - inertia_right_end_plate_hy * inertia_right_end_plate_hz_0;
-    let inertia_right_end_plate_zz = (0.00630823152173913
+    let inertia_right_end_plate_zz = (0.0028371771739130434
         * poses.rotation_right_end_plate_zx
         - 0.000016069565217391308 * poses.rotation_right_end_plate_zy
         + 0.00028121739130434787 * poses.rotation_right_wrist_cross_zx)
         * poses.rotation_right_end_plate_zx
-        + (0.004727170652173913 * poses.rotation_right_end_plate_zy
+        + (0.0012561163043478263 * poses.rotation_right_end_plate_zy
             - 0.000016069565217391308 * poses.rotation_right_end_plate_zx
             + 0.00016069565217391305 * poses.rotation_right_wrist_cross_zx)
             * poses.rotation_right_end_plate_zy
         + (0.00028121739130434787 * poses.rotation_right_end_plate_zx
-            + 0.00016069565217391305 * poses.rotation_right_end_plate_zy
-            + 0.003471054347826087 * poses.rotation_right_wrist_cross_zx)
-            * poses.rotation_right_wrist_cross_zx
-        + (inertia_right_end_plate_yy_6 + inertia_right_end_plate_xx_6);
+            + 0.00016069565217391305 * poses.rotation_right_end_plate_zy)
+            * poses.rotation_right_wrist_cross_zx + 0.003471054347826087
+        + (inertia_right_end_plate_yy_7 + inertia_right_end_plate_xx_7);
     let inertia_finger_1_hx_0 = poses.minus_origin_bus_x_1_1
         - poses.minus_origin_bus_x_1;
     let inertia_finger_1_hy_0 = poses.minus_origin_bus_y_1_1
         - poses.minus_origin_bus_y_1;
     let inertia_finger_1_hz_0 = poses.minus_origin_bus_z_1_1
         - poses.minus_origin_bus_z_1;
-    let inertia_finger_1_xx_0_0 = 0.00001734 * poses.rotation_right_wrist_cross_xx;
-    let inertia_finger_1_xx_0_2 = 0.00015384 * poses.rotation_right_end_plate_xx;
-    let inertia_finger_1_xx_0_4 = 0.0001635 * poses.rotation_right_end_plate_xy;
-    let inertia_finger_1_yy_0_0 = 0.00001734 * poses.rotation_right_wrist_cross_yx;
-    let inertia_finger_1_yy_0_2 = 0.00015384 * poses.rotation_right_end_plate_yx;
-    let inertia_finger_1_yy_0_4 = 0.0001635 * poses.rotation_right_end_plate_yy;
-    let inertia_finger_1_xx_0 = inertia_finger_1_xx_0_0
-        * poses.rotation_right_wrist_cross_xx
-        + inertia_finger_1_xx_0_2 * poses.rotation_right_end_plate_xx
-        + inertia_finger_1_xx_0_4 * poses.rotation_right_end_plate_xy;
-    let inertia_finger_1_xy_0 = inertia_finger_1_xx_0_0
-        * poses.rotation_right_wrist_cross_yx
-        + inertia_finger_1_xx_0_2 * poses.rotation_right_end_plate_yx
-        + inertia_finger_1_xx_0_4 * poses.rotation_right_end_plate_yy;
-    let inertia_finger_1_xz_0 = inertia_finger_1_xx_0_0
-        * poses.rotation_right_wrist_cross_zx
-        + inertia_finger_1_xx_0_2 * poses.rotation_right_end_plate_zx
-        + inertia_finger_1_xx_0_4 * poses.rotation_right_end_plate_zy;
-    let inertia_finger_1_yy_0 = inertia_finger_1_yy_0_0
-        * poses.rotation_right_wrist_cross_yx
-        + inertia_finger_1_yy_0_2 * poses.rotation_right_end_plate_yx
-        + inertia_finger_1_yy_0_4 * poses.rotation_right_end_plate_yy;
-    let inertia_finger_1_yz_0 = inertia_finger_1_yy_0_0
-        * poses.rotation_right_wrist_cross_zx
-        + inertia_finger_1_yy_0_2 * poses.rotation_right_end_plate_zx
-        + inertia_finger_1_yy_0_4 * poses.rotation_right_end_plate_zy;
-    let inertia_finger_1_zz_0 = 0.00001734 * poses.rotation_right_wrist_cross_zx
-        * poses.rotation_right_wrist_cross_zx
-        + 0.00015384 * poses.rotation_right_end_plate_zx
-            * poses.rotation_right_end_plate_zx
-        + 0.0001635 * poses.rotation_right_end_plate_zy
-            * poses.rotation_right_end_plate_zy;
+    let inertia_finger_1_xy_0_0 = 0.0001365 * poses.rotation_right_end_plate_xx;
+    let inertia_finger_1_xy_0_2 = 0.00014616 * poses.rotation_right_end_plate_xy;
+    let inertia_finger_1_yz_0_0 = 0.0001365 * poses.rotation_right_end_plate_yx;
+    let inertia_finger_1_yz_0_2 = 0.00014616 * poses.rotation_right_end_plate_yy;
+    let inertia_finger_1_xy_0 = inertia_finger_1_xy_0_0
+        * poses.rotation_right_end_plate_yx
+        + inertia_finger_1_xy_0_2 * poses.rotation_right_end_plate_yy;
+    let inertia_finger_1_xz_0 = inertia_finger_1_xy_0_0
+        * poses.rotation_right_end_plate_zx
+        + inertia_finger_1_xy_0_2 * poses.rotation_right_end_plate_zy;
+    let inertia_finger_1_yz_0 = inertia_finger_1_yz_0_0
+        * poses.rotation_right_end_plate_zx
+        + inertia_finger_1_yz_0_2 * poses.rotation_right_end_plate_zy;
+    let inertia_finger_1_xx_0 = inertia_finger_1_xy_0_0
+        * poses.rotation_right_end_plate_xx
+        + inertia_finger_1_xy_0_2 * poses.rotation_right_end_plate_xy + 0.00001734;
+    let inertia_finger_1_yy_0 = inertia_finger_1_yz_0_0
+        * poses.rotation_right_end_plate_yx
+        + inertia_finger_1_yz_0_2 * poses.rotation_right_end_plate_yy + 0.00001734;
+    let inertia_finger_1_zz_0 = 0.0001365 * poses.rotation_right_end_plate_zx
+        * poses.rotation_right_end_plate_zx
+        + 0.00014616 * poses.rotation_right_end_plate_zy
+            * poses.rotation_right_end_plate_zy + 0.00001734;
     // finger_1
     let inertia_finger_1_hx = inertia_finger_1_hx_0 * 0.18;
     let inertia_finger_1_hy = inertia_finger_1_hy_0 * 0.18;
@@ -2484,8 +2410,8 @@ fn inertias(poses: &Poses) -> Inertias {
         + composite_left_wrist_bracket_xx;
     let composite_left_forearm_xy = inertia_left_forearm_xy
         + composite_left_wrist_bracket_xy;
-    let composite_left_forearm_xz = inertia_left_forearm_xz
-        + composite_left_wrist_bracket_xz;
+    let composite_left_forearm_xz = composite_left_wrist_bracket_xz
+        - minus_inertia_left_forearm_xz;
     let composite_left_forearm_yy = inertia_left_forearm_yy
         + composite_left_wrist_bracket_yy;
     let composite_left_forearm_yz = inertia_left_forearm_yz
@@ -2522,8 +2448,8 @@ fn inertias(poses: &Poses) -> Inertias {
         + composite_left_upper_arm_xx;
     let composite_left_shoulder_xy = inertia_left_shoulder_xy
         + composite_left_upper_arm_xy;
-    let composite_left_shoulder_xz = inertia_left_shoulder_xz
-        + composite_left_upper_arm_xz;
+    let composite_left_shoulder_xz = composite_left_upper_arm_xz
+        - minus_inertia_left_shoulder_xz;
     let composite_left_shoulder_yy = inertia_left_shoulder_yy
         + composite_left_upper_arm_yy;
     let composite_left_shoulder_yz = inertia_left_shoulder_yz
@@ -2725,7 +2651,7 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_left_shoulder_hz,
         inertia_left_shoulder_xx,
         inertia_left_shoulder_xy,
-        inertia_left_shoulder_xz,
+        minus_inertia_left_shoulder_xz,
         inertia_left_shoulder_yy,
         inertia_left_shoulder_yz,
         inertia_left_shoulder_zz,
@@ -2743,7 +2669,7 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_left_forearm_hz,
         inertia_left_forearm_xx,
         inertia_left_forearm_xy,
-        inertia_left_forearm_xz,
+        minus_inertia_left_forearm_xz,
         inertia_left_forearm_yy,
         inertia_left_forearm_yz,
         inertia_left_forearm_zz,
@@ -3268,8 +3194,8 @@ fn complements(poses: &Poses, inertias: &Inertias) -> Complements {
         + inertias.complement_left_shoulder_xx;
     let complement_left_upper_arm_xy = inertias.inertia_left_shoulder_xy
         + inertias.complement_left_shoulder_xy;
-    let complement_left_upper_arm_xz = inertias.inertia_left_shoulder_xz
-        + inertias.complement_left_shoulder_xz;
+    let complement_left_upper_arm_xz = inertias.complement_left_shoulder_xz
+        - inertias.minus_inertia_left_shoulder_xz;
     let complement_left_upper_arm_yy = inertias.inertia_left_shoulder_yy
         + inertias.complement_left_shoulder_yy;
     let complement_left_upper_arm_yz = inertias.inertia_left_shoulder_yz
@@ -3306,8 +3232,8 @@ fn complements(poses: &Poses, inertias: &Inertias) -> Complements {
         + complement_left_forearm_xx;
     let complement_left_wrist_bracket_xy = inertias.inertia_left_forearm_xy
         + complement_left_forearm_xy;
-    let complement_left_wrist_bracket_xz = inertias.inertia_left_forearm_xz
-        + complement_left_forearm_xz;
+    let complement_left_wrist_bracket_xz = complement_left_forearm_xz
+        - inertias.minus_inertia_left_forearm_xz;
     let complement_left_wrist_bracket_yy = inertias.inertia_left_forearm_yy
         + complement_left_forearm_yy;
     let complement_left_wrist_bracket_yz = inertias.inertia_left_forearm_yz
@@ -8628,8 +8554,8 @@ struct CommonDQdotDQdotXiKineticEnergy {
     factor_left_shoulder_xz_0_1_1_0: f64,
     factor_left_shoulder_xz_0_1_1_3: f64,
     factor_left_shoulder_xz_0_1_1: f64,
-    factor_left_shoulder_xy_0_1_1_0: f64,
     factor_left_shoulder_xy_0_1_1_1: f64,
+    factor_left_shoulder_xy_0_1_1_0: f64,
     factor_left_shoulder_xy_0_1_1: f64,
     factor_left_shoulder_px_0: f64,
     factor_left_shoulder_py_0: f64,
@@ -8652,8 +8578,8 @@ struct CommonDQdotDQdotXiKineticEnergy {
     factor_left_forearm_xz_0_1_1_0: f64,
     factor_left_forearm_xz_0_1_1_3: f64,
     factor_left_forearm_xz_0_1_1: f64,
-    factor_left_forearm_xy_0_1_1_0: f64,
     factor_left_forearm_xy_0_1_1_1: f64,
+    factor_left_forearm_xy_0_1_1_0: f64,
     factor_left_forearm_xy_0_1_1: f64,
     factor_left_forearm_px_0: f64,
     factor_left_forearm_py_0: f64,
@@ -8829,11 +8755,11 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
             - velocities.minus_velocity_bus_wy * inertias.minus_inertia_bus_hx);
     let factor_left_shoulder_yz_0_1_1_2 = inertias.inertia_left_shoulder_xy
         * velocities.velocity_left_shoulder_wy;
-    let factor_left_shoulder_yz_0_1_1_3 = inertias.inertia_left_shoulder_xz
+    let factor_left_shoulder_yz_0_1_1_3 = inertias.minus_inertia_left_shoulder_xz
         * velocities.velocity_left_shoulder_wz;
     let factor_left_shoulder_yz_0_1_1 = inertias.inertia_left_shoulder_xx
         * velocities.velocity_left_shoulder_wx + factor_left_shoulder_yz_0_1_1_2
-        + factor_left_shoulder_yz_0_1_1_3;
+        - factor_left_shoulder_yz_0_1_1_3;
     let factor_left_shoulder_xz_0_1_1_0 = inertias.inertia_left_shoulder_xy
         * velocities.velocity_left_shoulder_wx;
     let factor_left_shoulder_xz_0_1_1_3 = inertias.inertia_left_shoulder_yz
@@ -8841,12 +8767,12 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
     let factor_left_shoulder_xz_0_1_1 = factor_left_shoulder_xz_0_1_1_0
         + inertias.inertia_left_shoulder_yy * velocities.velocity_left_shoulder_wy
         + factor_left_shoulder_xz_0_1_1_3;
-    let factor_left_shoulder_xy_0_1_1_0 = inertias.inertia_left_shoulder_xz
+    let factor_left_shoulder_xy_0_1_1_1 = inertias.minus_inertia_left_shoulder_xz
         * velocities.velocity_left_shoulder_wx;
-    let factor_left_shoulder_xy_0_1_1_1 = inertias.inertia_left_shoulder_yz
+    let factor_left_shoulder_xy_0_1_1_0 = inertias.inertia_left_shoulder_yz
         * velocities.velocity_left_shoulder_wy;
     let factor_left_shoulder_xy_0_1_1 = factor_left_shoulder_xy_0_1_1_0
-        + factor_left_shoulder_xy_0_1_1_1
+        - factor_left_shoulder_xy_0_1_1_1
         + inertias.inertia_left_shoulder_zz * velocities.velocity_left_shoulder_wz;
     let factor_left_shoulder_px_0 = velocities.velocity_left_shoulder_vx * 4.0
         + (velocities.velocity_left_shoulder_wy * inertias.inertia_left_shoulder_hz
@@ -8892,11 +8818,11 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
                 * inertias.inertia_left_upper_arm_hx);
     let factor_left_forearm_yz_0_1_1_2 = inertias.inertia_left_forearm_xy
         * velocities.velocity_left_forearm_wy;
-    let factor_left_forearm_yz_0_1_1_3 = inertias.inertia_left_forearm_xz
+    let factor_left_forearm_yz_0_1_1_3 = inertias.minus_inertia_left_forearm_xz
         * velocities.velocity_left_forearm_wz;
     let factor_left_forearm_yz_0_1_1 = inertias.inertia_left_forearm_xx
         * velocities.velocity_left_forearm_wx + factor_left_forearm_yz_0_1_1_2
-        + factor_left_forearm_yz_0_1_1_3;
+        - factor_left_forearm_yz_0_1_1_3;
     let factor_left_forearm_xz_0_1_1_0 = inertias.inertia_left_forearm_xy
         * velocities.velocity_left_forearm_wx;
     let factor_left_forearm_xz_0_1_1_3 = inertias.inertia_left_forearm_yz
@@ -8904,12 +8830,12 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
     let factor_left_forearm_xz_0_1_1 = factor_left_forearm_xz_0_1_1_0
         + inertias.inertia_left_forearm_yy * velocities.velocity_left_forearm_wy
         + factor_left_forearm_xz_0_1_1_3;
-    let factor_left_forearm_xy_0_1_1_0 = inertias.inertia_left_forearm_xz
+    let factor_left_forearm_xy_0_1_1_1 = inertias.minus_inertia_left_forearm_xz
         * velocities.velocity_left_forearm_wx;
-    let factor_left_forearm_xy_0_1_1_1 = inertias.inertia_left_forearm_yz
+    let factor_left_forearm_xy_0_1_1_0 = inertias.inertia_left_forearm_yz
         * velocities.velocity_left_forearm_wy;
     let factor_left_forearm_xy_0_1_1 = factor_left_forearm_xy_0_1_1_0
-        + factor_left_forearm_xy_0_1_1_1
+        - factor_left_forearm_xy_0_1_1_1
         + inertias.inertia_left_forearm_zz * velocities.velocity_left_forearm_wz;
     let factor_left_forearm_px_0 = velocities.velocity_left_forearm_vx * 4.2
         + (velocities.velocity_left_forearm_wy * inertias.inertia_left_forearm_hz
@@ -9314,8 +9240,8 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
         factor_left_shoulder_xz_0_1_1_0,
         factor_left_shoulder_xz_0_1_1_3,
         factor_left_shoulder_xz_0_1_1,
-        factor_left_shoulder_xy_0_1_1_0,
         factor_left_shoulder_xy_0_1_1_1,
+        factor_left_shoulder_xy_0_1_1_0,
         factor_left_shoulder_xy_0_1_1,
         factor_left_shoulder_px_0,
         factor_left_shoulder_py_0,
@@ -9338,8 +9264,8 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
         factor_left_forearm_xz_0_1_1_0,
         factor_left_forearm_xz_0_1_1_3,
         factor_left_forearm_xz_0_1_1,
-        factor_left_forearm_xy_0_1_1_0,
         factor_left_forearm_xy_0_1_1_1,
+        factor_left_forearm_xy_0_1_1_0,
         factor_left_forearm_xy_0_1_1,
         factor_left_forearm_px_0,
         factor_left_forearm_py_0,
@@ -9635,6 +9561,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_shoulder_yaw_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_shoulder_yaw_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_shoulder_yaw_vz * screws.inside_right_shoulder_pitch_fz;
+    let shape_inertia_12_0_15 = screws.connection_left_shoulder_yaw_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_0_16 = screws.connection_left_shoulder_yaw_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_0 = screws.connection_left_shoulder_yaw_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_shoulder_yaw_wy * screws.inside_right_elbow_pitch_my
@@ -9649,10 +9579,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_shoulder_yaw_vx * screws.inside_right_wrist_pitch_fx
         + screws.connection_left_shoulder_yaw_vy * screws.inside_right_wrist_pitch_fy
         + screws.connection_left_shoulder_yaw_vz * screws.inside_right_wrist_pitch_fz;
-    let shape_inertia_12_0_15 = screws.connection_left_shoulder_yaw_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_0_16 = screws.connection_left_shoulder_yaw_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_10_0 = screws.connection_left_shoulder_yaw_wx
         * screws.inside_right_wrist_yaw_mx
         + screws.connection_left_shoulder_yaw_wy * screws.inside_right_wrist_yaw_my
@@ -9737,6 +9663,10 @@ fn common_inertia_forward_dynamics(
             * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_shoulder_pitch_vz
             * screws.inside_right_shoulder_pitch_fz;
+    let shape_inertia_12_1_15 = screws.connection_left_shoulder_pitch_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_1_16 = screws.connection_left_shoulder_pitch_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_1 = screws.connection_left_shoulder_pitch_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_shoulder_pitch_wy * screws.inside_right_elbow_pitch_my
@@ -9751,10 +9681,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_shoulder_pitch_vx * screws.inside_right_wrist_pitch_fx
         + screws.connection_left_shoulder_pitch_vy * screws.inside_right_wrist_pitch_fy
         + screws.connection_left_shoulder_pitch_vz * screws.inside_right_wrist_pitch_fz;
-    let shape_inertia_12_1_15 = screws.connection_left_shoulder_pitch_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_1_16 = screws.connection_left_shoulder_pitch_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_10_1 = screws.connection_left_shoulder_pitch_wx
         * screws.inside_right_wrist_yaw_mx
         + screws.connection_left_shoulder_pitch_wy * screws.inside_right_wrist_yaw_my
@@ -9822,6 +9748,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_elbow_pitch_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_elbow_pitch_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_elbow_pitch_vz * screws.inside_right_shoulder_pitch_fz;
+    let shape_inertia_12_2_15 = screws.connection_left_elbow_pitch_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_2_16 = screws.connection_left_elbow_pitch_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_2 = screws.connection_left_elbow_pitch_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_elbow_pitch_wy * screws.inside_right_elbow_pitch_my
@@ -9836,10 +9766,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_elbow_pitch_vx * screws.inside_right_wrist_pitch_fx
         + screws.connection_left_elbow_pitch_vy * screws.inside_right_wrist_pitch_fy
         + screws.connection_left_elbow_pitch_vz * screws.inside_right_wrist_pitch_fz;
-    let shape_inertia_12_2_15 = screws.connection_left_elbow_pitch_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_2_16 = screws.connection_left_elbow_pitch_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_10_2 = screws.connection_left_elbow_pitch_wx
         * screws.inside_right_wrist_yaw_mx
         + screws.connection_left_elbow_pitch_wy * screws.inside_right_wrist_yaw_my
@@ -9900,6 +9826,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_pitch_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_wrist_pitch_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_wrist_pitch_vz * screws.inside_right_shoulder_pitch_fz;
+    let shape_inertia_12_3_15 = screws.connection_left_wrist_pitch_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_3_16 = screws.connection_left_wrist_pitch_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_3 = screws.connection_left_wrist_pitch_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_wrist_pitch_wy * screws.inside_right_elbow_pitch_my
@@ -9914,10 +9844,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_pitch_vx * screws.inside_right_wrist_pitch_fx
         + screws.connection_left_wrist_pitch_vy * screws.inside_right_wrist_pitch_fy
         + screws.connection_left_wrist_pitch_vz * screws.inside_right_wrist_pitch_fz;
-    let shape_inertia_12_3_15 = screws.connection_left_wrist_pitch_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_3_16 = screws.connection_left_wrist_pitch_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_10_3 = screws.connection_left_wrist_pitch_wx
         * screws.inside_right_wrist_yaw_mx
         + screws.connection_left_wrist_pitch_wy * screws.inside_right_wrist_yaw_my
@@ -9971,6 +9897,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_yaw_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_wrist_yaw_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_wrist_yaw_vz * screws.inside_right_shoulder_pitch_fz;
+    let shape_inertia_12_4_15 = screws.connection_left_wrist_yaw_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_4_16 = screws.connection_left_wrist_yaw_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_4 = screws.connection_left_wrist_yaw_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_wrist_yaw_wy * screws.inside_right_elbow_pitch_my
@@ -9985,10 +9915,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_yaw_vx * screws.inside_right_wrist_pitch_fx
         + screws.connection_left_wrist_yaw_vy * screws.inside_right_wrist_pitch_fy
         + screws.connection_left_wrist_yaw_vz * screws.inside_right_wrist_pitch_fz;
-    let shape_inertia_12_4_15 = screws.connection_left_wrist_yaw_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_4_16 = screws.connection_left_wrist_yaw_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_10_4 = screws.connection_left_wrist_yaw_wx
         * screws.inside_right_wrist_yaw_mx
         + screws.connection_left_wrist_yaw_wy * screws.inside_right_wrist_yaw_my
@@ -10035,6 +9961,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_roll_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_wrist_roll_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_wrist_roll_vz * screws.inside_right_shoulder_pitch_fz;
+    let shape_inertia_12_5_15 = screws.connection_left_wrist_roll_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_5_16 = screws.connection_left_wrist_roll_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_5 = screws.connection_left_wrist_roll_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_wrist_roll_wy * screws.inside_right_elbow_pitch_my
@@ -10049,10 +9979,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_roll_vx * screws.inside_right_wrist_pitch_fx
         + screws.connection_left_wrist_roll_vy * screws.inside_right_wrist_pitch_fy
         + screws.connection_left_wrist_roll_vz * screws.inside_right_wrist_pitch_fz;
-    let shape_inertia_12_5_15 = screws.connection_left_wrist_roll_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_5_16 = screws.connection_left_wrist_roll_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_10_5 = screws.connection_left_wrist_roll_wx
         * screws.inside_right_wrist_yaw_mx
         + screws.connection_left_wrist_roll_wy * screws.inside_right_wrist_yaw_my
@@ -10098,6 +10024,10 @@ fn common_inertia_forward_dynamics(
             * screws.connection_right_shoulder_pitch_vy
         + outside.outside_right_shoulder_yaw_fz
             * screws.connection_right_shoulder_pitch_vz;
+    let shape_inertia_12_6_15 = outside.outside_right_shoulder_yaw_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_6_16 = outside.outside_right_shoulder_yaw_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_8_6 = outside.outside_right_shoulder_yaw_mx
         * screws.connection_right_elbow_pitch_wx
         + outside.outside_right_shoulder_yaw_my * screws.connection_right_elbow_pitch_wy
@@ -10112,10 +10042,6 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_shoulder_yaw_fx * screws.connection_right_wrist_pitch_vx
         + outside.outside_right_shoulder_yaw_fy * screws.connection_right_wrist_pitch_vy
         + outside.outside_right_shoulder_yaw_fz * screws.connection_right_wrist_pitch_vz;
-    let shape_inertia_12_6_15 = outside.outside_right_shoulder_yaw_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_6_16 = outside.outside_right_shoulder_yaw_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_10_6 = outside.outside_right_shoulder_yaw_mx
         * screws.connection_right_wrist_yaw_wx
         + outside.outside_right_shoulder_yaw_my * screws.connection_right_wrist_yaw_wy
@@ -10153,6 +10079,10 @@ fn common_inertia_forward_dynamics(
             * screws.connection_right_shoulder_pitch_vy
         + outside.outside_right_shoulder_pitch_fz
             * screws.connection_right_shoulder_pitch_vz;
+    let shape_inertia_12_7_15 = outside.outside_right_shoulder_pitch_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_7_16 = outside.outside_right_shoulder_pitch_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_8_7 = outside.outside_right_shoulder_pitch_mx
         * screws.connection_right_elbow_pitch_wx
         + outside.outside_right_shoulder_pitch_my
@@ -10184,10 +10114,6 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_shoulder_pitch_fx * screws.connection_right_wrist_yaw_vx
         + outside.outside_right_shoulder_pitch_fy * screws.connection_right_wrist_yaw_vy
         + outside.outside_right_shoulder_pitch_fz * screws.connection_right_wrist_yaw_vz;
-    let shape_inertia_12_7_15 = outside.outside_right_shoulder_pitch_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_7_16 = outside.outside_right_shoulder_pitch_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_11_7 = outside.outside_right_shoulder_pitch_mx
         * screws.connection_right_wrist_roll_wx
         + outside.outside_right_shoulder_pitch_my * screws.connection_right_wrist_roll_wy
@@ -10207,6 +10133,10 @@ fn common_inertia_forward_dynamics(
             + outside.outside_right_shoulder_pitch_my * screws.connection_finger_2_wy
             + outside.outside_right_shoulder_pitch_mz * screws.connection_finger_2_wz
             - shape_inertia_12_7_15 - shape_inertia_12_7_16 - shape_inertia_12_7_17);
+    let shape_inertia_12_8_15 = outside.outside_right_elbow_pitch_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_8_16 = outside.outside_right_elbow_pitch_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_8_8 = outside.outside_right_elbow_pitch_mx
         * screws.connection_right_elbow_pitch_wx
         + outside.outside_right_elbow_pitch_my * screws.connection_right_elbow_pitch_wy
@@ -10235,10 +10165,6 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_elbow_pitch_fx * screws.connection_right_wrist_roll_vx
         + outside.outside_right_elbow_pitch_fy * screws.connection_right_wrist_roll_vy
         + outside.outside_right_elbow_pitch_fz * screws.connection_right_wrist_roll_vz;
-    let shape_inertia_12_8_15 = outside.outside_right_elbow_pitch_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_8_16 = outside.outside_right_elbow_pitch_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_12_8_17 = outside.outside_right_elbow_pitch_fz
         * screws.connection_finger_1_slide_vz;
     let shape_inertia_12_8 = outside.outside_right_elbow_pitch_mx
@@ -10485,8 +10411,7 @@ struct CommonDMuB2 {
     d_mu_15_6: f64,
     d_mu_16_6: f64,
     d_mu_17_6: f64,
-    d_mu_18_6_0: f64,
-    d_mu_18_6_1: f64,
+    d_mu_18_6: f64,
     d_mu_8_7: f64,
     d_mu_9_7: f64,
     d_mu_10_7: f64,
@@ -10497,8 +10422,7 @@ struct CommonDMuB2 {
     d_mu_15_7: f64,
     d_mu_16_7: f64,
     d_mu_17_7: f64,
-    d_mu_18_7_0: f64,
-    d_mu_18_7_1: f64,
+    d_mu_18_7: f64,
     d_mu_9_8: f64,
     d_mu_10_8: f64,
     d_mu_11_8: f64,
@@ -10508,8 +10432,7 @@ struct CommonDMuB2 {
     d_mu_15_8: f64,
     d_mu_16_8: f64,
     d_mu_17_8: f64,
-    d_mu_18_8_0: f64,
-    d_mu_18_8_1: f64,
+    d_mu_18_8: f64,
     d_mu_10_9: f64,
     d_mu_11_9: f64,
     d_mu_12_9: f64,
@@ -10518,8 +10441,7 @@ struct CommonDMuB2 {
     d_mu_15_9: f64,
     d_mu_16_9: f64,
     d_mu_17_9: f64,
-    d_mu_18_9_0: f64,
-    d_mu_18_9_1: f64,
+    d_mu_18_9: f64,
     d_mu_11_10: f64,
     d_mu_12_10: f64,
     d_mu_13_10: f64,
@@ -10527,43 +10449,35 @@ struct CommonDMuB2 {
     d_mu_15_10: f64,
     d_mu_16_10: f64,
     d_mu_17_10: f64,
-    d_mu_18_10_0: f64,
-    d_mu_18_10_1: f64,
+    d_mu_18_10: f64,
     d_mu_12_11: f64,
     d_mu_13_11: f64,
     d_mu_14_11: f64,
     d_mu_15_11: f64,
     d_mu_16_11: f64,
     d_mu_17_11: f64,
-    d_mu_18_11_0: f64,
-    d_mu_18_11_1: f64,
+    d_mu_18_11: f64,
     d_mu_13_12: f64,
     d_mu_14_12: f64,
     d_mu_15_12: f64,
     d_mu_16_12: f64,
     d_mu_17_12: f64,
-    d_mu_18_12_0: f64,
-    d_mu_18_12_1: f64,
+    d_mu_18_12: f64,
     d_mu_14_13: f64,
     d_mu_15_13: f64,
     d_mu_16_13: f64,
     d_mu_17_13: f64,
-    d_mu_18_13_0: f64,
-    d_mu_18_13_1: f64,
+    d_mu_18_13: f64,
     d_mu_15_14: f64,
     d_mu_16_14: f64,
     d_mu_17_14: f64,
-    d_mu_18_14_0: f64,
-    d_mu_18_14_1: f64,
+    d_mu_18_14: f64,
     d_mu_16_15: f64,
     d_mu_17_15: f64,
-    d_mu_18_15_0: f64,
-    d_mu_18_15_1: f64,
+    d_mu_18_15: f64,
     d_mu_17_16: f64,
-    d_mu_18_16_0: f64,
-    d_mu_18_16_1: f64,
-    d_mu_18_17_0: f64,
-    d_mu_18_17_1: f64,
+    d_mu_18_16: f64,
+    d_mu_18_17: f64,
 }
 /// What `d_mu`, `b2` have in common.
 #[inline(never)]
@@ -11076,22 +10990,22 @@ fn common_d_mu_b2(
         * wrench_bus_fy_1 - reactions.reaction_right_wrist_roll_vx * wrench_bus_fx_1;
     let wrench_right_wrist_cross_fz = reactions.reaction_right_wrist_roll_vx
         * wrench_bus_fx_3 - reactions.reaction_right_wrist_roll_vy * wrench_bus_fy_1;
-    let d_mu_18_6_0_3 = common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_0_0_0
-        * mu[0] - common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_0_1_0 * mu[1]
+    let d_mu_18_6_3 = common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_0_0_0 * mu[0]
+        - common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_0_1_0 * mu[1]
         - common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_1_0 * mu[2];
-    let d_mu_18_6_0_5 = common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_1_1_0_0_0
-        * mu[1] - common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_0_1_0 * mu[0]
+    let d_mu_18_6_5 = common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_1_1_0_0_0 * mu[1]
+        - common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_0_1_0 * mu[0]
         - common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_1_1_1_0 * mu[2];
-    let d_mu_18_6_0_7 = common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_1_1_0_0 * mu[2]
+    let d_mu_18_6_7 = common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_1_1_0_0 * mu[2]
         - (common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_0_1_1_0 * mu[0]
             + common_d_mu_and_7_more.d_mu_18_6_0_0_0_0_0_0_1_0_1_1_1_0 * mu[1]);
-    let d_mu_18_6_1_3 = common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_0_0_0
-        * mu[1] - common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_0_1_0 * mu[0]
+    let d_mu_18_6_18 = common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_0_0_0 * mu[1]
+        - common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_0_1_0 * mu[0]
         + common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_1_0 * mu[2];
-    let d_mu_18_6_1_5 = common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_0_0_0
-        * mu[0] - common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_1_1_0_1_0 * mu[1]
+    let d_mu_18_6_20 = common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_0_0_0 * mu[0]
+        - common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_1_1_0_1_0 * mu[1]
         + common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_1_1_1_0 * mu[2];
-    let d_mu_18_6_1_7 = common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_1_0 * mu[0]
+    let d_mu_18_6_22 = common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_0_1_1_0 * mu[0]
         + common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_0_1_1_1_0 * mu[1]
         - common_d_mu_and_7_more.d_mu_18_6_1_0_0_0_0_0_1_1_1_1_0 * mu[2];
     let d_mu_7_6 = reactions.reaction_left_shoulder_yaw_wx
@@ -11164,6 +11078,8 @@ fn common_d_mu_b2(
         + wrench_outside_bus_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_bus_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_bus_fz * screws.connection_right_shoulder_pitch_vz;
+    let d_mu_18_6_27 = wrench_outside_bus_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_6_28 = wrench_outside_bus_fy * screws.connection_finger_1_slide_vy;
     let d_mu_14_6 = wrench_outside_bus_mx * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_shoulder_yaw_wx * d_mu_14_6_3
             + screws.connection_left_shoulder_yaw_wy * d_mu_14_6_5
@@ -11182,8 +11098,6 @@ fn common_d_mu_b2(
         + wrench_outside_bus_fx * screws.connection_right_wrist_pitch_vx
         + wrench_outside_bus_fy * screws.connection_right_wrist_pitch_vy
         + wrench_outside_bus_fz * screws.connection_right_wrist_pitch_vz;
-    let d_mu_18_6_0_12 = wrench_outside_bus_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_6_0_13 = wrench_outside_bus_fy * screws.connection_finger_1_slide_vy;
     let d_mu_16_6 = wrench_outside_bus_mx * screws.connection_right_wrist_yaw_wx
         - (screws.connection_left_shoulder_yaw_wx * d_mu_16_6_3
             + screws.connection_left_shoulder_yaw_wy * d_mu_16_6_5
@@ -11202,21 +11116,21 @@ fn common_d_mu_b2(
         + wrench_outside_bus_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_bus_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_bus_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_6_0_14 = wrench_outside_bus_fz * screws.connection_finger_1_slide_vz;
-    let d_mu_18_6_0 = wrench_outside_bus_mx * screws.connection_finger_1_slide_wx
-        - (screws.connection_left_shoulder_yaw_wx * d_mu_18_6_0_3
-            + screws.connection_left_shoulder_yaw_wy * d_mu_18_6_0_5
-            + screws.connection_left_shoulder_yaw_wz * d_mu_18_6_0_7)
+    let d_mu_18_6_29 = wrench_outside_bus_fz * screws.connection_finger_1_slide_vz;
+    let d_mu_18_6 = wrench_outside_bus_mx * screws.connection_finger_1_slide_wx
+        - (screws.connection_left_shoulder_yaw_wx * d_mu_18_6_3
+            + screws.connection_left_shoulder_yaw_wy * d_mu_18_6_5
+            + screws.connection_left_shoulder_yaw_wz * d_mu_18_6_7)
         + wrench_outside_bus_my * screws.connection_finger_1_slide_wy
-        + wrench_outside_bus_mz * screws.connection_finger_1_slide_wz + d_mu_18_6_0_12
-        + d_mu_18_6_0_13 + d_mu_18_6_0_14;
-    let d_mu_18_6_1 = wrench_outside_bus_mx * screws.connection_finger_2_wx
-        - (screws.connection_left_shoulder_yaw_wx * d_mu_18_6_1_3
-            + screws.connection_left_shoulder_yaw_wy * d_mu_18_6_1_5
-            + screws.connection_left_shoulder_yaw_wz * d_mu_18_6_1_7)
-        + wrench_outside_bus_my * screws.connection_finger_2_wy
-        + wrench_outside_bus_mz * screws.connection_finger_2_wz - d_mu_18_6_0_12
-        - d_mu_18_6_0_13 - d_mu_18_6_0_14;
+        + wrench_outside_bus_mz * screws.connection_finger_1_slide_wz + d_mu_18_6_27
+        + d_mu_18_6_28 + d_mu_18_6_29
+        + (wrench_outside_bus_mx * screws.connection_finger_2_wx
+            - (screws.connection_left_shoulder_yaw_wx * d_mu_18_6_18
+                + screws.connection_left_shoulder_yaw_wy * d_mu_18_6_20
+                + screws.connection_left_shoulder_yaw_wz * d_mu_18_6_22)
+            + wrench_outside_bus_my * screws.connection_finger_2_wy
+            + wrench_outside_bus_mz * screws.connection_finger_2_wz - d_mu_18_6_27
+            - d_mu_18_6_28 - d_mu_18_6_29);
     let d_mu_8_7 = reactions.reaction_left_shoulder_pitch_wx
         * wrench_outside_left_upper_arm_mx_1
         + reactions.reaction_left_shoulder_pitch_wy * wrench_outside_left_upper_arm_my_1
@@ -11281,6 +11195,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_shoulder_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_shoulder_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_shoulder_fz * screws.connection_right_shoulder_pitch_vz;
+    let d_mu_18_7_27 = wrench_outside_left_shoulder_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_7_28 = wrench_outside_left_shoulder_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_14_7 = wrench_outside_left_shoulder_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_shoulder_pitch_wx * d_mu_14_6_3
@@ -11301,10 +11219,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_shoulder_fx * screws.connection_right_wrist_pitch_vx
         + wrench_outside_left_shoulder_fy * screws.connection_right_wrist_pitch_vy
         + wrench_outside_left_shoulder_fz * screws.connection_right_wrist_pitch_vz;
-    let d_mu_18_7_0_12 = wrench_outside_left_shoulder_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_7_0_13 = wrench_outside_left_shoulder_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_16_7 = wrench_outside_left_shoulder_mx
         * screws.connection_right_wrist_yaw_wx
         - (screws.connection_left_shoulder_pitch_wx * d_mu_16_6_3
@@ -11325,23 +11239,22 @@ fn common_d_mu_b2(
         + wrench_outside_left_shoulder_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_shoulder_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_shoulder_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_7_0_14 = wrench_outside_left_shoulder_fz
+    let d_mu_18_7_29 = wrench_outside_left_shoulder_fz
         * screws.connection_finger_1_slide_vz;
-    let d_mu_18_7_0 = wrench_outside_left_shoulder_mx
-        * screws.connection_finger_1_slide_wx
-        - (screws.connection_left_shoulder_pitch_wx * d_mu_18_6_0_3
-            + screws.connection_left_shoulder_pitch_wy * d_mu_18_6_0_5
-            + screws.connection_left_shoulder_pitch_wz * d_mu_18_6_0_7)
+    let d_mu_18_7 = wrench_outside_left_shoulder_mx * screws.connection_finger_1_slide_wx
+        - (screws.connection_left_shoulder_pitch_wx * d_mu_18_6_3
+            + screws.connection_left_shoulder_pitch_wy * d_mu_18_6_5
+            + screws.connection_left_shoulder_pitch_wz * d_mu_18_6_7)
         + wrench_outside_left_shoulder_my * screws.connection_finger_1_slide_wy
         + wrench_outside_left_shoulder_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_7_0_12 + d_mu_18_7_0_13 + d_mu_18_7_0_14;
-    let d_mu_18_7_1 = wrench_outside_left_shoulder_mx * screws.connection_finger_2_wx
-        - (screws.connection_left_shoulder_pitch_wx * d_mu_18_6_1_3
-            + screws.connection_left_shoulder_pitch_wy * d_mu_18_6_1_5
-            + screws.connection_left_shoulder_pitch_wz * d_mu_18_6_1_7)
-        + wrench_outside_left_shoulder_my * screws.connection_finger_2_wy
-        + wrench_outside_left_shoulder_mz * screws.connection_finger_2_wz
-        - d_mu_18_7_0_12 - d_mu_18_7_0_13 - d_mu_18_7_0_14;
+        + d_mu_18_7_27 + d_mu_18_7_28 + d_mu_18_7_29
+        + (wrench_outside_left_shoulder_mx * screws.connection_finger_2_wx
+            - (screws.connection_left_shoulder_pitch_wx * d_mu_18_6_18
+                + screws.connection_left_shoulder_pitch_wy * d_mu_18_6_20
+                + screws.connection_left_shoulder_pitch_wz * d_mu_18_6_22)
+            + wrench_outside_left_shoulder_my * screws.connection_finger_2_wy
+            + wrench_outside_left_shoulder_mz * screws.connection_finger_2_wz
+            - d_mu_18_7_27 - d_mu_18_7_28 - d_mu_18_7_29);
     let d_mu_9_8 = reactions.reaction_left_elbow_pitch_wx
         * wrench_outside_left_forearm_mx_1
         + reactions.reaction_left_elbow_pitch_wy * wrench_outside_left_forearm_my_1
@@ -11392,6 +11305,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_upper_arm_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_upper_arm_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_upper_arm_fz * screws.connection_right_shoulder_pitch_vz;
+    let d_mu_18_8_27 = wrench_outside_left_upper_arm_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_8_28 = wrench_outside_left_upper_arm_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_14_8 = wrench_outside_left_upper_arm_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_elbow_pitch_wx * d_mu_14_6_3
@@ -11412,10 +11329,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_upper_arm_fx * screws.connection_right_wrist_pitch_vx
         + wrench_outside_left_upper_arm_fy * screws.connection_right_wrist_pitch_vy
         + wrench_outside_left_upper_arm_fz * screws.connection_right_wrist_pitch_vz;
-    let d_mu_18_8_0_12 = wrench_outside_left_upper_arm_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_8_0_13 = wrench_outside_left_upper_arm_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_16_8 = wrench_outside_left_upper_arm_mx
         * screws.connection_right_wrist_yaw_wx
         - (screws.connection_left_elbow_pitch_wx * d_mu_16_6_3
@@ -11436,23 +11349,23 @@ fn common_d_mu_b2(
         + wrench_outside_left_upper_arm_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_upper_arm_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_upper_arm_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_8_0_14 = wrench_outside_left_upper_arm_fz
+    let d_mu_18_8_29 = wrench_outside_left_upper_arm_fz
         * screws.connection_finger_1_slide_vz;
-    let d_mu_18_8_0 = wrench_outside_left_upper_arm_mx
+    let d_mu_18_8 = wrench_outside_left_upper_arm_mx
         * screws.connection_finger_1_slide_wx
-        - (screws.connection_left_elbow_pitch_wx * d_mu_18_6_0_3
-            + screws.connection_left_elbow_pitch_wy * d_mu_18_6_0_5
-            + screws.connection_left_elbow_pitch_wz * d_mu_18_6_0_7)
+        - (screws.connection_left_elbow_pitch_wx * d_mu_18_6_3
+            + screws.connection_left_elbow_pitch_wy * d_mu_18_6_5
+            + screws.connection_left_elbow_pitch_wz * d_mu_18_6_7)
         + wrench_outside_left_upper_arm_my * screws.connection_finger_1_slide_wy
         + wrench_outside_left_upper_arm_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_8_0_12 + d_mu_18_8_0_13 + d_mu_18_8_0_14;
-    let d_mu_18_8_1 = wrench_outside_left_upper_arm_mx * screws.connection_finger_2_wx
-        - (screws.connection_left_elbow_pitch_wx * d_mu_18_6_1_3
-            + screws.connection_left_elbow_pitch_wy * d_mu_18_6_1_5
-            + screws.connection_left_elbow_pitch_wz * d_mu_18_6_1_7)
-        + wrench_outside_left_upper_arm_my * screws.connection_finger_2_wy
-        + wrench_outside_left_upper_arm_mz * screws.connection_finger_2_wz
-        - d_mu_18_8_0_12 - d_mu_18_8_0_13 - d_mu_18_8_0_14;
+        + d_mu_18_8_27 + d_mu_18_8_28 + d_mu_18_8_29
+        + (wrench_outside_left_upper_arm_mx * screws.connection_finger_2_wx
+            - (screws.connection_left_elbow_pitch_wx * d_mu_18_6_18
+                + screws.connection_left_elbow_pitch_wy * d_mu_18_6_20
+                + screws.connection_left_elbow_pitch_wz * d_mu_18_6_22)
+            + wrench_outside_left_upper_arm_my * screws.connection_finger_2_wy
+            + wrench_outside_left_upper_arm_mz * screws.connection_finger_2_wz
+            - d_mu_18_8_27 - d_mu_18_8_28 - d_mu_18_8_29);
     let d_mu_10_9 = reactions.reaction_left_wrist_pitch_wx
         * wrench_outside_left_wrist_bracket_mx_1
         + reactions.reaction_left_wrist_pitch_wy * wrench_outside_left_wrist_bracket_my_1
@@ -11493,6 +11406,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_forearm_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_forearm_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_forearm_fz * screws.connection_right_shoulder_pitch_vz;
+    let d_mu_18_9_27 = wrench_outside_left_forearm_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_9_28 = wrench_outside_left_forearm_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_14_9 = wrench_outside_left_forearm_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_wrist_pitch_wx * d_mu_14_6_3
@@ -11513,10 +11430,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_forearm_fx * screws.connection_right_wrist_pitch_vx
         + wrench_outside_left_forearm_fy * screws.connection_right_wrist_pitch_vy
         + wrench_outside_left_forearm_fz * screws.connection_right_wrist_pitch_vz;
-    let d_mu_18_9_0_12 = wrench_outside_left_forearm_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_9_0_13 = wrench_outside_left_forearm_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_16_9 = wrench_outside_left_forearm_mx * screws.connection_right_wrist_yaw_wx
         - (screws.connection_left_wrist_pitch_wx * d_mu_16_6_3
             + screws.connection_left_wrist_pitch_wy * d_mu_16_6_5
@@ -11536,23 +11449,22 @@ fn common_d_mu_b2(
         + wrench_outside_left_forearm_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_forearm_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_forearm_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_9_0_14 = wrench_outside_left_forearm_fz
+    let d_mu_18_9_29 = wrench_outside_left_forearm_fz
         * screws.connection_finger_1_slide_vz;
-    let d_mu_18_9_0 = wrench_outside_left_forearm_mx
-        * screws.connection_finger_1_slide_wx
-        - (screws.connection_left_wrist_pitch_wx * d_mu_18_6_0_3
-            + screws.connection_left_wrist_pitch_wy * d_mu_18_6_0_5
-            + screws.connection_left_wrist_pitch_wz * d_mu_18_6_0_7)
+    let d_mu_18_9 = wrench_outside_left_forearm_mx * screws.connection_finger_1_slide_wx
+        - (screws.connection_left_wrist_pitch_wx * d_mu_18_6_3
+            + screws.connection_left_wrist_pitch_wy * d_mu_18_6_5
+            + screws.connection_left_wrist_pitch_wz * d_mu_18_6_7)
         + wrench_outside_left_forearm_my * screws.connection_finger_1_slide_wy
         + wrench_outside_left_forearm_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_9_0_12 + d_mu_18_9_0_13 + d_mu_18_9_0_14;
-    let d_mu_18_9_1 = wrench_outside_left_forearm_mx * screws.connection_finger_2_wx
-        - (screws.connection_left_wrist_pitch_wx * d_mu_18_6_1_3
-            + screws.connection_left_wrist_pitch_wy * d_mu_18_6_1_5
-            + screws.connection_left_wrist_pitch_wz * d_mu_18_6_1_7)
-        + wrench_outside_left_forearm_my * screws.connection_finger_2_wy
-        + wrench_outside_left_forearm_mz * screws.connection_finger_2_wz - d_mu_18_9_0_12
-        - d_mu_18_9_0_13 - d_mu_18_9_0_14;
+        + d_mu_18_9_27 + d_mu_18_9_28 + d_mu_18_9_29
+        + (wrench_outside_left_forearm_mx * screws.connection_finger_2_wx
+            - (screws.connection_left_wrist_pitch_wx * d_mu_18_6_18
+                + screws.connection_left_wrist_pitch_wy * d_mu_18_6_20
+                + screws.connection_left_wrist_pitch_wz * d_mu_18_6_22)
+            + wrench_outside_left_forearm_my * screws.connection_finger_2_wy
+            + wrench_outside_left_forearm_mz * screws.connection_finger_2_wz
+            - d_mu_18_9_27 - d_mu_18_9_28 - d_mu_18_9_29);
     let d_mu_11_10 = reactions.reaction_left_wrist_yaw_wx
         * wrench_outside_left_wrist_cross_mx_1
         + reactions.reaction_left_wrist_yaw_wy * wrench_outside_left_wrist_cross_my_1
@@ -11588,6 +11500,10 @@ fn common_d_mu_b2(
             * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_wrist_bracket_fz
             * screws.connection_right_shoulder_pitch_vz;
+    let d_mu_18_10_27 = wrench_outside_left_wrist_bracket_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_10_28 = wrench_outside_left_wrist_bracket_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_14_10 = wrench_outside_left_wrist_bracket_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_wrist_yaw_wx * d_mu_14_6_3
@@ -11608,10 +11524,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_bracket_fx * screws.connection_right_wrist_pitch_vx
         + wrench_outside_left_wrist_bracket_fy * screws.connection_right_wrist_pitch_vy
         + wrench_outside_left_wrist_bracket_fz * screws.connection_right_wrist_pitch_vz;
-    let d_mu_18_10_0_12 = wrench_outside_left_wrist_bracket_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_10_0_13 = wrench_outside_left_wrist_bracket_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_16_10 = wrench_outside_left_wrist_bracket_mx
         * screws.connection_right_wrist_yaw_wx
         - (screws.connection_left_wrist_yaw_wx * d_mu_16_6_3
@@ -11632,24 +11544,23 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_bracket_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_wrist_bracket_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_wrist_bracket_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_10_0_14 = wrench_outside_left_wrist_bracket_fz
+    let d_mu_18_10_29 = wrench_outside_left_wrist_bracket_fz
         * screws.connection_finger_1_slide_vz;
-    let d_mu_18_10_0 = wrench_outside_left_wrist_bracket_mx
+    let d_mu_18_10 = wrench_outside_left_wrist_bracket_mx
         * screws.connection_finger_1_slide_wx
-        - (screws.connection_left_wrist_yaw_wx * d_mu_18_6_0_3
-            + screws.connection_left_wrist_yaw_wy * d_mu_18_6_0_5
-            + screws.connection_left_wrist_yaw_wz * d_mu_18_6_0_7)
+        - (screws.connection_left_wrist_yaw_wx * d_mu_18_6_3
+            + screws.connection_left_wrist_yaw_wy * d_mu_18_6_5
+            + screws.connection_left_wrist_yaw_wz * d_mu_18_6_7)
         + wrench_outside_left_wrist_bracket_my * screws.connection_finger_1_slide_wy
         + wrench_outside_left_wrist_bracket_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_10_0_12 + d_mu_18_10_0_13 + d_mu_18_10_0_14;
-    let d_mu_18_10_1 = wrench_outside_left_wrist_bracket_mx
-        * screws.connection_finger_2_wx
-        - (screws.connection_left_wrist_yaw_wx * d_mu_18_6_1_3
-            + screws.connection_left_wrist_yaw_wy * d_mu_18_6_1_5
-            + screws.connection_left_wrist_yaw_wz * d_mu_18_6_1_7)
-        + wrench_outside_left_wrist_bracket_my * screws.connection_finger_2_wy
-        + wrench_outside_left_wrist_bracket_mz * screws.connection_finger_2_wz
-        - d_mu_18_10_0_12 - d_mu_18_10_0_13 - d_mu_18_10_0_14;
+        + d_mu_18_10_27 + d_mu_18_10_28 + d_mu_18_10_29
+        + (wrench_outside_left_wrist_bracket_mx * screws.connection_finger_2_wx
+            - (screws.connection_left_wrist_yaw_wx * d_mu_18_6_18
+                + screws.connection_left_wrist_yaw_wy * d_mu_18_6_20
+                + screws.connection_left_wrist_yaw_wz * d_mu_18_6_22)
+            + wrench_outside_left_wrist_bracket_my * screws.connection_finger_2_wy
+            + wrench_outside_left_wrist_bracket_mz * screws.connection_finger_2_wz
+            - d_mu_18_10_27 - d_mu_18_10_28 - d_mu_18_10_29);
     let d_mu_12_11 = wrench_outside_left_wrist_cross_mx
         * screws.connection_right_shoulder_yaw_wx
         - (screws.connection_left_wrist_roll_wx * d_mu_12_6_3
@@ -11670,6 +11581,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_cross_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_wrist_cross_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_wrist_cross_fz * screws.connection_right_shoulder_pitch_vz;
+    let d_mu_18_11_27 = wrench_outside_left_wrist_cross_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_11_28 = wrench_outside_left_wrist_cross_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_14_11 = wrench_outside_left_wrist_cross_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_wrist_roll_wx * d_mu_14_6_3
@@ -11690,10 +11605,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_cross_fx * screws.connection_right_wrist_pitch_vx
         + wrench_outside_left_wrist_cross_fy * screws.connection_right_wrist_pitch_vy
         + wrench_outside_left_wrist_cross_fz * screws.connection_right_wrist_pitch_vz;
-    let d_mu_18_11_0_12 = wrench_outside_left_wrist_cross_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_11_0_13 = wrench_outside_left_wrist_cross_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_16_11 = wrench_outside_left_wrist_cross_mx
         * screws.connection_right_wrist_yaw_wx
         - (screws.connection_left_wrist_roll_wx * d_mu_16_6_3
@@ -11714,23 +11625,23 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_cross_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_wrist_cross_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_wrist_cross_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_11_0_14 = wrench_outside_left_wrist_cross_fz
+    let d_mu_18_11_29 = wrench_outside_left_wrist_cross_fz
         * screws.connection_finger_1_slide_vz;
-    let d_mu_18_11_0 = wrench_outside_left_wrist_cross_mx
+    let d_mu_18_11 = wrench_outside_left_wrist_cross_mx
         * screws.connection_finger_1_slide_wx
-        - (screws.connection_left_wrist_roll_wx * d_mu_18_6_0_3
-            + screws.connection_left_wrist_roll_wy * d_mu_18_6_0_5
-            + screws.connection_left_wrist_roll_wz * d_mu_18_6_0_7)
+        - (screws.connection_left_wrist_roll_wx * d_mu_18_6_3
+            + screws.connection_left_wrist_roll_wy * d_mu_18_6_5
+            + screws.connection_left_wrist_roll_wz * d_mu_18_6_7)
         + wrench_outside_left_wrist_cross_my * screws.connection_finger_1_slide_wy
         + wrench_outside_left_wrist_cross_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_11_0_12 + d_mu_18_11_0_13 + d_mu_18_11_0_14;
-    let d_mu_18_11_1 = wrench_outside_left_wrist_cross_mx * screws.connection_finger_2_wx
-        - (screws.connection_left_wrist_roll_wx * d_mu_18_6_1_3
-            + screws.connection_left_wrist_roll_wy * d_mu_18_6_1_5
-            + screws.connection_left_wrist_roll_wz * d_mu_18_6_1_7)
-        + wrench_outside_left_wrist_cross_my * screws.connection_finger_2_wy
-        + wrench_outside_left_wrist_cross_mz * screws.connection_finger_2_wz
-        - d_mu_18_11_0_12 - d_mu_18_11_0_13 - d_mu_18_11_0_14;
+        + d_mu_18_11_27 + d_mu_18_11_28 + d_mu_18_11_29
+        + (wrench_outside_left_wrist_cross_mx * screws.connection_finger_2_wx
+            - (screws.connection_left_wrist_roll_wx * d_mu_18_6_18
+                + screws.connection_left_wrist_roll_wy * d_mu_18_6_20
+                + screws.connection_left_wrist_roll_wz * d_mu_18_6_22)
+            + wrench_outside_left_wrist_cross_my * screws.connection_finger_2_wy
+            + wrench_outside_left_wrist_cross_mz * screws.connection_finger_2_wz
+            - d_mu_18_11_27 - d_mu_18_11_28 - d_mu_18_11_29);
     let d_mu_13_12 = reactions.reaction_right_shoulder_yaw_wx * d_mu_13_6_3
         + reactions.reaction_right_shoulder_yaw_wy * d_mu_13_6_5
         + reactions.reaction_right_shoulder_yaw_wz * d_mu_13_6_7
@@ -11740,6 +11651,8 @@ fn common_d_mu_b2(
         + wrench_left_end_plate_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_left_end_plate_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_left_end_plate_fz * screws.connection_right_shoulder_pitch_vz;
+    let d_mu_18_12_27 = wrench_left_end_plate_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_12_28 = wrench_left_end_plate_fy * screws.connection_finger_1_slide_vy;
     let d_mu_14_12 = reactions.reaction_right_shoulder_yaw_wx * d_mu_14_6_3
         + reactions.reaction_right_shoulder_yaw_wy * d_mu_14_6_5
         + reactions.reaction_right_shoulder_yaw_wz * d_mu_14_6_7
@@ -11758,8 +11671,6 @@ fn common_d_mu_b2(
         + wrench_left_end_plate_fx * screws.connection_right_wrist_pitch_vx
         + wrench_left_end_plate_fy * screws.connection_right_wrist_pitch_vy
         + wrench_left_end_plate_fz * screws.connection_right_wrist_pitch_vz;
-    let d_mu_18_12_0_12 = wrench_left_end_plate_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_12_0_13 = wrench_left_end_plate_fy * screws.connection_finger_1_slide_vy;
     let d_mu_16_12 = reactions.reaction_right_shoulder_yaw_wx * d_mu_16_6_3
         + reactions.reaction_right_shoulder_yaw_wy * d_mu_16_6_5
         + reactions.reaction_right_shoulder_yaw_wz * d_mu_16_6_7
@@ -11778,21 +11689,23 @@ fn common_d_mu_b2(
         + wrench_left_end_plate_fx * screws.connection_right_wrist_roll_vx
         + wrench_left_end_plate_fy * screws.connection_right_wrist_roll_vy
         + wrench_left_end_plate_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_12_0_14 = wrench_left_end_plate_fz * screws.connection_finger_1_slide_vz;
-    let d_mu_18_12_0 = reactions.reaction_right_shoulder_yaw_wx * d_mu_18_6_0_3
-        + reactions.reaction_right_shoulder_yaw_wy * d_mu_18_6_0_5
-        + reactions.reaction_right_shoulder_yaw_wz * d_mu_18_6_0_7
+    let d_mu_18_12_29 = wrench_left_end_plate_fz * screws.connection_finger_1_slide_vz;
+    let d_mu_18_12 = reactions.reaction_right_shoulder_yaw_wx * d_mu_18_6_3
+        + reactions.reaction_right_shoulder_yaw_wy * d_mu_18_6_5
+        + reactions.reaction_right_shoulder_yaw_wz * d_mu_18_6_7
         + wrench_left_end_plate_mx * screws.connection_finger_1_slide_wx
         + wrench_left_end_plate_my * screws.connection_finger_1_slide_wy
-        + wrench_left_end_plate_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_12_0_12 + d_mu_18_12_0_13 + d_mu_18_12_0_14;
-    let d_mu_18_12_1 = reactions.reaction_right_shoulder_yaw_wx * d_mu_18_6_1_3
-        + reactions.reaction_right_shoulder_yaw_wy * d_mu_18_6_1_5
-        + reactions.reaction_right_shoulder_yaw_wz * d_mu_18_6_1_7
-        + wrench_left_end_plate_mx * screws.connection_finger_2_wx
-        + wrench_left_end_plate_my * screws.connection_finger_2_wy
-        + wrench_left_end_plate_mz * screws.connection_finger_2_wz - d_mu_18_12_0_12
-        - d_mu_18_12_0_13 - d_mu_18_12_0_14;
+        + wrench_left_end_plate_mz * screws.connection_finger_1_slide_wz + d_mu_18_12_27
+        + d_mu_18_12_28 + d_mu_18_12_29
+        + (reactions.reaction_right_shoulder_yaw_wx * d_mu_18_6_18
+            + reactions.reaction_right_shoulder_yaw_wy * d_mu_18_6_20
+            + reactions.reaction_right_shoulder_yaw_wz * d_mu_18_6_22
+            + wrench_left_end_plate_mx * screws.connection_finger_2_wx
+            + wrench_left_end_plate_my * screws.connection_finger_2_wy
+            + wrench_left_end_plate_mz * screws.connection_finger_2_wz - d_mu_18_12_27
+            - d_mu_18_12_28 - d_mu_18_12_29);
+    let d_mu_18_13_27 = wrench_right_shoulder_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_13_28 = wrench_right_shoulder_fy * screws.connection_finger_1_slide_vy;
     let d_mu_14_13 = reactions.reaction_right_shoulder_pitch_wx * d_mu_14_6_3
         + reactions.reaction_right_shoulder_pitch_wy * d_mu_14_6_5
         + reactions.reaction_right_shoulder_pitch_wz * d_mu_14_6_7
@@ -11820,8 +11733,6 @@ fn common_d_mu_b2(
         + wrench_right_shoulder_fx * screws.connection_right_wrist_yaw_vx
         + wrench_right_shoulder_fy * screws.connection_right_wrist_yaw_vy
         + wrench_right_shoulder_fz * screws.connection_right_wrist_yaw_vz;
-    let d_mu_18_13_0_12 = wrench_right_shoulder_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_13_0_13 = wrench_right_shoulder_fy * screws.connection_finger_1_slide_vy;
     let d_mu_17_13 = reactions.reaction_right_shoulder_pitch_wx * d_mu_17_6_3
         + reactions.reaction_right_shoulder_pitch_wy * d_mu_17_6_5
         + reactions.reaction_right_shoulder_pitch_wz * d_mu_17_6_7
@@ -11831,21 +11742,23 @@ fn common_d_mu_b2(
         + wrench_right_shoulder_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_shoulder_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_shoulder_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_13_0_14 = wrench_right_shoulder_fz * screws.connection_finger_1_slide_vz;
-    let d_mu_18_13_0 = reactions.reaction_right_shoulder_pitch_wx * d_mu_18_6_0_3
-        + reactions.reaction_right_shoulder_pitch_wy * d_mu_18_6_0_5
-        + reactions.reaction_right_shoulder_pitch_wz * d_mu_18_6_0_7
+    let d_mu_18_13_29 = wrench_right_shoulder_fz * screws.connection_finger_1_slide_vz;
+    let d_mu_18_13 = reactions.reaction_right_shoulder_pitch_wx * d_mu_18_6_3
+        + reactions.reaction_right_shoulder_pitch_wy * d_mu_18_6_5
+        + reactions.reaction_right_shoulder_pitch_wz * d_mu_18_6_7
         + wrench_right_shoulder_mx * screws.connection_finger_1_slide_wx
         + wrench_right_shoulder_my * screws.connection_finger_1_slide_wy
-        + wrench_right_shoulder_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_13_0_12 + d_mu_18_13_0_13 + d_mu_18_13_0_14;
-    let d_mu_18_13_1 = reactions.reaction_right_shoulder_pitch_wx * d_mu_18_6_1_3
-        + reactions.reaction_right_shoulder_pitch_wy * d_mu_18_6_1_5
-        + reactions.reaction_right_shoulder_pitch_wz * d_mu_18_6_1_7
-        + wrench_right_shoulder_mx * screws.connection_finger_2_wx
-        + wrench_right_shoulder_my * screws.connection_finger_2_wy
-        + wrench_right_shoulder_mz * screws.connection_finger_2_wz - d_mu_18_13_0_12
-        - d_mu_18_13_0_13 - d_mu_18_13_0_14;
+        + wrench_right_shoulder_mz * screws.connection_finger_1_slide_wz + d_mu_18_13_27
+        + d_mu_18_13_28 + d_mu_18_13_29
+        + (reactions.reaction_right_shoulder_pitch_wx * d_mu_18_6_18
+            + reactions.reaction_right_shoulder_pitch_wy * d_mu_18_6_20
+            + reactions.reaction_right_shoulder_pitch_wz * d_mu_18_6_22
+            + wrench_right_shoulder_mx * screws.connection_finger_2_wx
+            + wrench_right_shoulder_my * screws.connection_finger_2_wy
+            + wrench_right_shoulder_mz * screws.connection_finger_2_wz - d_mu_18_13_27
+            - d_mu_18_13_28 - d_mu_18_13_29);
+    let d_mu_18_14_27 = wrench_right_upper_arm_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_14_28 = wrench_right_upper_arm_fy * screws.connection_finger_1_slide_vy;
     let d_mu_15_14 = reactions.reaction_right_elbow_pitch_wx * d_mu_15_6_3
         + reactions.reaction_right_elbow_pitch_wy * d_mu_15_6_5
         + reactions.reaction_right_elbow_pitch_wz * d_mu_15_6_7
@@ -11873,28 +11786,23 @@ fn common_d_mu_b2(
         + wrench_right_upper_arm_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_upper_arm_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_upper_arm_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_14_0_12 = wrench_right_upper_arm_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_14_0_13 = wrench_right_upper_arm_fy
-        * screws.connection_finger_1_slide_vy;
-    let d_mu_18_14_0_14 = wrench_right_upper_arm_fz
-        * screws.connection_finger_1_slide_vz;
-    let d_mu_18_14_0 = reactions.reaction_right_elbow_pitch_wx * d_mu_18_6_0_3
-        + reactions.reaction_right_elbow_pitch_wy * d_mu_18_6_0_5
-        + reactions.reaction_right_elbow_pitch_wz * d_mu_18_6_0_7
+    let d_mu_18_14_29 = wrench_right_upper_arm_fz * screws.connection_finger_1_slide_vz;
+    let d_mu_18_14 = reactions.reaction_right_elbow_pitch_wx * d_mu_18_6_3
+        + reactions.reaction_right_elbow_pitch_wy * d_mu_18_6_5
+        + reactions.reaction_right_elbow_pitch_wz * d_mu_18_6_7
         + wrench_right_upper_arm_mx * screws.connection_finger_1_slide_wx
         + wrench_right_upper_arm_my * screws.connection_finger_1_slide_wy
-        + wrench_right_upper_arm_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_14_0_12 + d_mu_18_14_0_13 + d_mu_18_14_0_14;
-    let d_mu_18_14_1 = reactions.reaction_right_elbow_pitch_wx * d_mu_18_6_1_3
-        + reactions.reaction_right_elbow_pitch_wy * d_mu_18_6_1_5
-        + reactions.reaction_right_elbow_pitch_wz * d_mu_18_6_1_7
-        + wrench_right_upper_arm_mx * screws.connection_finger_2_wx
-        + wrench_right_upper_arm_my * screws.connection_finger_2_wy
-        + wrench_right_upper_arm_mz * screws.connection_finger_2_wz - d_mu_18_14_0_12
-        - d_mu_18_14_0_13 - d_mu_18_14_0_14;
-    let d_mu_18_15_0_12 = wrench_right_forearm_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_15_0_13 = wrench_right_forearm_fy * screws.connection_finger_1_slide_vy;
+        + wrench_right_upper_arm_mz * screws.connection_finger_1_slide_wz + d_mu_18_14_27
+        + d_mu_18_14_28 + d_mu_18_14_29
+        + (reactions.reaction_right_elbow_pitch_wx * d_mu_18_6_18
+            + reactions.reaction_right_elbow_pitch_wy * d_mu_18_6_20
+            + reactions.reaction_right_elbow_pitch_wz * d_mu_18_6_22
+            + wrench_right_upper_arm_mx * screws.connection_finger_2_wx
+            + wrench_right_upper_arm_my * screws.connection_finger_2_wy
+            + wrench_right_upper_arm_mz * screws.connection_finger_2_wz - d_mu_18_14_27
+            - d_mu_18_14_28 - d_mu_18_14_29);
+    let d_mu_18_15_27 = wrench_right_forearm_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_15_28 = wrench_right_forearm_fy * screws.connection_finger_1_slide_vy;
     let d_mu_16_15 = reactions.reaction_right_wrist_pitch_wx * d_mu_16_6_3
         + reactions.reaction_right_wrist_pitch_wy * d_mu_16_6_5
         + reactions.reaction_right_wrist_pitch_wz * d_mu_16_6_7
@@ -11913,24 +11821,24 @@ fn common_d_mu_b2(
         + wrench_right_forearm_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_forearm_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_forearm_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_15_0_14 = wrench_right_forearm_fz * screws.connection_finger_1_slide_vz;
-    let d_mu_18_15_0 = reactions.reaction_right_wrist_pitch_wx * d_mu_18_6_0_3
-        + reactions.reaction_right_wrist_pitch_wy * d_mu_18_6_0_5
-        + reactions.reaction_right_wrist_pitch_wz * d_mu_18_6_0_7
+    let d_mu_18_15_29 = wrench_right_forearm_fz * screws.connection_finger_1_slide_vz;
+    let d_mu_18_15 = reactions.reaction_right_wrist_pitch_wx * d_mu_18_6_3
+        + reactions.reaction_right_wrist_pitch_wy * d_mu_18_6_5
+        + reactions.reaction_right_wrist_pitch_wz * d_mu_18_6_7
         + wrench_right_forearm_mx * screws.connection_finger_1_slide_wx
         + wrench_right_forearm_my * screws.connection_finger_1_slide_wy
-        + wrench_right_forearm_mz * screws.connection_finger_1_slide_wz + d_mu_18_15_0_12
-        + d_mu_18_15_0_13 + d_mu_18_15_0_14;
-    let d_mu_18_15_1 = reactions.reaction_right_wrist_pitch_wx * d_mu_18_6_1_3
-        + reactions.reaction_right_wrist_pitch_wy * d_mu_18_6_1_5
-        + reactions.reaction_right_wrist_pitch_wz * d_mu_18_6_1_7
-        + wrench_right_forearm_mx * screws.connection_finger_2_wx
-        + wrench_right_forearm_my * screws.connection_finger_2_wy
-        + wrench_right_forearm_mz * screws.connection_finger_2_wz - d_mu_18_15_0_12
-        - d_mu_18_15_0_13 - d_mu_18_15_0_14;
-    let d_mu_18_16_0_12 = wrench_right_wrist_bracket_fx
+        + wrench_right_forearm_mz * screws.connection_finger_1_slide_wz + d_mu_18_15_27
+        + d_mu_18_15_28 + d_mu_18_15_29
+        + (reactions.reaction_right_wrist_pitch_wx * d_mu_18_6_18
+            + reactions.reaction_right_wrist_pitch_wy * d_mu_18_6_20
+            + reactions.reaction_right_wrist_pitch_wz * d_mu_18_6_22
+            + wrench_right_forearm_mx * screws.connection_finger_2_wx
+            + wrench_right_forearm_my * screws.connection_finger_2_wy
+            + wrench_right_forearm_mz * screws.connection_finger_2_wz - d_mu_18_15_27
+            - d_mu_18_15_28 - d_mu_18_15_29);
+    let d_mu_18_16_27 = wrench_right_wrist_bracket_fx
         * screws.connection_finger_1_slide_vx;
-    let d_mu_18_16_0_13 = wrench_right_wrist_bracket_fy
+    let d_mu_18_16_28 = wrench_right_wrist_bracket_fy
         * screws.connection_finger_1_slide_vy;
     let d_mu_17_16 = reactions.reaction_right_wrist_yaw_wx * d_mu_17_6_3
         + reactions.reaction_right_wrist_yaw_wy * d_mu_17_6_5
@@ -11941,42 +11849,42 @@ fn common_d_mu_b2(
         + wrench_right_wrist_bracket_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_wrist_bracket_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_wrist_bracket_fz * screws.connection_right_wrist_roll_vz;
-    let d_mu_18_16_0_14 = wrench_right_wrist_bracket_fz
+    let d_mu_18_16_29 = wrench_right_wrist_bracket_fz
         * screws.connection_finger_1_slide_vz;
-    let d_mu_18_16_0 = reactions.reaction_right_wrist_yaw_wx * d_mu_18_6_0_3
-        + reactions.reaction_right_wrist_yaw_wy * d_mu_18_6_0_5
-        + reactions.reaction_right_wrist_yaw_wz * d_mu_18_6_0_7
+    let d_mu_18_16 = reactions.reaction_right_wrist_yaw_wx * d_mu_18_6_3
+        + reactions.reaction_right_wrist_yaw_wy * d_mu_18_6_5
+        + reactions.reaction_right_wrist_yaw_wz * d_mu_18_6_7
         + wrench_right_wrist_bracket_mx * screws.connection_finger_1_slide_wx
         + wrench_right_wrist_bracket_my * screws.connection_finger_1_slide_wy
         + wrench_right_wrist_bracket_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_16_0_12 + d_mu_18_16_0_13 + d_mu_18_16_0_14;
-    let d_mu_18_16_1 = reactions.reaction_right_wrist_yaw_wx * d_mu_18_6_1_3
-        + reactions.reaction_right_wrist_yaw_wy * d_mu_18_6_1_5
-        + reactions.reaction_right_wrist_yaw_wz * d_mu_18_6_1_7
-        + wrench_right_wrist_bracket_mx * screws.connection_finger_2_wx
-        + wrench_right_wrist_bracket_my * screws.connection_finger_2_wy
-        + wrench_right_wrist_bracket_mz * screws.connection_finger_2_wz - d_mu_18_16_0_12
-        - d_mu_18_16_0_13 - d_mu_18_16_0_14;
-    let d_mu_18_17_0_12 = wrench_right_wrist_cross_fx
+        + d_mu_18_16_27 + d_mu_18_16_28 + d_mu_18_16_29
+        + (reactions.reaction_right_wrist_yaw_wx * d_mu_18_6_18
+            + reactions.reaction_right_wrist_yaw_wy * d_mu_18_6_20
+            + reactions.reaction_right_wrist_yaw_wz * d_mu_18_6_22
+            + wrench_right_wrist_bracket_mx * screws.connection_finger_2_wx
+            + wrench_right_wrist_bracket_my * screws.connection_finger_2_wy
+            + wrench_right_wrist_bracket_mz * screws.connection_finger_2_wz
+            - d_mu_18_16_27 - d_mu_18_16_28 - d_mu_18_16_29);
+    let d_mu_18_17_27 = wrench_right_wrist_cross_fx
         * screws.connection_finger_1_slide_vx;
-    let d_mu_18_17_0_13 = wrench_right_wrist_cross_fy
+    let d_mu_18_17_28 = wrench_right_wrist_cross_fy
         * screws.connection_finger_1_slide_vy;
-    let d_mu_18_17_0_14 = wrench_right_wrist_cross_fz
+    let d_mu_18_17_29 = wrench_right_wrist_cross_fz
         * screws.connection_finger_1_slide_vz;
-    let d_mu_18_17_0 = reactions.reaction_right_wrist_roll_wx * d_mu_18_6_0_3
-        + reactions.reaction_right_wrist_roll_wy * d_mu_18_6_0_5
-        + reactions.reaction_right_wrist_roll_wz * d_mu_18_6_0_7
+    let d_mu_18_17 = reactions.reaction_right_wrist_roll_wx * d_mu_18_6_3
+        + reactions.reaction_right_wrist_roll_wy * d_mu_18_6_5
+        + reactions.reaction_right_wrist_roll_wz * d_mu_18_6_7
         + wrench_right_wrist_cross_mx * screws.connection_finger_1_slide_wx
         + wrench_right_wrist_cross_my * screws.connection_finger_1_slide_wy
         + wrench_right_wrist_cross_mz * screws.connection_finger_1_slide_wz
-        + d_mu_18_17_0_12 + d_mu_18_17_0_13 + d_mu_18_17_0_14;
-    let d_mu_18_17_1 = reactions.reaction_right_wrist_roll_wx * d_mu_18_6_1_3
-        + reactions.reaction_right_wrist_roll_wy * d_mu_18_6_1_5
-        + reactions.reaction_right_wrist_roll_wz * d_mu_18_6_1_7
-        + wrench_right_wrist_cross_mx * screws.connection_finger_2_wx
-        + wrench_right_wrist_cross_my * screws.connection_finger_2_wy
-        + wrench_right_wrist_cross_mz * screws.connection_finger_2_wz - d_mu_18_17_0_12
-        - d_mu_18_17_0_13 - d_mu_18_17_0_14;
+        + d_mu_18_17_27 + d_mu_18_17_28 + d_mu_18_17_29
+        + (reactions.reaction_right_wrist_roll_wx * d_mu_18_6_18
+            + reactions.reaction_right_wrist_roll_wy * d_mu_18_6_20
+            + reactions.reaction_right_wrist_roll_wz * d_mu_18_6_22
+            + wrench_right_wrist_cross_mx * screws.connection_finger_2_wx
+            + wrench_right_wrist_cross_my * screws.connection_finger_2_wy
+            + wrench_right_wrist_cross_mz * screws.connection_finger_2_wz - d_mu_18_17_27
+            - d_mu_18_17_28 - d_mu_18_17_29);
     CommonDMuB2 {
         wrench_outside_bus_mx_0,
         wrench_outside_bus_my_0,
@@ -12007,8 +11915,7 @@ fn common_d_mu_b2(
         d_mu_15_6,
         d_mu_16_6,
         d_mu_17_6,
-        d_mu_18_6_0,
-        d_mu_18_6_1,
+        d_mu_18_6,
         d_mu_8_7,
         d_mu_9_7,
         d_mu_10_7,
@@ -12019,8 +11926,7 @@ fn common_d_mu_b2(
         d_mu_15_7,
         d_mu_16_7,
         d_mu_17_7,
-        d_mu_18_7_0,
-        d_mu_18_7_1,
+        d_mu_18_7,
         d_mu_9_8,
         d_mu_10_8,
         d_mu_11_8,
@@ -12030,8 +11936,7 @@ fn common_d_mu_b2(
         d_mu_15_8,
         d_mu_16_8,
         d_mu_17_8,
-        d_mu_18_8_0,
-        d_mu_18_8_1,
+        d_mu_18_8,
         d_mu_10_9,
         d_mu_11_9,
         d_mu_12_9,
@@ -12040,8 +11945,7 @@ fn common_d_mu_b2(
         d_mu_15_9,
         d_mu_16_9,
         d_mu_17_9,
-        d_mu_18_9_0,
-        d_mu_18_9_1,
+        d_mu_18_9,
         d_mu_11_10,
         d_mu_12_10,
         d_mu_13_10,
@@ -12049,43 +11953,35 @@ fn common_d_mu_b2(
         d_mu_15_10,
         d_mu_16_10,
         d_mu_17_10,
-        d_mu_18_10_0,
-        d_mu_18_10_1,
+        d_mu_18_10,
         d_mu_12_11,
         d_mu_13_11,
         d_mu_14_11,
         d_mu_15_11,
         d_mu_16_11,
         d_mu_17_11,
-        d_mu_18_11_0,
-        d_mu_18_11_1,
+        d_mu_18_11,
         d_mu_13_12,
         d_mu_14_12,
         d_mu_15_12,
         d_mu_16_12,
         d_mu_17_12,
-        d_mu_18_12_0,
-        d_mu_18_12_1,
+        d_mu_18_12,
         d_mu_14_13,
         d_mu_15_13,
         d_mu_16_13,
         d_mu_17_13,
-        d_mu_18_13_0,
-        d_mu_18_13_1,
+        d_mu_18_13,
         d_mu_15_14,
         d_mu_16_14,
         d_mu_17_14,
-        d_mu_18_14_0,
-        d_mu_18_14_1,
+        d_mu_18_14,
         d_mu_16_15,
         d_mu_17_15,
-        d_mu_18_15_0,
-        d_mu_18_15_1,
+        d_mu_18_15,
         d_mu_17_16,
-        d_mu_18_16_0,
-        d_mu_18_16_1,
-        d_mu_18_17_0,
-        d_mu_18_17_1,
+        d_mu_18_16,
+        d_mu_18_17,
     }
 }
 /// What `d_qdot`, `d_qdot_xi` have in common.
@@ -13650,7 +13546,7 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_left_shoulder_my_0_1_2 = inertias.inertia_left_shoulder_xx
         * twist_left_shoulder_wy_2
         + inertias.inertia_left_shoulder_xy * twist_left_shoulder_wx_0
-        + inertias.inertia_left_shoulder_xz * twist_left_shoulder_wx_2
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wx_2
         + (velocities.velocity_left_shoulder_vz * inertias.inertia_left_shoulder_hy
             - velocities.velocity_left_shoulder_vy * inertias.inertia_left_shoulder_hz);
     let wrench_left_shoulder_mx_0_1_0 = inertias.inertia_left_shoulder_xy
@@ -13659,9 +13555,9 @@ fn common_forward_dynamics_inverse_dynamics(
         + inertias.inertia_left_shoulder_yz * twist_left_shoulder_wx_2
         + (velocities.velocity_left_shoulder_vx * inertias.inertia_left_shoulder_hz
             - velocities.velocity_left_shoulder_vz * inertias.inertia_left_shoulder_hx);
-    let wrench_left_shoulder_mx_0_1_2 = inertias.inertia_left_shoulder_xz
-        * twist_left_shoulder_wy_2
-        + inertias.inertia_left_shoulder_yz * twist_left_shoulder_wx_0
+    let wrench_left_shoulder_mx_0_1_2 = inertias.inertia_left_shoulder_yz
+        * twist_left_shoulder_wx_0
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wy_2
         + inertias.inertia_left_shoulder_zz * twist_left_shoulder_wx_2
         + (velocities.velocity_left_shoulder_vy * inertias.inertia_left_shoulder_hx
             - velocities.velocity_left_shoulder_vx * inertias.inertia_left_shoulder_hy);
@@ -13814,7 +13710,7 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_left_forearm_my_0_1_2 = inertias.inertia_left_forearm_xx
         * twist_left_forearm_wy_1_2
         + inertias.inertia_left_forearm_xy * twist_left_forearm_wx_1_0
-        + inertias.inertia_left_forearm_xz * twist_left_forearm_wx_1_2
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx_1_2
         + (velocities.velocity_left_forearm_vz * inertias.inertia_left_forearm_hy
             - velocities.velocity_left_forearm_vy * inertias.inertia_left_forearm_hz);
     let wrench_left_forearm_mx_0_1_0 = inertias.inertia_left_forearm_xy
@@ -13823,9 +13719,9 @@ fn common_forward_dynamics_inverse_dynamics(
         + inertias.inertia_left_forearm_yz * twist_left_forearm_wx_1_2
         + (velocities.velocity_left_forearm_vx * inertias.inertia_left_forearm_hz
             - velocities.velocity_left_forearm_vz * inertias.inertia_left_forearm_hx);
-    let wrench_left_forearm_mx_0_1_2 = inertias.inertia_left_forearm_xz
-        * twist_left_forearm_wy_1_2
-        + inertias.inertia_left_forearm_yz * twist_left_forearm_wx_1_0
+    let wrench_left_forearm_mx_0_1_2 = inertias.inertia_left_forearm_yz
+        * twist_left_forearm_wx_1_0
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wy_1_2
         + inertias.inertia_left_forearm_zz * twist_left_forearm_wx_1_2
         + (velocities.velocity_left_forearm_vy * inertias.inertia_left_forearm_hx
             - velocities.velocity_left_forearm_vx * inertias.inertia_left_forearm_hy);
@@ -16175,8 +16071,7 @@ fn d_mu_itself(
     d_mu[6][15] = common_d_mu_b2.d_mu_15_6 + 0.0;
     d_mu[6][16] = common_d_mu_b2.d_mu_16_6 + 0.0;
     d_mu[6][17] = common_d_mu_b2.d_mu_17_6 + 0.0;
-    let d_mu_18_6 = common_d_mu_b2.d_mu_18_6_0 + common_d_mu_b2.d_mu_18_6_1;
-    d_mu[6][18] = d_mu_18_6 + 0.0;
+    d_mu[6][18] = common_d_mu_b2.d_mu_18_6 + 0.0;
     // D_μ column left_shoulder_pitch
     d_mu[7][0] = 0.0 - d_mu_7_0;
     d_mu[7][1] = 0.0 - d_mu_7_1;
@@ -16196,8 +16091,7 @@ fn d_mu_itself(
     d_mu[7][15] = common_d_mu_b2.d_mu_15_7 + 0.0;
     d_mu[7][16] = common_d_mu_b2.d_mu_16_7 + 0.0;
     d_mu[7][17] = common_d_mu_b2.d_mu_17_7 + 0.0;
-    let d_mu_18_7 = common_d_mu_b2.d_mu_18_7_0 + common_d_mu_b2.d_mu_18_7_1;
-    d_mu[7][18] = d_mu_18_7 + 0.0;
+    d_mu[7][18] = common_d_mu_b2.d_mu_18_7 + 0.0;
     // D_μ column left_elbow_pitch
     d_mu[8][0] = 0.0 - d_mu_8_0;
     d_mu[8][1] = 0.0 - d_mu_8_1;
@@ -16217,8 +16111,7 @@ fn d_mu_itself(
     d_mu[8][15] = common_d_mu_b2.d_mu_15_8 + 0.0;
     d_mu[8][16] = common_d_mu_b2.d_mu_16_8 + 0.0;
     d_mu[8][17] = common_d_mu_b2.d_mu_17_8 + 0.0;
-    let d_mu_18_8 = common_d_mu_b2.d_mu_18_8_0 + common_d_mu_b2.d_mu_18_8_1;
-    d_mu[8][18] = d_mu_18_8 + 0.0;
+    d_mu[8][18] = common_d_mu_b2.d_mu_18_8 + 0.0;
     // D_μ column left_wrist_pitch
     d_mu[9][0] = 0.0 - d_mu_9_0;
     d_mu[9][1] = 0.0 - d_mu_9_1;
@@ -16238,8 +16131,7 @@ fn d_mu_itself(
     d_mu[9][15] = common_d_mu_b2.d_mu_15_9 + 0.0;
     d_mu[9][16] = common_d_mu_b2.d_mu_16_9 + 0.0;
     d_mu[9][17] = common_d_mu_b2.d_mu_17_9 + 0.0;
-    let d_mu_18_9 = common_d_mu_b2.d_mu_18_9_0 + common_d_mu_b2.d_mu_18_9_1;
-    d_mu[9][18] = d_mu_18_9 + 0.0;
+    d_mu[9][18] = common_d_mu_b2.d_mu_18_9 + 0.0;
     // D_μ column left_wrist_yaw
     d_mu[10][0] = 0.0 - d_mu_10_0;
     d_mu[10][1] = 0.0 - d_mu_10_1;
@@ -16259,8 +16151,7 @@ fn d_mu_itself(
     d_mu[10][15] = common_d_mu_b2.d_mu_15_10 + 0.0;
     d_mu[10][16] = common_d_mu_b2.d_mu_16_10 + 0.0;
     d_mu[10][17] = common_d_mu_b2.d_mu_17_10 + 0.0;
-    let d_mu_18_10 = common_d_mu_b2.d_mu_18_10_0 + common_d_mu_b2.d_mu_18_10_1;
-    d_mu[10][18] = d_mu_18_10 + 0.0;
+    d_mu[10][18] = common_d_mu_b2.d_mu_18_10 + 0.0;
     // D_μ column left_wrist_roll
     d_mu[11][0] = 0.0 - d_mu_11_0;
     d_mu[11][1] = 0.0 - d_mu_11_1;
@@ -16280,8 +16171,7 @@ fn d_mu_itself(
     d_mu[11][15] = common_d_mu_b2.d_mu_15_11 + 0.0;
     d_mu[11][16] = common_d_mu_b2.d_mu_16_11 + 0.0;
     d_mu[11][17] = common_d_mu_b2.d_mu_17_11 + 0.0;
-    let d_mu_18_11 = common_d_mu_b2.d_mu_18_11_0 + common_d_mu_b2.d_mu_18_11_1;
-    d_mu[11][18] = d_mu_18_11 + 0.0;
+    d_mu[11][18] = common_d_mu_b2.d_mu_18_11 + 0.0;
     // D_μ column right_shoulder_yaw
     d_mu[12][0] = 0.0 - d_mu_12_0;
     d_mu[12][1] = 0.0 - d_mu_12_1;
@@ -16301,8 +16191,7 @@ fn d_mu_itself(
     d_mu[12][15] = common_d_mu_b2.d_mu_15_12 + 0.0;
     d_mu[12][16] = common_d_mu_b2.d_mu_16_12 + 0.0;
     d_mu[12][17] = common_d_mu_b2.d_mu_17_12 + 0.0;
-    let d_mu_18_12 = common_d_mu_b2.d_mu_18_12_0 + common_d_mu_b2.d_mu_18_12_1;
-    d_mu[12][18] = d_mu_18_12 + 0.0;
+    d_mu[12][18] = common_d_mu_b2.d_mu_18_12 + 0.0;
     // D_μ column right_shoulder_pitch
     d_mu[13][0] = 0.0 - d_mu_13_0;
     d_mu[13][1] = 0.0 - d_mu_13_1;
@@ -16322,8 +16211,7 @@ fn d_mu_itself(
     d_mu[13][15] = common_d_mu_b2.d_mu_15_13 + 0.0;
     d_mu[13][16] = common_d_mu_b2.d_mu_16_13 + 0.0;
     d_mu[13][17] = common_d_mu_b2.d_mu_17_13 + 0.0;
-    let d_mu_18_13 = common_d_mu_b2.d_mu_18_13_0 + common_d_mu_b2.d_mu_18_13_1;
-    d_mu[13][18] = d_mu_18_13 + 0.0;
+    d_mu[13][18] = common_d_mu_b2.d_mu_18_13 + 0.0;
     // D_μ column right_elbow_pitch
     d_mu[14][0] = 0.0 - d_mu_14_0;
     d_mu[14][1] = 0.0 - d_mu_14_1;
@@ -16343,8 +16231,7 @@ fn d_mu_itself(
     d_mu[14][15] = common_d_mu_b2.d_mu_15_14 + 0.0;
     d_mu[14][16] = common_d_mu_b2.d_mu_16_14 + 0.0;
     d_mu[14][17] = common_d_mu_b2.d_mu_17_14 + 0.0;
-    let d_mu_18_14 = common_d_mu_b2.d_mu_18_14_0 + common_d_mu_b2.d_mu_18_14_1;
-    d_mu[14][18] = d_mu_18_14 + 0.0;
+    d_mu[14][18] = common_d_mu_b2.d_mu_18_14 + 0.0;
     // D_μ column right_wrist_pitch
     d_mu[15][0] = 0.0 - d_mu_15_0;
     d_mu[15][1] = 0.0 - d_mu_15_1;
@@ -16364,8 +16251,7 @@ fn d_mu_itself(
     d_mu[15][15] = 0.0;
     d_mu[15][16] = common_d_mu_b2.d_mu_16_15 + 0.0;
     d_mu[15][17] = common_d_mu_b2.d_mu_17_15 + 0.0;
-    let d_mu_18_15 = common_d_mu_b2.d_mu_18_15_0 + common_d_mu_b2.d_mu_18_15_1;
-    d_mu[15][18] = d_mu_18_15 + 0.0;
+    d_mu[15][18] = common_d_mu_b2.d_mu_18_15 + 0.0;
     // D_μ column right_wrist_yaw
     d_mu[16][0] = 0.0 - d_mu_16_0;
     d_mu[16][1] = 0.0 - d_mu_16_1;
@@ -16385,8 +16271,7 @@ fn d_mu_itself(
     d_mu[16][15] = 0.0 - common_d_mu_b2.d_mu_16_15;
     d_mu[16][16] = 0.0;
     d_mu[16][17] = common_d_mu_b2.d_mu_17_16 + 0.0;
-    let d_mu_18_16 = common_d_mu_b2.d_mu_18_16_0 + common_d_mu_b2.d_mu_18_16_1;
-    d_mu[16][18] = d_mu_18_16 + 0.0;
+    d_mu[16][18] = common_d_mu_b2.d_mu_18_16 + 0.0;
     // D_μ column right_wrist_roll
     d_mu[17][0] = 0.0 - d_mu_17_0;
     d_mu[17][1] = 0.0 - d_mu_17_1;
@@ -16406,8 +16291,7 @@ fn d_mu_itself(
     d_mu[17][15] = 0.0 - common_d_mu_b2.d_mu_17_15;
     d_mu[17][16] = 0.0 - common_d_mu_b2.d_mu_17_16;
     d_mu[17][17] = 0.0;
-    let d_mu_18_17 = common_d_mu_b2.d_mu_18_17_0 + common_d_mu_b2.d_mu_18_17_1;
-    d_mu[17][18] = d_mu_18_17 + 0.0;
+    d_mu[17][18] = common_d_mu_b2.d_mu_18_17 + 0.0;
     // D_μ column finger_1_slide
     d_mu[18][0] = 0.0 - d_mu_18_0;
     d_mu[18][1] = 0.0 - d_mu_18_1;
@@ -16415,18 +16299,18 @@ fn d_mu_itself(
     d_mu[18][3] = 0.0 - d_mu_18_3;
     d_mu[18][4] = 0.0 - d_mu_18_4;
     d_mu[18][5] = 0.0 - d_mu_18_5;
-    d_mu[18][6] = 0.0 - d_mu_18_6;
-    d_mu[18][7] = 0.0 - d_mu_18_7;
-    d_mu[18][8] = 0.0 - d_mu_18_8;
-    d_mu[18][9] = 0.0 - d_mu_18_9;
-    d_mu[18][10] = 0.0 - d_mu_18_10;
-    d_mu[18][11] = 0.0 - d_mu_18_11;
-    d_mu[18][12] = 0.0 - d_mu_18_12;
-    d_mu[18][13] = 0.0 - d_mu_18_13;
-    d_mu[18][14] = 0.0 - d_mu_18_14;
-    d_mu[18][15] = 0.0 - d_mu_18_15;
-    d_mu[18][16] = 0.0 - d_mu_18_16;
-    d_mu[18][17] = 0.0 - d_mu_18_17;
+    d_mu[18][6] = 0.0 - common_d_mu_b2.d_mu_18_6;
+    d_mu[18][7] = 0.0 - common_d_mu_b2.d_mu_18_7;
+    d_mu[18][8] = 0.0 - common_d_mu_b2.d_mu_18_8;
+    d_mu[18][9] = 0.0 - common_d_mu_b2.d_mu_18_9;
+    d_mu[18][10] = 0.0 - common_d_mu_b2.d_mu_18_10;
+    d_mu[18][11] = 0.0 - common_d_mu_b2.d_mu_18_11;
+    d_mu[18][12] = 0.0 - common_d_mu_b2.d_mu_18_12;
+    d_mu[18][13] = 0.0 - common_d_mu_b2.d_mu_18_13;
+    d_mu[18][14] = 0.0 - common_d_mu_b2.d_mu_18_14;
+    d_mu[18][15] = 0.0 - common_d_mu_b2.d_mu_18_15;
+    d_mu[18][16] = 0.0 - common_d_mu_b2.d_mu_18_16;
+    d_mu[18][17] = 0.0 - common_d_mu_b2.d_mu_18_17;
     d_mu[18][18] = 0.0;
 }
 /// What only `b2` computes.
@@ -16456,7 +16340,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[0][10] = 0.0 - b2_10_0;
     let b2_11_0 = common_d_mu_b2.d_mu_17_6 * 0.5;
     b2[0][11] = 0.0 - b2_11_0;
-    let b2_12_0 = common_d_mu_b2.d_mu_18_6_0 * 0.5 + common_d_mu_b2.d_mu_18_6_1 * 0.5;
+    let b2_12_0 = common_d_mu_b2.d_mu_18_6 * 0.5;
     b2[0][12] = 0.0 - b2_12_0;
     // B_2(μ) column left_shoulder_pitch
     b2[1][0] = b2_1_0 + 0.0;
@@ -16481,7 +16365,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[1][10] = 0.0 - b2_10_1;
     let b2_11_1 = common_d_mu_b2.d_mu_17_7 * 0.5;
     b2[1][11] = 0.0 - b2_11_1;
-    let b2_12_1 = common_d_mu_b2.d_mu_18_7_0 * 0.5 + common_d_mu_b2.d_mu_18_7_1 * 0.5;
+    let b2_12_1 = common_d_mu_b2.d_mu_18_7 * 0.5;
     b2[1][12] = 0.0 - b2_12_1;
     // B_2(μ) column left_elbow_pitch
     b2[2][0] = b2_2_0 + 0.0;
@@ -16505,7 +16389,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[2][10] = 0.0 - b2_10_2;
     let b2_11_2 = common_d_mu_b2.d_mu_17_8 * 0.5;
     b2[2][11] = 0.0 - b2_11_2;
-    let b2_12_2 = common_d_mu_b2.d_mu_18_8_0 * 0.5 + common_d_mu_b2.d_mu_18_8_1 * 0.5;
+    let b2_12_2 = common_d_mu_b2.d_mu_18_8 * 0.5;
     b2[2][12] = 0.0 - b2_12_2;
     // B_2(μ) column left_wrist_pitch
     b2[3][0] = b2_3_0 + 0.0;
@@ -16528,7 +16412,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[3][10] = 0.0 - b2_10_3;
     let b2_11_3 = common_d_mu_b2.d_mu_17_9 * 0.5;
     b2[3][11] = 0.0 - b2_11_3;
-    let b2_12_3 = common_d_mu_b2.d_mu_18_9_0 * 0.5 + common_d_mu_b2.d_mu_18_9_1 * 0.5;
+    let b2_12_3 = common_d_mu_b2.d_mu_18_9 * 0.5;
     b2[3][12] = 0.0 - b2_12_3;
     // B_2(μ) column left_wrist_yaw
     b2[4][0] = b2_4_0 + 0.0;
@@ -16550,7 +16434,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[4][10] = 0.0 - b2_10_4;
     let b2_11_4 = common_d_mu_b2.d_mu_17_10 * 0.5;
     b2[4][11] = 0.0 - b2_11_4;
-    let b2_12_4 = common_d_mu_b2.d_mu_18_10_0 * 0.5 + common_d_mu_b2.d_mu_18_10_1 * 0.5;
+    let b2_12_4 = common_d_mu_b2.d_mu_18_10 * 0.5;
     b2[4][12] = 0.0 - b2_12_4;
     // B_2(μ) column left_wrist_roll
     b2[5][0] = b2_5_0 + 0.0;
@@ -16571,7 +16455,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[5][10] = 0.0 - b2_10_5;
     let b2_11_5 = common_d_mu_b2.d_mu_17_11 * 0.5;
     b2[5][11] = 0.0 - b2_11_5;
-    let b2_12_5 = common_d_mu_b2.d_mu_18_11_0 * 0.5 + common_d_mu_b2.d_mu_18_11_1 * 0.5;
+    let b2_12_5 = common_d_mu_b2.d_mu_18_11 * 0.5;
     b2[5][12] = 0.0 - b2_12_5;
     // B_2(μ) column right_shoulder_yaw
     b2[6][0] = b2_6_0 + 0.0;
@@ -16591,7 +16475,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[6][10] = 0.0 - b2_10_6;
     let b2_11_6 = common_d_mu_b2.d_mu_17_12 * 0.5;
     b2[6][11] = 0.0 - b2_11_6;
-    let b2_12_6 = common_d_mu_b2.d_mu_18_12_0 * 0.5 + common_d_mu_b2.d_mu_18_12_1 * 0.5;
+    let b2_12_6 = common_d_mu_b2.d_mu_18_12 * 0.5;
     b2[6][12] = 0.0 - b2_12_6;
     // B_2(μ) column right_shoulder_pitch
     b2[7][0] = b2_7_0 + 0.0;
@@ -16610,7 +16494,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[7][10] = 0.0 - b2_10_7;
     let b2_11_7 = common_d_mu_b2.d_mu_17_13 * 0.5;
     b2[7][11] = 0.0 - b2_11_7;
-    let b2_12_7 = common_d_mu_b2.d_mu_18_13_0 * 0.5 + common_d_mu_b2.d_mu_18_13_1 * 0.5;
+    let b2_12_7 = common_d_mu_b2.d_mu_18_13 * 0.5;
     b2[7][12] = 0.0 - b2_12_7;
     // B_2(μ) column right_elbow_pitch
     b2[8][0] = b2_8_0 + 0.0;
@@ -16628,7 +16512,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[8][10] = 0.0 - b2_10_8;
     let b2_11_8 = common_d_mu_b2.d_mu_17_14 * 0.5;
     b2[8][11] = 0.0 - b2_11_8;
-    let b2_12_8 = common_d_mu_b2.d_mu_18_14_0 * 0.5 + common_d_mu_b2.d_mu_18_14_1 * 0.5;
+    let b2_12_8 = common_d_mu_b2.d_mu_18_14 * 0.5;
     b2[8][12] = 0.0 - b2_12_8;
     // B_2(μ) column right_wrist_pitch
     b2[9][0] = b2_9_0 + 0.0;
@@ -16645,7 +16529,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[9][10] = 0.0 - b2_10_9;
     let b2_11_9 = common_d_mu_b2.d_mu_17_15 * 0.5;
     b2[9][11] = 0.0 - b2_11_9;
-    let b2_12_9 = common_d_mu_b2.d_mu_18_15_0 * 0.5 + common_d_mu_b2.d_mu_18_15_1 * 0.5;
+    let b2_12_9 = common_d_mu_b2.d_mu_18_15 * 0.5;
     b2[9][12] = 0.0 - b2_12_9;
     // B_2(μ) column right_wrist_yaw
     b2[10][0] = b2_10_0 + 0.0;
@@ -16661,7 +16545,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[10][10] = 0.0;
     let b2_11_10 = common_d_mu_b2.d_mu_17_16 * 0.5;
     b2[10][11] = 0.0 - b2_11_10;
-    let b2_12_10 = common_d_mu_b2.d_mu_18_16_0 * 0.5 + common_d_mu_b2.d_mu_18_16_1 * 0.5;
+    let b2_12_10 = common_d_mu_b2.d_mu_18_16 * 0.5;
     b2[10][12] = 0.0 - b2_12_10;
     // B_2(μ) column right_wrist_roll
     b2[11][0] = b2_11_0 + 0.0;
@@ -16676,7 +16560,7 @@ fn b2_itself(common_d_mu_b2: &CommonDMuB2, b2: &mut [[f64; 13]; 13]) {
     b2[11][9] = b2_11_9 + 0.0;
     b2[11][10] = b2_11_10 + 0.0;
     b2[11][11] = 0.0;
-    let b2_12_11 = common_d_mu_b2.d_mu_18_17_0 * 0.5 + common_d_mu_b2.d_mu_18_17_1 * 0.5;
+    let b2_12_11 = common_d_mu_b2.d_mu_18_17 * 0.5;
     b2[11][12] = 0.0 - b2_12_11;
     // B_2(μ) column finger_1_slide
     b2[12][0] = b2_12_0 + 0.0;
@@ -16970,24 +16854,24 @@ mod d_qdot_itself {
         let factor_left_shoulder_xy_0_5 = velocities.velocity_left_shoulder_wz
             * factor_left_shoulder_yz_0_5_1
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_shoulder_xy_0_1_1;
-        let factor_left_shoulder_xx_0_3_0 = inertias.inertia_left_shoulder_hx
+        let factor_left_shoulder_xx_0_0_0 = inertias.inertia_left_shoulder_hx
             * velocities.velocity_left_shoulder_vx;
-        let factor_left_shoulder_xx_0_3_1 = inertias.inertia_left_shoulder_hy
+        let factor_left_shoulder_xx_0_0_1 = inertias.inertia_left_shoulder_hy
             * velocities.velocity_left_shoulder_vy;
-        let factor_left_shoulder_xx_0_3_2 = inertias.inertia_left_shoulder_hz
+        let factor_left_shoulder_xx_0_0_2 = inertias.inertia_left_shoulder_hz
             * velocities.velocity_left_shoulder_vz;
-        let factor_left_shoulder_xx_0_3 = factor_left_shoulder_xx_0_3_0
-            + factor_left_shoulder_xx_0_3_1 + factor_left_shoulder_xx_0_3_2;
-        let factor_left_shoulder_xx_0_0 = velocities.velocity_left_shoulder_wy
-            * inertias.inertia_left_shoulder_xz;
-        let factor_left_shoulder_xx_0_1 = velocities.velocity_left_shoulder_wz
+        let factor_left_shoulder_xx_0_0 = factor_left_shoulder_xx_0_0_0
+            + factor_left_shoulder_xx_0_0_1 + factor_left_shoulder_xx_0_0_2;
+        let factor_left_shoulder_xx_0_1 = velocities.velocity_left_shoulder_wy
+            * inertias.minus_inertia_left_shoulder_xz;
+        let factor_left_shoulder_xx_0_2 = velocities.velocity_left_shoulder_wz
             * inertias.inertia_left_shoulder_xy;
         let factor_left_shoulder_xx_0 = factor_left_shoulder_xx_0_0
-            - factor_left_shoulder_xx_0_1 - factor_left_shoulder_xx_0_3_0
-            + factor_left_shoulder_xx_0_3;
+            - (factor_left_shoulder_xx_0_1 + factor_left_shoulder_xx_0_2
+                + factor_left_shoulder_xx_0_0_0);
         let factor_left_shoulder_xy_0 = velocities.velocity_left_shoulder_wz
             * inertias.inertia_left_shoulder_xx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_shoulder_xy_0_1_1_0
+            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_shoulder_xy_0_1_1_1
             - velocities.velocity_left_shoulder_vx * inertias.inertia_left_shoulder_hy
             - factor_left_shoulder_xy_0_5;
         let factor_left_shoulder_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
@@ -16996,15 +16880,15 @@ mod d_qdot_itself {
             - velocities.velocity_left_shoulder_vx * inertias.inertia_left_shoulder_hz
             + factor_left_shoulder_xz_0_5;
         let factor_left_shoulder_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_left_shoulder_xy_0_1_1_1
+            .factor_left_shoulder_xy_0_1_1_0
             - velocities.velocity_left_shoulder_wz * inertias.inertia_left_shoulder_yy
             - velocities.velocity_left_shoulder_vy * inertias.inertia_left_shoulder_hx
             + factor_left_shoulder_xy_0_5;
         let factor_left_shoulder_yy_0_1 = velocities.velocity_left_shoulder_wx
             * inertias.inertia_left_shoulder_yz;
-        let factor_left_shoulder_yy_0 = factor_left_shoulder_xx_0_1
-            - factor_left_shoulder_yy_0_1 - factor_left_shoulder_xx_0_3_1
-            + factor_left_shoulder_xx_0_3;
+        let factor_left_shoulder_yy_0 = factor_left_shoulder_xx_0_2
+            - factor_left_shoulder_yy_0_1 - factor_left_shoulder_xx_0_0_1
+            + factor_left_shoulder_xx_0_0;
         let factor_left_shoulder_yz_0 = velocities.velocity_left_shoulder_wx
             * inertias.inertia_left_shoulder_yy
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_shoulder_yz_0_1_1_2
@@ -17015,14 +16899,15 @@ mod d_qdot_itself {
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_shoulder_xz_0_1_1_3
             - velocities.velocity_left_shoulder_vz * inertias.inertia_left_shoulder_hx
             - factor_left_shoulder_xz_0_5;
-        let factor_left_shoulder_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_left_shoulder_yz_0_1_1_3
-            - velocities.velocity_left_shoulder_wx * inertias.inertia_left_shoulder_zz
-            - velocities.velocity_left_shoulder_vz * inertias.inertia_left_shoulder_hy
-            + factor_left_shoulder_yz_0_5;
+        let factor_left_shoulder_zy_0 = factor_left_shoulder_yz_0_5
+            - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_shoulder_yz_0_1_1_3
+                + velocities.velocity_left_shoulder_wx
+                    * inertias.inertia_left_shoulder_zz
+                + velocities.velocity_left_shoulder_vz
+                    * inertias.inertia_left_shoulder_hy);
         let factor_left_shoulder_zz_0 = factor_left_shoulder_yy_0_1
-            - factor_left_shoulder_xx_0_0 - factor_left_shoulder_xx_0_3_2
-            + factor_left_shoulder_xx_0_3;
+            + factor_left_shoulder_xx_0_1 - factor_left_shoulder_xx_0_0_2
+            + factor_left_shoulder_xx_0_0;
         let factor_left_upper_arm_yz_0_5_1 = (inertias.inertia_left_upper_arm_xx
             + inertias.inertia_left_upper_arm_yy + inertias.inertia_left_upper_arm_zz)
             * 0.5;
@@ -17198,24 +17083,24 @@ mod d_qdot_itself {
         let factor_left_forearm_xy_0_5 = velocities.velocity_left_forearm_wz
             * factor_left_forearm_yz_0_5_1
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_forearm_xy_0_1_1;
-        let factor_left_forearm_xx_0_3_0 = inertias.inertia_left_forearm_hx
+        let factor_left_forearm_xx_0_0_0 = inertias.inertia_left_forearm_hx
             * velocities.velocity_left_forearm_vx;
-        let factor_left_forearm_xx_0_3_1 = inertias.inertia_left_forearm_hy
+        let factor_left_forearm_xx_0_0_1 = inertias.inertia_left_forearm_hy
             * velocities.velocity_left_forearm_vy;
-        let factor_left_forearm_xx_0_3_2 = inertias.inertia_left_forearm_hz
+        let factor_left_forearm_xx_0_0_2 = inertias.inertia_left_forearm_hz
             * velocities.velocity_left_forearm_vz;
-        let factor_left_forearm_xx_0_3 = factor_left_forearm_xx_0_3_0
-            + factor_left_forearm_xx_0_3_1 + factor_left_forearm_xx_0_3_2;
-        let factor_left_forearm_xx_0_0 = velocities.velocity_left_forearm_wy
-            * inertias.inertia_left_forearm_xz;
-        let factor_left_forearm_xx_0_1 = velocities.velocity_left_forearm_wz
+        let factor_left_forearm_xx_0_0 = factor_left_forearm_xx_0_0_0
+            + factor_left_forearm_xx_0_0_1 + factor_left_forearm_xx_0_0_2;
+        let factor_left_forearm_xx_0_1 = velocities.velocity_left_forearm_wy
+            * inertias.minus_inertia_left_forearm_xz;
+        let factor_left_forearm_xx_0_2 = velocities.velocity_left_forearm_wz
             * inertias.inertia_left_forearm_xy;
         let factor_left_forearm_xx_0 = factor_left_forearm_xx_0_0
-            - factor_left_forearm_xx_0_1 - factor_left_forearm_xx_0_3_0
-            + factor_left_forearm_xx_0_3;
+            - (factor_left_forearm_xx_0_1 + factor_left_forearm_xx_0_2
+                + factor_left_forearm_xx_0_0_0);
         let factor_left_forearm_xy_0 = velocities.velocity_left_forearm_wz
             * inertias.inertia_left_forearm_xx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_forearm_xy_0_1_1_0
+            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_forearm_xy_0_1_1_1
             - velocities.velocity_left_forearm_vx * inertias.inertia_left_forearm_hy
             - factor_left_forearm_xy_0_5;
         let factor_left_forearm_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
@@ -17224,15 +17109,15 @@ mod d_qdot_itself {
             - velocities.velocity_left_forearm_vx * inertias.inertia_left_forearm_hz
             + factor_left_forearm_xz_0_5;
         let factor_left_forearm_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_left_forearm_xy_0_1_1_1
+            .factor_left_forearm_xy_0_1_1_0
             - velocities.velocity_left_forearm_wz * inertias.inertia_left_forearm_yy
             - velocities.velocity_left_forearm_vy * inertias.inertia_left_forearm_hx
             + factor_left_forearm_xy_0_5;
         let factor_left_forearm_yy_0_1 = velocities.velocity_left_forearm_wx
             * inertias.inertia_left_forearm_yz;
-        let factor_left_forearm_yy_0 = factor_left_forearm_xx_0_1
-            - factor_left_forearm_yy_0_1 - factor_left_forearm_xx_0_3_1
-            + factor_left_forearm_xx_0_3;
+        let factor_left_forearm_yy_0 = factor_left_forearm_xx_0_2
+            - factor_left_forearm_yy_0_1 - factor_left_forearm_xx_0_0_1
+            + factor_left_forearm_xx_0_0;
         let factor_left_forearm_yz_0 = velocities.velocity_left_forearm_wx
             * inertias.inertia_left_forearm_yy
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_forearm_yz_0_1_1_2
@@ -17243,14 +17128,14 @@ mod d_qdot_itself {
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_forearm_xz_0_1_1_3
             - velocities.velocity_left_forearm_vz * inertias.inertia_left_forearm_hx
             - factor_left_forearm_xz_0_5;
-        let factor_left_forearm_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_left_forearm_yz_0_1_1_3
-            - velocities.velocity_left_forearm_wx * inertias.inertia_left_forearm_zz
-            - velocities.velocity_left_forearm_vz * inertias.inertia_left_forearm_hy
-            + factor_left_forearm_yz_0_5;
+        let factor_left_forearm_zy_0 = factor_left_forearm_yz_0_5
+            - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_forearm_yz_0_1_1_3
+                + velocities.velocity_left_forearm_wx * inertias.inertia_left_forearm_zz
+                + velocities.velocity_left_forearm_vz
+                    * inertias.inertia_left_forearm_hy);
         let factor_left_forearm_zz_0 = factor_left_forearm_yy_0_1
-            - factor_left_forearm_xx_0_0 - factor_left_forearm_xx_0_3_2
-            + factor_left_forearm_xx_0_3;
+            + factor_left_forearm_xx_0_1 - factor_left_forearm_xx_0_0_2
+            + factor_left_forearm_xx_0_0;
         let factor_left_wrist_bracket_yz_0_5_1 = (inertias.inertia_left_wrist_bracket_xx
             + inertias.inertia_left_wrist_bracket_yy
             + inertias.inertia_left_wrist_bracket_zz) * 0.5;
@@ -19579,8 +19464,8 @@ mod d_qdot_itself {
                     * reactions.reaction_right_shoulder_yaw_vy
                     - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_shoulder_py
                         * reactions.reaction_right_shoulder_yaw_vx));
-        d_qdot[6][12] = screws.connection_left_shoulder_yaw_wx
-            * turn_right_shoulder_yaw_x
+        d_qdot[6][12] = turn_right_shoulder_yaw_x
+            * screws.connection_left_shoulder_yaw_wx
             - (d_qdot_itself_from_factor_finger_1_xz_5.wrench_bus_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_my
@@ -19593,8 +19478,8 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + screws.connection_left_shoulder_yaw_wy * turn_right_shoulder_yaw_y
-            + screws.connection_left_shoulder_yaw_wz * turn_right_shoulder_yaw_z + 0.0;
+            + turn_right_shoulder_yaw_y * screws.connection_left_shoulder_yaw_wy
+            + turn_right_shoulder_yaw_z * screws.connection_left_shoulder_yaw_wz + 0.0;
         let factor_outside_right_upper_arm_xx = d_qdot_itself_from_factor_left_upper_arm_xy_0
             .factor_right_shoulder_xx_0 + factor_outside_right_shoulder_xx;
         let factor_outside_right_upper_arm_yx = d_qdot_itself_from_factor_left_upper_arm_xy_0
@@ -19684,8 +19569,8 @@ mod d_qdot_itself {
                     * reactions.reaction_right_shoulder_pitch_vy
                     - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_upper_arm_py
                         * reactions.reaction_right_shoulder_pitch_vx));
-        d_qdot[6][13] = screws.connection_left_shoulder_yaw_wx
-            * turn_right_shoulder_pitch_x
+        d_qdot[6][13] = turn_right_shoulder_pitch_x
+            * screws.connection_left_shoulder_yaw_wx
             - (d_qdot_itself_from_factor_finger_1_xz_5.wrench_bus_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_my
@@ -19698,8 +19583,8 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + screws.connection_left_shoulder_yaw_wy * turn_right_shoulder_pitch_y
-            + screws.connection_left_shoulder_yaw_wz * turn_right_shoulder_pitch_z + 0.0;
+            + turn_right_shoulder_pitch_y * screws.connection_left_shoulder_yaw_wy
+            + turn_right_shoulder_pitch_z * screws.connection_left_shoulder_yaw_wz + 0.0;
         let factor_outside_right_forearm_xx = d_qdot_itself_from_factor_right_shoulder_zx_0
             .factor_right_upper_arm_xx_0 + factor_outside_right_upper_arm_xx;
         let factor_outside_right_forearm_yx = d_qdot_itself_from_factor_right_shoulder_zx_0
@@ -21054,8 +20939,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_shoulder_pitch_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[7][12] = screws.connection_left_shoulder_pitch_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
+        d_qdot[7][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_yaw_x * screws.connection_left_shoulder_pitch_wx
             - (d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_my
@@ -21068,13 +20953,12 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + screws.connection_left_shoulder_pitch_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-            + screws.connection_left_shoulder_pitch_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-            + 0.0;
-        d_qdot[7][13] = screws.connection_left_shoulder_pitch_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+                * screws.connection_left_shoulder_pitch_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+                * screws.connection_left_shoulder_pitch_wz + 0.0;
+        d_qdot[7][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_pitch_x * screws.connection_left_shoulder_pitch_wx
             - (d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_my
@@ -21087,11 +20971,10 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + screws.connection_left_shoulder_pitch_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-            + screws.connection_left_shoulder_pitch_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+                * screws.connection_left_shoulder_pitch_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+                * screws.connection_left_shoulder_pitch_wz + 0.0;
         d_qdot[7][14] = screws.connection_left_shoulder_pitch_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_mx
@@ -21669,8 +21552,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_elbow_pitch_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[8][12] = screws.connection_left_elbow_pitch_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
+        d_qdot[8][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_yaw_x * screws.connection_left_elbow_pitch_wx
             - (d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_my
@@ -21683,13 +21566,12 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + screws.connection_left_elbow_pitch_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-            + screws.connection_left_elbow_pitch_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-            + 0.0;
-        d_qdot[8][13] = screws.connection_left_elbow_pitch_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+                * screws.connection_left_elbow_pitch_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+                * screws.connection_left_elbow_pitch_wz + 0.0;
+        d_qdot[8][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_pitch_x * screws.connection_left_elbow_pitch_wx
             - (d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_my
@@ -21702,11 +21584,10 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + screws.connection_left_elbow_pitch_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-            + screws.connection_left_elbow_pitch_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+                * screws.connection_left_elbow_pitch_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+                * screws.connection_left_elbow_pitch_wz + 0.0;
         d_qdot[8][14] = screws.connection_left_elbow_pitch_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_mx
@@ -22244,8 +22125,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_wrist_pitch_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[9][12] = screws.connection_left_wrist_pitch_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
+        d_qdot[9][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_yaw_x * screws.connection_left_wrist_pitch_wx
             - (d_qdot_itself_from_wrench_outside_left_upper_arm_my.wrench_left_forearm_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
@@ -22258,13 +22139,12 @@ mod d_qdot_itself {
                     .wrench_left_forearm_fy * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
                     .wrench_left_forearm_fz * screws.connection_right_shoulder_yaw_vz)
-            + screws.connection_left_wrist_pitch_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-            + screws.connection_left_wrist_pitch_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-            + 0.0;
-        d_qdot[9][13] = screws.connection_left_wrist_pitch_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+                * screws.connection_left_wrist_pitch_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+                * screws.connection_left_wrist_pitch_wz + 0.0;
+        d_qdot[9][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_pitch_x * screws.connection_left_wrist_pitch_wx
             - (d_qdot_itself_from_wrench_outside_left_upper_arm_my.wrench_left_forearm_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
@@ -22277,11 +22157,10 @@ mod d_qdot_itself {
                     .wrench_left_forearm_fy * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
                     .wrench_left_forearm_fz * screws.connection_right_shoulder_pitch_vz)
-            + screws.connection_left_wrist_pitch_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-            + screws.connection_left_wrist_pitch_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+                * screws.connection_left_wrist_pitch_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+                * screws.connection_left_wrist_pitch_wz + 0.0;
         d_qdot[9][14] = screws.connection_left_wrist_pitch_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_wrench_outside_left_upper_arm_my.wrench_left_forearm_mx
@@ -22866,8 +22745,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_wrist_yaw_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[10][12] = screws.connection_left_wrist_yaw_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
+        d_qdot[10][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_yaw_x * screws.connection_left_wrist_yaw_wx
             - (d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_my
@@ -22880,13 +22759,12 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + screws.connection_left_wrist_yaw_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-            + screws.connection_left_wrist_yaw_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-            + 0.0;
-        d_qdot[10][13] = screws.connection_left_wrist_yaw_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+                * screws.connection_left_wrist_yaw_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+                * screws.connection_left_wrist_yaw_wz + 0.0;
+        d_qdot[10][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_pitch_x * screws.connection_left_wrist_yaw_wx
             - (d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_my
@@ -22899,11 +22777,10 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + screws.connection_left_wrist_yaw_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-            + screws.connection_left_wrist_yaw_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+                * screws.connection_left_wrist_yaw_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+                * screws.connection_left_wrist_yaw_wz + 0.0;
         d_qdot[10][14] = screws.connection_left_wrist_yaw_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_mx
@@ -23302,8 +23179,8 @@ mod d_qdot_itself {
             + turn_left_wrist_roll_x * screws.connection_left_wrist_roll_wx
             + turn_left_wrist_roll_y * screws.connection_left_wrist_roll_wy
             + turn_left_wrist_roll_z * screws.connection_left_wrist_roll_wz + 0.0;
-        d_qdot[11][12] = screws.connection_left_wrist_roll_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
+        d_qdot[11][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_yaw_x * screws.connection_left_wrist_roll_wx
             - (d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx
                 .wrench_left_wrist_cross_mx * screws.connection_right_shoulder_yaw_wx
                 + wrench_left_wrist_cross_my * screws.connection_right_shoulder_yaw_wy
@@ -23311,13 +23188,12 @@ mod d_qdot_itself {
                 + wrench_left_wrist_cross_fx * screws.connection_right_shoulder_yaw_vx
                 + wrench_left_wrist_cross_fy * screws.connection_right_shoulder_yaw_vy
                 + wrench_left_wrist_cross_fz * screws.connection_right_shoulder_yaw_vz)
-            + screws.connection_left_wrist_roll_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-            + screws.connection_left_wrist_roll_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-            + 0.0;
-        d_qdot[11][13] = screws.connection_left_wrist_roll_wx
-            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+                * screws.connection_left_wrist_roll_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+                * screws.connection_left_wrist_roll_wz + 0.0;
+        d_qdot[11][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
+            .turn_right_shoulder_pitch_x * screws.connection_left_wrist_roll_wx
             - (d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx
                 .wrench_left_wrist_cross_mx * screws.connection_right_shoulder_pitch_wx
                 + wrench_left_wrist_cross_my * screws.connection_right_shoulder_pitch_wy
@@ -23325,11 +23201,10 @@ mod d_qdot_itself {
                 + wrench_left_wrist_cross_fx * screws.connection_right_shoulder_pitch_vx
                 + wrench_left_wrist_cross_fy * screws.connection_right_shoulder_pitch_vy
                 + wrench_left_wrist_cross_fz * screws.connection_right_shoulder_pitch_vz)
-            + screws.connection_left_wrist_roll_wy
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-            + screws.connection_left_wrist_roll_wz
-                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+                * screws.connection_left_wrist_roll_wy
+            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+                * screws.connection_left_wrist_roll_wz + 0.0;
         d_qdot[11][14] = screws.connection_left_wrist_roll_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx
@@ -26906,13 +26781,12 @@ mod d_qdot_itself {
                     + d_qdot_itself_from_wrench_outside_right_wrist_cross_my
                         .wrench_right_end_plate_mz * screws.connection_finger_2_wz)
                 + d_qdot_18_18_52 + d_qdot_18_18_53
-                + screws.connection_finger_1_slide_wx
-                    * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_x
-                + screws.connection_finger_1_slide_wy
-                    * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_y
-                + screws.connection_finger_1_slide_wz
-                    * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_z)
-            + 0.0;
+                + d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_x
+                    * screws.connection_finger_1_slide_wx
+                + d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_y
+                    * screws.connection_finger_1_slide_wy
+                + d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_z
+                    * screws.connection_finger_1_slide_wz) + 0.0;
     }
 }
 use curvature_itself::*;
@@ -35034,7 +34908,7 @@ mod curvature_itself {
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×13, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (13×13, by columns; kg·m²)
 ///
-/// 4809 operations: 2338 + −, 2468 ×, 3 ÷; 12 sin cos; about 56.8 KiB of code.
+/// 4689 operations: 2305 + −, 2381 ×, 3 ÷; 12 sin cos; about 55.4 KiB of code.
 pub fn inertia(
     q: &[f64; 13],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -35066,7 +34940,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (19×19, by columns; Λ's · 1/s)
 ///
-/// 8175 operations: 4092 + −, 4080 ×, 3 ÷; 12 sin cos; about 96.3 KiB of code.
+/// 8055 operations: 4059 + −, 3993 ×, 3 ÷; 12 sin cos; about 94.9 KiB of code.
 pub fn d_mu(q: &[f64; 13], mu: &[f64; 6], d_mu: &mut [[f64; 19]; 19]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -35105,7 +34979,7 @@ pub fn d_mu(q: &[f64; 13], mu: &[f64; 6], d_mu: &mut [[f64; 19]; 19]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (13×13, by columns; kg·m²/s)
 ///
-/// 7068 operations: 3529 + −, 3536 ×, 3 ÷; 12 sin cos; about 83.3 KiB of code.
+/// 6936 operations: 3496 + −, 3437 ×, 3 ÷; 12 sin cos; about 81.8 KiB of code.
 pub fn b2(q: &[f64; 13], mu: &[f64; 6], b2: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -35140,7 +35014,7 @@ pub fn b2(q: &[f64; 13], mu: &[f64; 6], b2: &mut [[f64; 13]; 13]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (19×19, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (13×13, by columns; kg·m²/s)
 ///
-/// 9603 operations: 4746 + −, 4854 ×, 3 ÷; 12 sin cos; about 113.0 KiB of code.
+/// 9459 operations: 4701 + −, 4755 ×, 3 ÷; 12 sin cos; about 111.3 KiB of code.
 pub fn matrices(
     q: &[f64; 13],
     mu: &[f64; 6],
@@ -35201,7 +35075,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (13; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (19×19, by columns; Λ's · 1/s)
 ///
-/// 13115 operations: 6645 + −, 6467 ×, 3 ÷; 12 sin cos; about 154.2 KiB of code.
+/// 12995 operations: 6612 + −, 6380 ×, 3 ÷; 12 sin cos; about 152.8 KiB of code.
 pub fn d_qdot(q: &[f64; 13], qd: &[f64; 13], d_qdot: &mut [[f64; 19]; 19]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -35587,7 +35461,7 @@ pub fn d_qdot(q: &[f64; 13], qd: &[f64; 13], d_qdot: &mut [[f64; 19]; 19]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (13; N·m, N)
 ///
-/// 5231 operations: 2355 + −, 2873 ×, 3 ÷; 12 sin cos; about 61.8 KiB of code.
+/// 5111 operations: 2322 + −, 2786 ×, 3 ÷; 12 sin cos; about 60.4 KiB of code.
 pub fn coupling_torque(q: &[f64; 13], mu: &[f64; 6], coupling_torque: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -35624,7 +35498,7 @@ pub fn coupling_torque(q: &[f64; 13], mu: &[f64; 6], coupling_torque: &mut [f64;
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (19; N·m, N)
 ///
-/// 8073 operations: 3868 + −, 4202 ×, 3 ÷; 12 sin cos; about 95.1 KiB of code.
+/// 7953 operations: 3835 + −, 4115 ×, 3 ÷; 12 sin cos; about 93.7 KiB of code.
 pub fn d_mu_xi(q: &[f64; 13], qd: &[f64; 13], mu: &[f64; 6], d_mu_xi: &mut [f64; 19]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -35939,14 +35813,14 @@ pub fn d_mu_xi(q: &[f64; 13], qd: &[f64; 13], mu: &[f64; 6], d_mu_xi: &mut [f64;
     let wrench_left_shoulder_my_0_2 = mu[0] * wrench_left_shoulder_my_0_2_1
         - (inertias.inertia_left_shoulder_xx * mu[0]
             + inertias.inertia_left_shoulder_xy * mu[1]
-            + inertias.inertia_left_shoulder_xz * mu[2]);
+            - inertias.minus_inertia_left_shoulder_xz * mu[2]);
     let wrench_left_shoulder_mx_0_0 = mu[1] * wrench_left_shoulder_my_0_2_1
         - (inertias.inertia_left_shoulder_xy * mu[0]
             + inertias.inertia_left_shoulder_yy * mu[1]
             + inertias.inertia_left_shoulder_yz * mu[2]);
     let wrench_left_shoulder_mx_0_2 = mu[2] * wrench_left_shoulder_my_0_2_1
-        - (inertias.inertia_left_shoulder_xz * mu[0]
-            + inertias.inertia_left_shoulder_yz * mu[1]
+        - (inertias.inertia_left_shoulder_yz * mu[1]
+            - inertias.minus_inertia_left_shoulder_xz * mu[0]
             + inertias.inertia_left_shoulder_zz * mu[2]);
     let wrench_left_shoulder_mx_0 = wrench_left_shoulder_mx_0_0
         * velocities.velocity_left_shoulder_wz
@@ -36017,14 +35891,14 @@ pub fn d_mu_xi(q: &[f64; 13], qd: &[f64; 13], mu: &[f64; 6], d_mu_xi: &mut [f64;
     let wrench_left_forearm_my_0_2 = mu[0] * wrench_left_forearm_my_0_2_1
         - (inertias.inertia_left_forearm_xx * mu[0]
             + inertias.inertia_left_forearm_xy * mu[1]
-            + inertias.inertia_left_forearm_xz * mu[2]);
+            - inertias.minus_inertia_left_forearm_xz * mu[2]);
     let wrench_left_forearm_mx_0_0 = mu[1] * wrench_left_forearm_my_0_2_1
         - (inertias.inertia_left_forearm_xy * mu[0]
             + inertias.inertia_left_forearm_yy * mu[1]
             + inertias.inertia_left_forearm_yz * mu[2]);
     let wrench_left_forearm_mx_0_2 = mu[2] * wrench_left_forearm_my_0_2_1
-        - (inertias.inertia_left_forearm_xz * mu[0]
-            + inertias.inertia_left_forearm_yz * mu[1]
+        - (inertias.inertia_left_forearm_yz * mu[1]
+            - inertias.minus_inertia_left_forearm_xz * mu[0]
             + inertias.inertia_left_forearm_zz * mu[2]);
     let wrench_left_forearm_mx_0 = wrench_left_forearm_mx_0_0
         * velocities.velocity_left_forearm_wz
@@ -36996,7 +36870,7 @@ pub fn d_mu_xi(q: &[f64; 13], qd: &[f64; 13], mu: &[f64; 6], d_mu_xi: &mut [f64;
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (19; N·m, N)
 ///
-/// 7628 operations: 3777 + −, 3848 ×, 3 ÷; 12 sin cos; about 89.9 KiB of code.
+/// 7508 operations: 3744 + −, 3761 ×, 3 ÷; 12 sin cos; about 88.5 KiB of code.
 pub fn d_qdot_xi(
     q: &[f64; 13],
     qd: &[f64; 13],
@@ -37121,7 +36995,7 @@ pub fn d_qdot_xi(
     let wrench_left_shoulder_mx_0 = inertias.inertia_left_shoulder_xx
         * twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_xy * twist_left_shoulder_wy
-        + inertias.inertia_left_shoulder_xz * twist_left_shoulder_wz
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hy * twist_left_shoulder_vz
             - inertias.inertia_left_shoulder_hz * twist_left_shoulder_vy)
         - (wrench_left_shoulder_mx_0_10 * velocities.velocity_left_shoulder_wz
@@ -37142,9 +37016,9 @@ pub fn d_qdot_xi(
                 * velocities.velocity_left_shoulder_vx
                 - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_shoulder_px_0
                     * velocities.velocity_left_shoulder_vz));
-    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_xz
-        * twist_left_shoulder_wx
-        + inertias.inertia_left_shoulder_yz * twist_left_shoulder_wy
+    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_yz
+        * twist_left_shoulder_wy
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_zz * twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hx * twist_left_shoulder_vy
             - inertias.inertia_left_shoulder_hy * twist_left_shoulder_vx)
@@ -37286,7 +37160,7 @@ pub fn d_qdot_xi(
     let wrench_left_forearm_mx_0 = inertias.inertia_left_forearm_xx
         * twist_left_forearm_wx
         + inertias.inertia_left_forearm_xy * twist_left_forearm_wy
-        + inertias.inertia_left_forearm_xz * twist_left_forearm_wz
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hy * twist_left_forearm_vz
             - inertias.inertia_left_forearm_hz * twist_left_forearm_vy)
         - (wrench_left_forearm_mx_0_10 * velocities.velocity_left_forearm_wz
@@ -37307,9 +37181,9 @@ pub fn d_qdot_xi(
                 * velocities.velocity_left_forearm_vx
                 - common_d_qdot_d_qdot_xi_kinetic_energy.factor_left_forearm_px_0
                     * velocities.velocity_left_forearm_vz));
-    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_xz
-        * twist_left_forearm_wx
-        + inertias.inertia_left_forearm_yz * twist_left_forearm_wy
+    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_yz
+        * twist_left_forearm_wy
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx
         + inertias.inertia_left_forearm_zz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hx * twist_left_forearm_vy
             - inertias.inertia_left_forearm_hy * twist_left_forearm_vx)
@@ -38742,7 +38616,7 @@ pub fn d_qdot_xi(
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (19; N·m, N)
 ///
-/// 6008 operations: 2883 + −, 3122 ×, 3 ÷; 12 sin cos; about 70.9 KiB of code.
+/// 5888 operations: 2850 + −, 3035 ×, 3 ÷; 12 sin cos; about 69.5 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 13],
     qd: &[f64; 13],
@@ -38863,9 +38737,9 @@ pub fn hamel_bias(
         + inertias.inertia_left_shoulder_yz * twist_left_shoulder_wx_2
         + (inertias.inertia_left_shoulder_hz * twist_left_shoulder_vy_6
             - inertias.inertia_left_shoulder_hx * twist_left_shoulder_vy_4);
-    let wrench_outside_left_upper_arm_mx_12 = inertias.inertia_left_shoulder_xz
-        * twist_left_shoulder_wy_2
-        + inertias.inertia_left_shoulder_yz * twist_left_shoulder_wx_0
+    let wrench_outside_left_upper_arm_mx_12 = inertias.inertia_left_shoulder_yz
+        * twist_left_shoulder_wx_0
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wy_2
         + inertias.inertia_left_shoulder_zz * twist_left_shoulder_wx_2
         + (inertias.inertia_left_shoulder_hx * twist_left_shoulder_vz_6
             - inertias.inertia_left_shoulder_hy * twist_left_shoulder_vy_6);
@@ -38881,7 +38755,7 @@ pub fn hamel_bias(
     let wrench_outside_left_upper_arm_mx = inertias.inertia_left_shoulder_xx
         * twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_xy * twist_left_shoulder_wy
-        + inertias.inertia_left_shoulder_xz * twist_left_shoulder_wz
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hy * twist_left_shoulder_vz
             - inertias.inertia_left_shoulder_hz * twist_left_shoulder_vy)
         - (wrench_outside_left_upper_arm_mx_10 * twist_left_shoulder_wx_2
@@ -39008,9 +38882,9 @@ pub fn hamel_bias(
         + inertias.inertia_left_forearm_yz * twist_left_forearm_wx_3
         + (inertias.inertia_left_forearm_hz * twist_left_forearm_vy_7
             - inertias.inertia_left_forearm_hx * twist_left_forearm_vy_5);
-    let wrench_outside_left_wrist_bracket_mx_12 = inertias.inertia_left_forearm_xz
-        * twist_left_forearm_wy_3
-        + inertias.inertia_left_forearm_yz * twist_left_forearm_wx_1
+    let wrench_outside_left_wrist_bracket_mx_12 = inertias.inertia_left_forearm_yz
+        * twist_left_forearm_wx_1
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wy_3
         + inertias.inertia_left_forearm_zz * twist_left_forearm_wx_3
         + (inertias.inertia_left_forearm_hx * twist_left_forearm_vz_3
             - inertias.inertia_left_forearm_hy * twist_left_forearm_vy_7);
@@ -39026,7 +38900,7 @@ pub fn hamel_bias(
     let wrench_outside_left_wrist_bracket_mx = inertias.inertia_left_forearm_xx
         * twist_left_forearm_wx
         + inertias.inertia_left_forearm_xy * twist_left_forearm_wy
-        + inertias.inertia_left_forearm_xz * twist_left_forearm_wz
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hy * twist_left_forearm_vz
             - inertias.inertia_left_forearm_hz * twist_left_forearm_vy)
         - (wrench_outside_left_wrist_bracket_mx_10 * twist_left_forearm_wx_3
@@ -39912,7 +39786,7 @@ pub fn hamel_bias(
     let wrench_outside_left_upper_arm_my_12 = inertias.inertia_left_shoulder_xx
         * twist_left_shoulder_wy_2
         + inertias.inertia_left_shoulder_xy * twist_left_shoulder_wx_0
-        + inertias.inertia_left_shoulder_xz * twist_left_shoulder_wx_2
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wx_2
         + (inertias.inertia_left_shoulder_hy * twist_left_shoulder_vy_4
             - inertias.inertia_left_shoulder_hz * twist_left_shoulder_vz_6);
     let wrench_outside_left_upper_arm_my = inertias.inertia_left_shoulder_xy
@@ -39964,7 +39838,7 @@ pub fn hamel_bias(
     let wrench_outside_left_wrist_bracket_my_12 = inertias.inertia_left_forearm_xx
         * twist_left_forearm_wy_3
         + inertias.inertia_left_forearm_xy * twist_left_forearm_wx_1
-        + inertias.inertia_left_forearm_xz * twist_left_forearm_wx_3
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx_3
         + (inertias.inertia_left_forearm_hy * twist_left_forearm_vy_5
             - inertias.inertia_left_forearm_hz * twist_left_forearm_vz_3);
     let wrench_outside_left_wrist_bracket_my = inertias.inertia_left_forearm_xy
@@ -40328,9 +40202,9 @@ pub fn hamel_bias(
             * minus_wrench_outside_right_shoulder_mx_7
             - minus_wrench_outside_right_shoulder_mx_4
                 * minus_wrench_outside_right_shoulder_my_5);
-    let wrench_outside_left_upper_arm_mz = inertias.inertia_left_shoulder_xz
-        * twist_left_shoulder_wx
-        + inertias.inertia_left_shoulder_yz * twist_left_shoulder_wy
+    let wrench_outside_left_upper_arm_mz = inertias.inertia_left_shoulder_yz
+        * twist_left_shoulder_wy
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_zz * twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hx * twist_left_shoulder_vy
             - inertias.inertia_left_shoulder_hy * twist_left_shoulder_vx)
@@ -40348,9 +40222,9 @@ pub fn hamel_bias(
             - wrench_outside_left_forearm_mx_10 * twist_left_upper_arm_wy_3
             + (wrench_outside_left_forearm_fy_8 * twist_left_upper_arm_vz_3
                 - wrench_outside_left_forearm_mx_14 * twist_left_upper_arm_vy_7));
-    let wrench_outside_left_wrist_bracket_mz = inertias.inertia_left_forearm_xz
-        * twist_left_forearm_wx
-        + inertias.inertia_left_forearm_yz * twist_left_forearm_wy
+    let wrench_outside_left_wrist_bracket_mz = inertias.inertia_left_forearm_yz
+        * twist_left_forearm_wy
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx
         + inertias.inertia_left_forearm_zz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hx * twist_left_forearm_vy
             - inertias.inertia_left_forearm_hy * twist_left_forearm_vx)
@@ -40584,7 +40458,7 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 13×13, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 10914 operations: 5399 + −, 5512 ×, 3 ÷; 12 sin cos; about 128.4 KiB of code.
+/// 10794 operations: 5366 + −, 5425 ×, 3 ÷; 12 sin cos; about 127.0 KiB of code.
 pub fn curvature(
     q: &[f64; 13],
     curvature: &mut [[[f64; 13]; 13]; 3],
@@ -40879,7 +40753,7 @@ pub fn curvature(
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 2081 operations: 1025 + −, 1053 ×, 3 ÷; 12 sin cos; about 24.9 KiB of code.
+/// 1961 operations: 992 + −, 966 ×, 3 ÷; 12 sin cos; about 23.4 KiB of code.
 pub fn momentum(
     q: &[f64; 13],
     mu: &[f64; 6],
@@ -40930,7 +40804,7 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 2081 operations: 1025 + −, 1053 ×, 3 ÷; 12 sin cos; about 24.9 KiB of code.
+/// 1961 operations: 992 + −, 966 ×, 3 ÷; 12 sin cos; about 23.4 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 13], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -40970,7 +40844,7 @@ pub fn velocity_of_momentum(q: &[f64; 13], body_momentum: &[f64; 6], mu: &mut [f
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 3423 operations: 1645 + −, 1775 ×, 3 ÷; 12 sin cos; about 40.6 KiB of code.
+/// 3303 operations: 1612 + −, 1688 ×, 3 ÷; 12 sin cos; about 39.2 KiB of code.
 pub fn base_twist(
     q: &[f64; 13],
     qd: &[f64; 13],
@@ -41009,7 +40883,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 4257 operations: 2010 + −, 2244 ×, 3 ÷; 12 sin cos; about 50.4 KiB of code.
+/// 4137 operations: 1977 + −, 2157 ×, 3 ÷; 12 sin cos; about 48.9 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 13],
     qd: &[f64; 13],
@@ -41424,7 +41298,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (13; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (19; rad/s², m/s²)
 ///
-/// 10210 operations: 5021 + −, 5173 ×, 16 ÷; 12 sin cos; about 120.1 KiB of code.
+/// 10090 operations: 4988 + −, 5086 ×, 16 ÷; 12 sin cos; about 118.7 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 13],
     qd: &[f64; 13],
@@ -41555,7 +41429,7 @@ pub fn forward_dynamics(
         * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_xy
             * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
-        + inertias.inertia_left_shoulder_xz
+        - inertias.minus_inertia_left_shoulder_xz
             * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hy
             * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vz
@@ -41573,10 +41447,10 @@ pub fn forward_dynamics(
             - inertias.inertia_left_shoulder_hx
                 * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_my_0_1;
-    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_xz
-        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
-        + inertias.inertia_left_shoulder_yz
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
+    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_yz
+        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
+        - inertias.minus_inertia_left_shoulder_xz
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_zz
             * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hx
@@ -41671,7 +41545,7 @@ pub fn forward_dynamics(
     let wrench_left_forearm_mx_0 = inertias.inertia_left_forearm_xx
         * twist_left_forearm_wx
         + inertias.inertia_left_forearm_xy * twist_left_forearm_wy
-        + inertias.inertia_left_forearm_xz * twist_left_forearm_wz
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hy * twist_left_forearm_vz
             - inertias.inertia_left_forearm_hz * twist_left_forearm_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_mx_0_1;
@@ -41682,9 +41556,9 @@ pub fn forward_dynamics(
         + (inertias.inertia_left_forearm_hz * twist_left_forearm_vx
             - inertias.inertia_left_forearm_hx * twist_left_forearm_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_my_0_1;
-    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_xz
-        * twist_left_forearm_wx
-        + inertias.inertia_left_forearm_yz * twist_left_forearm_wy
+    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_yz
+        * twist_left_forearm_wy
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx
         + inertias.inertia_left_forearm_zz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hx * twist_left_forearm_vy
             - inertias.inertia_left_forearm_hy * twist_left_forearm_vx)
@@ -44189,7 +44063,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (13; N·m, N)
 ///
-/// 8294 operations: 4140 + −, 4151 ×, 3 ÷; 12 sin cos; about 97.7 KiB of code.
+/// 8174 operations: 4107 + −, 4064 ×, 3 ÷; 12 sin cos; about 96.3 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 13],
     qd: &[f64; 13],
@@ -44444,7 +44318,7 @@ pub fn inverse_dynamics(
     let wrench_left_shoulder_mx_0 = inertias.inertia_left_shoulder_xx
         * twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_xy * twist_left_shoulder_wy
-        + inertias.inertia_left_shoulder_xz * twist_left_shoulder_wz
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hy * twist_left_shoulder_vz
             - inertias.inertia_left_shoulder_hz * twist_left_shoulder_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_mx_0_1;
@@ -44455,9 +44329,9 @@ pub fn inverse_dynamics(
         + (inertias.inertia_left_shoulder_hz * twist_left_shoulder_vx
             - inertias.inertia_left_shoulder_hx * twist_left_shoulder_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_my_0_1;
-    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_xz
-        * twist_left_shoulder_wx
-        + inertias.inertia_left_shoulder_yz * twist_left_shoulder_wy
+    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_yz
+        * twist_left_shoulder_wy
+        - inertias.minus_inertia_left_shoulder_xz * twist_left_shoulder_wx
         + inertias.inertia_left_shoulder_zz * twist_left_shoulder_wz
         + (inertias.inertia_left_shoulder_hx * twist_left_shoulder_vy
             - inertias.inertia_left_shoulder_hy * twist_left_shoulder_vx)
@@ -44546,7 +44420,7 @@ pub fn inverse_dynamics(
     let wrench_left_forearm_mx_0 = inertias.inertia_left_forearm_xx
         * twist_left_forearm_wx
         + inertias.inertia_left_forearm_xy * twist_left_forearm_wy
-        + inertias.inertia_left_forearm_xz * twist_left_forearm_wz
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hy * twist_left_forearm_vz
             - inertias.inertia_left_forearm_hz * twist_left_forearm_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_mx_0_1;
@@ -44557,9 +44431,9 @@ pub fn inverse_dynamics(
         + (inertias.inertia_left_forearm_hz * twist_left_forearm_vx
             - inertias.inertia_left_forearm_hx * twist_left_forearm_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_my_0_1;
-    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_xz
-        * twist_left_forearm_wx
-        + inertias.inertia_left_forearm_yz * twist_left_forearm_wy
+    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_yz
+        * twist_left_forearm_wy
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx
         + inertias.inertia_left_forearm_zz * twist_left_forearm_wz
         + (inertias.inertia_left_forearm_hx * twist_left_forearm_vy
             - inertias.inertia_left_forearm_hy * twist_left_forearm_vx)
@@ -45671,7 +45545,7 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×13, by columns; rad, m)
 ///
-/// 4368 operations: 2059 + −, 2306 ×, 3 ÷; 12 sin cos; about 51.7 KiB of code.
+/// 4248 operations: 2026 + −, 2219 ×, 3 ÷; 12 sin cos; about 50.2 KiB of code.
 pub fn kinematics_camera(
     q: &[f64; 13],
     pose: &mut [[f64; 3]; 4],
@@ -46164,7 +46038,7 @@ pub fn kinematics_camera(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×13, by columns; rad, m)
 ///
-/// 4332 operations: 2044 + −, 2285 ×, 3 ÷; 12 sin cos; about 51.2 KiB of code.
+/// 4212 operations: 2011 + −, 2198 ×, 3 ÷; 12 sin cos; about 49.8 KiB of code.
 pub fn kinematics_finger_1(
     q: &[f64; 13],
     pose: &mut [[f64; 3]; 4],
@@ -46721,7 +46595,7 @@ pub fn kinematics_finger_1(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×13, by columns; rad, m)
 ///
-/// 4332 operations: 2044 + −, 2285 ×, 3 ÷; 12 sin cos; about 51.2 KiB of code.
+/// 4212 operations: 2011 + −, 2198 ×, 3 ÷; 12 sin cos; about 49.8 KiB of code.
 pub fn kinematics_finger_2(
     q: &[f64; 13],
     pose: &mut [[f64; 3]; 4],

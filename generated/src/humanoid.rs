@@ -120,6 +120,14 @@ struct Poses {
     cos_left_hip_yaw: f64,
     sin_left_hip_roll: f64,
     cos_left_hip_roll: f64,
+    sin_right_hip_yaw: f64,
+    cos_right_hip_yaw: f64,
+    sin_right_hip_roll: f64,
+    cos_right_hip_roll: f64,
+    sin_waist_yaw: f64,
+    cos_waist_yaw: f64,
+    sin_waist_roll: f64,
+    cos_waist_roll: f64,
     minus_rotation_left_hip_cross_xx: f64,
     rotation_left_hip_cross_yx: f64,
     minus_rotation_left_hip_cross_xy: f64,
@@ -127,15 +135,9 @@ struct Poses {
     minus_rotation_left_thigh_zx: f64,
     rotation_left_thigh_xx: f64,
     rotation_left_thigh_yx: f64,
-    minus_rotation_left_thigh_zy: f64,
-    minus_rotation_left_thigh_xy: f64,
-    rotation_left_thigh_yy: f64,
     rotation_left_shank_xx: f64,
     rotation_left_shank_yx: f64,
     minus_rotation_left_shank_zx: f64,
-    minus_rotation_left_shank_xy: f64,
-    rotation_left_shank_yy: f64,
-    rotation_left_shank_zy: f64,
     rotation_left_ankle_cross_xx: f64,
     rotation_left_ankle_cross_yx: f64,
     rotation_left_ankle_cross_zx: f64,
@@ -148,10 +150,6 @@ struct Poses {
     rotation_left_ankle_bracket_xy: f64,
     rotation_left_ankle_bracket_yy: f64,
     rotation_left_ankle_bracket_zy: f64,
-    sin_right_hip_yaw: f64,
-    cos_right_hip_yaw: f64,
-    sin_right_hip_roll: f64,
-    cos_right_hip_roll: f64,
     minus_rotation_right_hip_cross_xx: f64,
     rotation_right_hip_cross_yx: f64,
     minus_rotation_right_hip_cross_xy: f64,
@@ -159,15 +157,9 @@ struct Poses {
     minus_rotation_right_thigh_zx: f64,
     rotation_right_thigh_xx: f64,
     rotation_right_thigh_yx: f64,
-    minus_rotation_right_thigh_zy: f64,
-    minus_rotation_right_thigh_xy: f64,
-    rotation_right_thigh_yy: f64,
     rotation_right_shank_xx: f64,
     rotation_right_shank_yx: f64,
     minus_rotation_right_shank_zx: f64,
-    minus_rotation_right_shank_xy: f64,
-    rotation_right_shank_yy: f64,
-    rotation_right_shank_zy: f64,
     rotation_right_ankle_cross_xx: f64,
     rotation_right_ankle_cross_yx: f64,
     rotation_right_ankle_cross_zx: f64,
@@ -180,10 +172,6 @@ struct Poses {
     rotation_right_ankle_bracket_xy: f64,
     rotation_right_ankle_bracket_yy: f64,
     rotation_right_ankle_bracket_zy: f64,
-    sin_waist_yaw: f64,
-    cos_waist_yaw: f64,
-    sin_waist_roll: f64,
-    cos_waist_roll: f64,
     minus_rotation_waist_cross_xx: f64,
     rotation_waist_cross_yx: f64,
     minus_rotation_waist_cross_xy: f64,
@@ -197,21 +185,12 @@ struct Poses {
     rotation_neck_bracket_xx: f64,
     rotation_neck_bracket_yx: f64,
     rotation_neck_bracket_zx: f64,
-    minus_rotation_neck_bracket_xy: f64,
-    rotation_neck_bracket_yy: f64,
-    rotation_neck_bracket_zy: f64,
     minus_rotation_neck_cross_xx: f64,
     rotation_neck_cross_yx: f64,
     rotation_neck_cross_zx: f64,
     rotation_neck_cross_xy: f64,
     rotation_neck_cross_yy: f64,
     rotation_neck_cross_zy: f64,
-    rotation_head_xx: f64,
-    rotation_head_yx: f64,
-    rotation_head_zx: f64,
-    minus_rotation_head_xy: f64,
-    rotation_head_yy: f64,
-    rotation_head_zy: f64,
     rotation_left_shoulder_bracket_xz: f64,
     rotation_left_shoulder_bracket_yz: f64,
     rotation_left_shoulder_bracket_zz: f64,
@@ -239,9 +218,6 @@ struct Poses {
     rotation_left_forearm_xy: f64,
     rotation_left_forearm_yy: f64,
     rotation_left_forearm_zy: f64,
-    rotation_left_wrist_bracket_xx: f64,
-    rotation_left_wrist_bracket_yx: f64,
-    rotation_left_wrist_bracket_zx: f64,
     rotation_left_wrist_bracket_xy: f64,
     rotation_left_wrist_bracket_yy: f64,
     rotation_left_wrist_bracket_zy: f64,
@@ -278,9 +254,6 @@ struct Poses {
     rotation_right_forearm_xy: f64,
     rotation_right_forearm_yy: f64,
     rotation_right_forearm_zy: f64,
-    rotation_right_wrist_bracket_xx: f64,
-    rotation_right_wrist_bracket_yx: f64,
-    rotation_right_wrist_bracket_zx: f64,
     minus_rotation_right_wrist_bracket_xy: f64,
     rotation_right_wrist_bracket_yy: f64,
     rotation_right_wrist_bracket_zy: f64,
@@ -478,7 +451,61 @@ struct Poses {
 #[inline(never)]
 fn poses(q: &[f64; 30]) -> Poses {
     // left_hip_bracket
-    let (sin_left_hip_yaw, cos_left_hip_yaw) = turn::sin_cos(q[0]);
+    let [(sin_left_hip_yaw, cos_left_hip_yaw), (sin_left_hip_roll, cos_left_hip_roll),
+    (sin_left_hip_pitch, cos_left_hip_pitch), (sin_left_knee, cos_left_knee),
+    (sin_left_ankle_pitch, cos_left_ankle_pitch),
+    (sin_left_ankle_roll, cos_left_ankle_roll), (sin_right_hip_yaw, cos_right_hip_yaw),
+    (sin_right_hip_roll, cos_right_hip_roll), (sin_right_hip_pitch, cos_right_hip_pitch),
+    (sin_right_knee, cos_right_knee), (sin_right_ankle_pitch, cos_right_ankle_pitch),
+    (sin_right_ankle_roll, cos_right_ankle_roll), (sin_waist_yaw, cos_waist_yaw),
+    (sin_waist_roll, cos_waist_roll), (sin_waist_pitch, cos_waist_pitch),
+    (sin_neck_yaw, cos_neck_yaw), (sin_neck_roll, cos_neck_roll),
+    (sin_neck_pitch, cos_neck_pitch), (sin_left_shoulder_pitch, cos_left_shoulder_pitch),
+    (sin_left_shoulder_roll, cos_left_shoulder_roll),
+    (sin_left_shoulder_yaw, cos_left_shoulder_yaw), (sin_left_elbow, cos_left_elbow),
+    (sin_left_wrist_yaw, cos_left_wrist_yaw),
+    (sin_left_wrist_pitch, cos_left_wrist_pitch),
+    (sin_right_shoulder_pitch, cos_right_shoulder_pitch),
+    (sin_right_shoulder_roll, cos_right_shoulder_roll),
+    (sin_right_shoulder_yaw, cos_right_shoulder_yaw), (sin_right_elbow, cos_right_elbow),
+    (sin_right_wrist_yaw, cos_right_wrist_yaw),
+    (sin_right_wrist_pitch, cos_right_wrist_pitch)] = turn::sin_cos_each([
+        q[0],
+        q[1],
+        q[2],
+        q[3],
+        q[4],
+        q[5],
+        q[6],
+        q[7],
+        q[8],
+        q[9],
+        q[10],
+        q[11],
+        q[12],
+        q[13],
+        q[14],
+        q[15],
+        q[16],
+        q[17],
+        q[18],
+        q[19],
+        q[20],
+        q[21],
+        q[22],
+        q[23],
+        q[24],
+        q[25],
+        q[26],
+        q[27],
+        q[28],
+        q[29],
+    ]);
+    // left_hip_cross
+    // right_hip_bracket
+    // right_hip_cross
+    // waist_bracket
+    // waist_cross
     let origin_left_hip_cross_x_0_1 = sin_left_hip_yaw * 0.008;
     let origin_left_hip_cross_y_0_1 = cos_left_hip_yaw * 0.008;
     let origin_left_hip_cross_x_0 = 0.015211180123890746
@@ -486,7 +513,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_hip_cross_y_0 = 0.08787577639768196
         + (origin_left_hip_cross_y_0_1 - sin_left_hip_yaw * 0.01);
     // left_hip_cross
-    let (sin_left_hip_roll, cos_left_hip_roll) = turn::sin_cos(q[1]);
     let minus_rotation_left_hip_cross_xx = sin_left_hip_yaw * sin_left_hip_roll;
     let rotation_left_hip_cross_yx = cos_left_hip_yaw * sin_left_hip_roll;
     let minus_rotation_left_hip_cross_xy = sin_left_hip_yaw * cos_left_hip_roll;
@@ -502,7 +528,6 @@ fn poses(q: &[f64; 30]) -> Poses {
             + (rotation_left_hip_cross_yy * 0.015 + rotation_left_hip_cross_yx * 0.02));
     let origin_left_thigh_z_0 = sin_left_hip_roll * 0.015 - cos_left_hip_roll * 0.02
         - 0.14526708074534161;
-    let (sin_left_hip_pitch, cos_left_hip_pitch) = turn::sin_cos(q[2]);
     // left_thigh
     let minus_rotation_left_thigh_zx = cos_left_hip_roll * sin_left_hip_pitch;
     let rotation_left_thigh_xx = cos_left_hip_yaw * cos_left_hip_pitch
@@ -524,7 +549,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         - (sin_left_hip_roll * 0.006
             + (minus_rotation_left_thigh_zy * 0.36
                 + minus_rotation_left_thigh_zx * 0.01));
-    let (sin_left_knee, cos_left_knee) = turn::sin_cos(q[3]);
     // left_shank
     let rotation_left_shank_xx = rotation_left_thigh_xx * cos_left_knee
         - minus_rotation_left_thigh_xy * sin_left_knee;
@@ -550,7 +574,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_ankle_cross_z_0 = origin_left_shank_z_0
         + (origin_left_ankle_cross_z_0_1
             + (rotation_left_shank_zy * 0.36 + minus_rotation_left_shank_zx * 0.012));
-    let (sin_left_ankle_pitch, cos_left_ankle_pitch) = turn::sin_cos(q[4]);
     // left_ankle_cross
     let rotation_left_ankle_cross_xx = rotation_left_shank_xx * cos_left_ankle_pitch
         - minus_rotation_left_shank_xy * sin_left_ankle_pitch;
@@ -574,7 +597,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_ankle_bracket_z_0 = origin_left_ankle_cross_z_0
         + (rotation_left_ankle_cross_zy * 0.018 + rotation_left_ankle_cross_zx * 0.004
             - sin_left_hip_roll * 0.002);
-    let (sin_left_ankle_roll, cos_left_ankle_roll) = turn::sin_cos(q[5]);
     // left_ankle_bracket
     let minus_rotation_left_ankle_bracket_xx = minus_rotation_left_ankle_cross_xy
         * cos_left_ankle_roll + minus_rotation_left_hip_cross_xy * sin_left_ankle_roll;
@@ -588,8 +610,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         - rotation_left_ankle_cross_yy * sin_left_ankle_roll;
     let rotation_left_ankle_bracket_zy = sin_left_hip_roll * cos_left_ankle_roll
         - rotation_left_ankle_cross_zy * sin_left_ankle_roll;
-    // right_hip_bracket
-    let (sin_right_hip_yaw, cos_right_hip_yaw) = turn::sin_cos(q[6]);
     let origin_right_hip_cross_x_0_1 = sin_right_hip_yaw * 0.008;
     let minus_origin_right_hip_cross_y_0_1 = cos_right_hip_yaw * 0.008;
     let origin_right_hip_cross_x_0 = 0.015211180123890746
@@ -597,7 +617,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let minus_origin_right_hip_cross_y_0 = 0.09212422360231803
         + (minus_origin_right_hip_cross_y_0_1 + sin_right_hip_yaw * 0.01);
     // right_hip_cross
-    let (sin_right_hip_roll, cos_right_hip_roll) = turn::sin_cos(q[7]);
     let minus_rotation_right_hip_cross_xx = sin_right_hip_yaw * sin_right_hip_roll;
     let rotation_right_hip_cross_yx = cos_right_hip_yaw * sin_right_hip_roll;
     let minus_rotation_right_hip_cross_xy = sin_right_hip_yaw * cos_right_hip_roll;
@@ -613,7 +632,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         - minus_origin_right_hip_cross_y_0;
     let minus_origin_right_thigh_z_0 = 0.14526708074534161
         + (sin_right_hip_roll * 0.015 + cos_right_hip_roll * 0.02);
-    let (sin_right_hip_pitch, cos_right_hip_pitch) = turn::sin_cos(q[8]);
     // right_thigh
     let minus_rotation_right_thigh_zx = cos_right_hip_roll * sin_right_hip_pitch;
     let rotation_right_thigh_xx = cos_right_hip_yaw * cos_right_hip_pitch
@@ -634,7 +652,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_right_shank_z_0 = sin_right_hip_roll * 0.006
         - (minus_rotation_right_thigh_zy * 0.36 + minus_rotation_right_thigh_zx * 0.01)
         - minus_origin_right_thigh_z_0;
-    let (sin_right_knee, cos_right_knee) = turn::sin_cos(q[9]);
     // right_shank
     let rotation_right_shank_xx = rotation_right_thigh_xx * cos_right_knee
         - minus_rotation_right_thigh_xy * sin_right_knee;
@@ -660,7 +677,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_right_ankle_cross_z_0 = origin_right_shank_z_0
         + (rotation_right_shank_zy * 0.36 + minus_rotation_right_shank_zx * 0.012
             - origin_right_ankle_cross_z_0_5);
-    let (sin_right_ankle_pitch, cos_right_ankle_pitch) = turn::sin_cos(q[10]);
     // right_ankle_cross
     let rotation_right_ankle_cross_xx = rotation_right_shank_xx * cos_right_ankle_pitch
         - minus_rotation_right_shank_xy * sin_right_ankle_pitch;
@@ -686,7 +702,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (sin_right_hip_roll * 0.002
             + (rotation_right_ankle_cross_zy * 0.018
                 + rotation_right_ankle_cross_zx * 0.004));
-    let (sin_right_ankle_roll, cos_right_ankle_roll) = turn::sin_cos(q[11]);
     // right_ankle_bracket
     let minus_rotation_right_ankle_bracket_xx = minus_rotation_right_ankle_cross_xy
         * cos_right_ankle_roll
@@ -702,12 +717,9 @@ fn poses(q: &[f64; 30]) -> Poses {
         * cos_right_ankle_roll - rotation_right_ankle_cross_yy * sin_right_ankle_roll;
     let rotation_right_ankle_bracket_zy = sin_right_hip_roll * cos_right_ankle_roll
         - rotation_right_ankle_cross_zy * sin_right_ankle_roll;
-    // waist_bracket
-    let (sin_waist_yaw, cos_waist_yaw) = turn::sin_cos(q[12]);
     let origin_waist_cross_x_0 = cos_waist_yaw * 0.008 - 0.0017888198761092534;
     let origin_waist_cross_y_0 = sin_waist_yaw * 0.008 - 0.002124223602318044;
     // waist_cross
-    let (sin_waist_roll, cos_waist_roll) = turn::sin_cos(q[13]);
     let minus_rotation_waist_cross_xx = sin_waist_yaw * sin_waist_roll;
     let rotation_waist_cross_yx = cos_waist_yaw * sin_waist_roll;
     let minus_rotation_waist_cross_xy = sin_waist_yaw * cos_waist_roll;
@@ -717,7 +729,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_torso_y_0 = origin_waist_cross_y_0
         + (sin_waist_yaw * 0.006 - rotation_waist_cross_yx * 0.03);
     let origin_torso_z_0 = 0.1297329192546584 + cos_waist_roll * 0.03;
-    let (sin_waist_pitch, cos_waist_pitch) = turn::sin_cos(q[14]);
     // torso
     let minus_rotation_torso_zx = cos_waist_roll * sin_waist_pitch;
     let rotation_torso_xx = cos_waist_yaw * cos_waist_pitch
@@ -737,7 +748,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         - (rotation_torso_yy * 0.4 + rotation_torso_yx * 0.01);
     let origin_neck_bracket_z_0 = origin_torso_z_0
         + (rotation_neck_bracket_zz * 0.4 + minus_rotation_torso_zx * 0.01);
-    let (sin_neck_yaw, cos_neck_yaw) = turn::sin_cos(q[15]);
     // neck_bracket
     let rotation_neck_bracket_xx = rotation_torso_xx * cos_neck_yaw
         - minus_rotation_waist_cross_xy * sin_neck_yaw;
@@ -757,7 +767,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_neck_bracket_yx * 0.006 - rotation_torso_yy * 0.045);
     let origin_neck_cross_z_0 = origin_neck_bracket_z_0
         + (rotation_neck_bracket_zz * 0.045 + rotation_neck_bracket_zx * 0.006);
-    let (sin_neck_roll, cos_neck_roll) = turn::sin_cos(q[16]);
     // neck_cross
     let minus_rotation_neck_cross_xx = rotation_neck_bracket_xz * cos_neck_roll
         + minus_rotation_neck_bracket_xy * sin_neck_roll;
@@ -777,7 +786,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_neck_bracket_yx * 0.01 - rotation_neck_cross_yx * 0.025);
     let origin_head_z_0 = origin_neck_cross_z_0
         + (rotation_neck_bracket_zx * 0.01 - rotation_neck_cross_zx * 0.025);
-    let (sin_neck_pitch, cos_neck_pitch) = turn::sin_cos(q[17]);
     // head
     let rotation_head_xx = rotation_neck_bracket_xx * cos_neck_pitch
         - minus_rotation_neck_cross_xx * sin_neck_pitch;
@@ -839,7 +847,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (origin_left_shoulder_bracket_y_0_1 - origin_left_shoulder_bracket_y_0_2);
     let origin_left_shoulder_bracket_z_0 = origin_torso_z_0
         + (origin_left_shoulder_bracket_z_0_1 + origin_left_shoulder_bracket_z_0_2);
-    let (sin_left_shoulder_pitch, cos_left_shoulder_pitch) = turn::sin_cos(q[18]);
     let rotation_left_shoulder_bracket_xx = rotation_torso_xx * cos_left_shoulder_pitch
         - rotation_left_shoulder_bracket_xx_2 * sin_left_shoulder_pitch;
     let rotation_left_shoulder_bracket_yx = rotation_torso_yx * cos_left_shoulder_pitch
@@ -864,7 +871,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_left_shoulder_bracket_zz * 0.07
             + (rotation_left_shoulder_bracket_zy * 0.005
                 + rotation_left_shoulder_bracket_zx * 0.012));
-    let (sin_left_shoulder_roll, cos_left_shoulder_roll) = turn::sin_cos(q[19]);
     // left_shoulder_cross
     let rotation_left_shoulder_cross_xx = rotation_left_shoulder_bracket_xz
         * sin_left_shoulder_roll
@@ -896,7 +902,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_upper_arm_z_0 = origin_left_shoulder_cross_z_0
         + (rotation_left_shoulder_cross_zy * 0.012
             + rotation_left_shoulder_cross_zx * 0.06 - origin_left_upper_arm_z_0_5);
-    let (sin_left_shoulder_yaw, cos_left_shoulder_yaw) = turn::sin_cos(q[20]);
     // left_upper_arm
     let rotation_left_upper_arm_xx = rotation_left_shoulder_bracket_xx
         * cos_left_shoulder_yaw
@@ -925,7 +930,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_forearm_z_0 = origin_left_upper_arm_z_0
         + (rotation_left_shoulder_cross_zx * 0.22
             + (rotation_left_upper_arm_zx * 0.015 - rotation_left_upper_arm_zy * 0.004));
-    let (sin_left_elbow, cos_left_elbow) = turn::sin_cos(q[21]);
     // left_forearm
     let rotation_left_forearm_xx = rotation_left_upper_arm_xx * cos_left_elbow
         + rotation_left_shoulder_cross_xx * sin_left_elbow;
@@ -951,7 +955,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_left_wrist_bracket_z_0 = origin_left_forearm_z_0
         + (origin_left_wrist_bracket_z_0_1
             + (rotation_left_forearm_zy * 0.19 - rotation_left_forearm_zx * 0.01));
-    let (sin_left_wrist_yaw, cos_left_wrist_yaw) = turn::sin_cos(q[22]);
     // left_wrist_bracket
     let rotation_left_wrist_bracket_xx = rotation_left_forearm_xx * cos_left_wrist_yaw
         + rotation_left_upper_arm_xy * sin_left_wrist_yaw;
@@ -977,7 +980,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_left_forearm_zy * 0.04
             + (rotation_left_wrist_bracket_zx * 0.004
                 - rotation_left_wrist_bracket_zy * 0.002));
-    let (sin_left_wrist_pitch, cos_left_wrist_pitch) = turn::sin_cos(q[23]);
     // left_wrist_cross
     let rotation_left_wrist_cross_xx = rotation_left_wrist_bracket_xx
         * cos_left_wrist_pitch + rotation_left_forearm_xy * sin_left_wrist_pitch;
@@ -1010,7 +1012,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         - (origin_left_shoulder_bracket_y_0_1 + origin_left_shoulder_bracket_y_0_2);
     let origin_right_shoulder_bracket_z_0 = origin_torso_z_0
         + (origin_left_shoulder_bracket_z_0_2 - origin_left_shoulder_bracket_z_0_1);
-    let (sin_right_shoulder_pitch, cos_right_shoulder_pitch) = turn::sin_cos(q[24]);
     let rotation_right_shoulder_bracket_xx = rotation_torso_xx * cos_right_shoulder_pitch
         + rotation_right_shoulder_bracket_xx_2 * sin_right_shoulder_pitch;
     let rotation_right_shoulder_bracket_yx = rotation_torso_yx * cos_right_shoulder_pitch
@@ -1037,7 +1038,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_right_shoulder_bracket_zy * 0.005
             - minus_rotation_right_shoulder_bracket_zx * 0.012
             - rotation_right_shoulder_bracket_zz * 0.07);
-    let (sin_right_shoulder_roll, cos_right_shoulder_roll) = turn::sin_cos(q[25]);
     // right_shoulder_cross
     let rotation_right_shoulder_cross_xx = rotation_right_shoulder_bracket_xy
         * cos_right_shoulder_roll
@@ -1070,7 +1070,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (origin_right_upper_arm_z_0_1
             + (rotation_right_shoulder_cross_zx * 0.06
                 - rotation_right_shoulder_cross_zy * 0.012));
-    let (sin_right_shoulder_yaw, cos_right_shoulder_yaw) = turn::sin_cos(q[26]);
     // right_upper_arm
     let rotation_right_upper_arm_xx = rotation_right_shoulder_bracket_xx
         * cos_right_shoulder_yaw
@@ -1102,7 +1101,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_right_shoulder_cross_zx * 0.22
             + (rotation_right_upper_arm_zy * 0.004
                 + rotation_right_upper_arm_zx * 0.015));
-    let (sin_right_elbow, cos_right_elbow) = turn::sin_cos(q[27]);
     // right_forearm
     let rotation_right_forearm_xx = rotation_right_upper_arm_xx * cos_right_elbow
         + rotation_right_shoulder_cross_xx * sin_right_elbow;
@@ -1128,7 +1126,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let origin_right_wrist_bracket_z_0 = origin_right_forearm_z_0
         + (rotation_right_forearm_zy * 0.19 - rotation_right_forearm_zx * 0.01
             - origin_right_wrist_bracket_z_0_5);
-    let (sin_right_wrist_yaw, cos_right_wrist_yaw) = turn::sin_cos(q[28]);
     // right_wrist_bracket
     let rotation_right_wrist_bracket_xx = rotation_right_forearm_xx * cos_right_wrist_yaw
         - minus_rotation_right_upper_arm_xy * sin_right_wrist_yaw;
@@ -1154,7 +1151,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_right_forearm_zy * 0.04
             + (rotation_right_wrist_bracket_zy * 0.002
                 + rotation_right_wrist_bracket_zx * 0.004));
-    let (sin_right_wrist_pitch, cos_right_wrist_pitch) = turn::sin_cos(q[29]);
     // right_wrist_cross
     let rotation_right_wrist_cross_xx = rotation_right_wrist_bracket_xx
         * cos_right_wrist_pitch + rotation_right_forearm_xy * sin_right_wrist_pitch;
@@ -1825,6 +1821,14 @@ fn poses(q: &[f64; 30]) -> Poses {
         cos_left_hip_yaw,
         sin_left_hip_roll,
         cos_left_hip_roll,
+        sin_right_hip_yaw,
+        cos_right_hip_yaw,
+        sin_right_hip_roll,
+        cos_right_hip_roll,
+        sin_waist_yaw,
+        cos_waist_yaw,
+        sin_waist_roll,
+        cos_waist_roll,
         minus_rotation_left_hip_cross_xx,
         rotation_left_hip_cross_yx,
         minus_rotation_left_hip_cross_xy,
@@ -1832,15 +1836,9 @@ fn poses(q: &[f64; 30]) -> Poses {
         minus_rotation_left_thigh_zx,
         rotation_left_thigh_xx,
         rotation_left_thigh_yx,
-        minus_rotation_left_thigh_zy,
-        minus_rotation_left_thigh_xy,
-        rotation_left_thigh_yy,
         rotation_left_shank_xx,
         rotation_left_shank_yx,
         minus_rotation_left_shank_zx,
-        minus_rotation_left_shank_xy,
-        rotation_left_shank_yy,
-        rotation_left_shank_zy,
         rotation_left_ankle_cross_xx,
         rotation_left_ankle_cross_yx,
         rotation_left_ankle_cross_zx,
@@ -1853,10 +1851,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         rotation_left_ankle_bracket_xy,
         rotation_left_ankle_bracket_yy,
         rotation_left_ankle_bracket_zy,
-        sin_right_hip_yaw,
-        cos_right_hip_yaw,
-        sin_right_hip_roll,
-        cos_right_hip_roll,
         minus_rotation_right_hip_cross_xx,
         rotation_right_hip_cross_yx,
         minus_rotation_right_hip_cross_xy,
@@ -1864,15 +1858,9 @@ fn poses(q: &[f64; 30]) -> Poses {
         minus_rotation_right_thigh_zx,
         rotation_right_thigh_xx,
         rotation_right_thigh_yx,
-        minus_rotation_right_thigh_zy,
-        minus_rotation_right_thigh_xy,
-        rotation_right_thigh_yy,
         rotation_right_shank_xx,
         rotation_right_shank_yx,
         minus_rotation_right_shank_zx,
-        minus_rotation_right_shank_xy,
-        rotation_right_shank_yy,
-        rotation_right_shank_zy,
         rotation_right_ankle_cross_xx,
         rotation_right_ankle_cross_yx,
         rotation_right_ankle_cross_zx,
@@ -1885,10 +1873,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         rotation_right_ankle_bracket_xy,
         rotation_right_ankle_bracket_yy,
         rotation_right_ankle_bracket_zy,
-        sin_waist_yaw,
-        cos_waist_yaw,
-        sin_waist_roll,
-        cos_waist_roll,
         minus_rotation_waist_cross_xx,
         rotation_waist_cross_yx,
         minus_rotation_waist_cross_xy,
@@ -1902,21 +1886,12 @@ fn poses(q: &[f64; 30]) -> Poses {
         rotation_neck_bracket_xx,
         rotation_neck_bracket_yx,
         rotation_neck_bracket_zx,
-        minus_rotation_neck_bracket_xy,
-        rotation_neck_bracket_yy,
-        rotation_neck_bracket_zy,
         minus_rotation_neck_cross_xx,
         rotation_neck_cross_yx,
         rotation_neck_cross_zx,
         rotation_neck_cross_xy,
         rotation_neck_cross_yy,
         rotation_neck_cross_zy,
-        rotation_head_xx,
-        rotation_head_yx,
-        rotation_head_zx,
-        minus_rotation_head_xy,
-        rotation_head_yy,
-        rotation_head_zy,
         rotation_left_shoulder_bracket_xz,
         rotation_left_shoulder_bracket_yz,
         rotation_left_shoulder_bracket_zz,
@@ -1944,9 +1919,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         rotation_left_forearm_xy,
         rotation_left_forearm_yy,
         rotation_left_forearm_zy,
-        rotation_left_wrist_bracket_xx,
-        rotation_left_wrist_bracket_yx,
-        rotation_left_wrist_bracket_zx,
         rotation_left_wrist_bracket_xy,
         rotation_left_wrist_bracket_yy,
         rotation_left_wrist_bracket_zy,
@@ -1983,9 +1955,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         rotation_right_forearm_xy,
         rotation_right_forearm_yy,
         rotation_right_forearm_zy,
-        rotation_right_wrist_bracket_xx,
-        rotation_right_wrist_bracket_yx,
-        rotation_right_wrist_bracket_zx,
         minus_rotation_right_wrist_bracket_xy,
         rotation_right_wrist_bracket_yy,
         rotation_right_wrist_bracket_zy,
@@ -2194,17 +2163,17 @@ struct Inertias {
     inertia_left_hip_bracket_hx: f64,
     inertia_left_hip_bracket_hy: f64,
     minus_inertia_left_hip_bracket_hz: f64,
+    minus_inertia_left_hip_bracket_xy: f64,
     inertia_left_hip_bracket_xz: f64,
     inertia_left_hip_bracket_yz: f64,
     inertia_left_hip_bracket_xx: f64,
-    inertia_left_hip_bracket_xy: f64,
     inertia_left_hip_bracket_yy: f64,
     inertia_left_hip_bracket_zz: f64,
     inertia_left_hip_cross_hx: f64,
     inertia_left_hip_cross_hy: f64,
     inertia_left_hip_cross_hz: f64,
     inertia_left_hip_cross_xx: f64,
-    inertia_left_hip_cross_xy: f64,
+    minus_inertia_left_hip_cross_xy: f64,
     inertia_left_hip_cross_xz: f64,
     inertia_left_hip_cross_yy: f64,
     inertia_left_hip_cross_yz: f64,
@@ -2214,7 +2183,7 @@ struct Inertias {
     inertia_left_thigh_hz: f64,
     inertia_left_thigh_xx: f64,
     inertia_left_thigh_xy: f64,
-    inertia_left_thigh_xz: f64,
+    minus_inertia_left_thigh_xz: f64,
     inertia_left_thigh_yy: f64,
     inertia_left_thigh_yz: f64,
     inertia_left_thigh_zz: f64,
@@ -2247,17 +2216,17 @@ struct Inertias {
     inertia_left_ankle_bracket_zz: f64,
     inertia_right_hip_bracket_hx: f64,
     minus_inertia_right_hip_bracket_hy: f64,
+    inertia_right_hip_bracket_xy: f64,
     inertia_right_hip_bracket_xz: f64,
     minus_inertia_right_hip_bracket_yz: f64,
     inertia_right_hip_bracket_xx: f64,
-    inertia_right_hip_bracket_xy: f64,
     inertia_right_hip_bracket_yy: f64,
     inertia_right_hip_bracket_zz: f64,
     inertia_right_hip_cross_hx: f64,
     inertia_right_hip_cross_hy: f64,
     minus_inertia_right_hip_cross_hz: f64,
     inertia_right_hip_cross_xx: f64,
-    inertia_right_hip_cross_xy: f64,
+    minus_inertia_right_hip_cross_xy: f64,
     inertia_right_hip_cross_xz: f64,
     inertia_right_hip_cross_yy: f64,
     inertia_right_hip_cross_yz: f64,
@@ -2301,17 +2270,17 @@ struct Inertias {
     inertia_waist_bracket_hx: f64,
     inertia_waist_bracket_hy: f64,
     inertia_waist_bracket_hz: f64,
+    minus_inertia_waist_bracket_xy: f64,
     minus_inertia_waist_bracket_xz: f64,
     minus_inertia_waist_bracket_yz: f64,
     inertia_waist_bracket_xx: f64,
-    inertia_waist_bracket_xy: f64,
     inertia_waist_bracket_yy: f64,
     inertia_waist_bracket_zz: f64,
     inertia_waist_cross_hx: f64,
     inertia_waist_cross_hy: f64,
     inertia_waist_cross_hz: f64,
     inertia_waist_cross_xx: f64,
-    inertia_waist_cross_xy: f64,
+    minus_inertia_waist_cross_xy: f64,
     inertia_waist_cross_xz: f64,
     inertia_waist_cross_yy: f64,
     inertia_waist_cross_yz: f64,
@@ -2321,7 +2290,7 @@ struct Inertias {
     inertia_torso_hz: f64,
     inertia_torso_xx: f64,
     inertia_torso_xy: f64,
-    inertia_torso_xz: f64,
+    minus_inertia_torso_xz: f64,
     inertia_torso_yy: f64,
     inertia_torso_yz: f64,
     inertia_torso_zz: f64,
@@ -2329,10 +2298,10 @@ struct Inertias {
     inertia_neck_bracket_hy: f64,
     inertia_neck_bracket_hz: f64,
     inertia_neck_bracket_xx: f64,
-    inertia_neck_bracket_xy: f64,
+    minus_inertia_neck_bracket_xy: f64,
     inertia_neck_bracket_xz: f64,
     inertia_neck_bracket_yy: f64,
-    inertia_neck_bracket_yz: f64,
+    minus_inertia_neck_bracket_yz: f64,
     inertia_neck_bracket_zz: f64,
     inertia_neck_cross_hx: f64,
     inertia_neck_cross_hy: f64,
@@ -2346,11 +2315,11 @@ struct Inertias {
     inertia_head_hx: f64,
     inertia_head_hy: f64,
     inertia_head_hz: f64,
+    minus_inertia_head_xy: f64,
+    minus_inertia_head_xz: f64,
+    minus_inertia_head_yz: f64,
     inertia_head_xx: f64,
-    inertia_head_xy: f64,
-    inertia_head_xz: f64,
     inertia_head_yy: f64,
-    inertia_head_yz: f64,
     inertia_head_zz: f64,
     inertia_left_shoulder_bracket_hx: f64,
     inertia_left_shoulder_bracket_hy: f64,
@@ -2810,10 +2779,10 @@ struct Inertias {
     inside_neck_roll_mz_0_0_1: f64,
     inside_neck_pitch_mx_0_0_1: f64,
     inside_neck_pitch_mx_0_1: f64,
-    inside_neck_pitch_my_0_0_0: f64,
+    inside_neck_pitch_my_0_0_1: f64,
     inside_neck_pitch_my_0_1: f64,
-    inside_neck_pitch_mz_0_0_0: f64,
-    inside_neck_pitch_mz_0_0_1: f64,
+    inside_neck_pitch_mz_0_1_0: f64,
+    inside_neck_pitch_mz_0_1_1: f64,
     inside_left_shoulder_pitch_mx_0_0_1: f64,
     inside_left_shoulder_pitch_mx_0_1: f64,
     inside_left_shoulder_pitch_my_0_0_0: f64,
@@ -2915,11 +2884,6 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_pelvis_y_1;
     let minus_inertia_left_hip_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_13_0
         + poses.minus_origin_pelvis_z_1;
-    let inertia_left_hip_bracket_xy_0 = 0.00124 * poses.cos_left_hip_yaw;
-    let inertia_left_hip_bracket_xy_2 = 0.00124 * poses.sin_left_hip_yaw;
-    let inertia_left_hip_bracket_xx_0 = inertia_left_hip_bracket_xy_0
-        * poses.cos_left_hip_yaw
-        + inertia_left_hip_bracket_xy_2 * poses.sin_left_hip_yaw;
     // left_hip_bracket
     let inertia_left_hip_bracket_hx = inertia_left_hip_bracket_hx_0 * 1.2;
     let inertia_left_hip_bracket_hy = inertia_left_hip_bracket_hy_0 * 1.2;
@@ -2930,16 +2894,15 @@ fn inertias(poses: &Poses) -> Inertias {
         * inertia_left_hip_bracket_hy_0;
     let inertia_left_hip_bracket_xx_2 = minus_inertia_left_hip_bracket_hz
         * minus_inertia_left_hip_bracket_hz_0;
+    let minus_inertia_left_hip_bracket_xy = inertia_left_hip_bracket_hx
+        * inertia_left_hip_bracket_hy_0;
     let inertia_left_hip_bracket_xz = inertia_left_hip_bracket_hx
         * minus_inertia_left_hip_bracket_hz_0;
     let inertia_left_hip_bracket_yz = inertia_left_hip_bracket_hy
         * minus_inertia_left_hip_bracket_hz_0;
-    let inertia_left_hip_bracket_xx = inertia_left_hip_bracket_xx_0
+    let inertia_left_hip_bracket_xx = 0.00124
         + (inertia_left_hip_bracket_xx_1 + inertia_left_hip_bracket_xx_2);
-    let inertia_left_hip_bracket_xy = inertia_left_hip_bracket_xy_0
-        * poses.sin_left_hip_yaw - inertia_left_hip_bracket_xy_2 * poses.cos_left_hip_yaw
-        - inertia_left_hip_bracket_hx * inertia_left_hip_bracket_hy_0;
-    let inertia_left_hip_bracket_yy = inertia_left_hip_bracket_xx_0
+    let inertia_left_hip_bracket_yy = 0.00124
         + (inertia_left_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_2);
     let inertia_left_hip_bracket_zz = 0.0015
         + (inertia_left_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_1);
@@ -2949,223 +2912,201 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_0
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_hip_cross_xx_0 = 0.001535625
+    let inertia_left_hip_cross_xx_0 = 0.00021937500000000017
         * poses.minus_rotation_left_hip_cross_xx;
-    let inertia_left_hip_cross_xx_2 = 0.001535625
+    let inertia_left_hip_cross_xx_2 = 0.00021937500000000017
         * poses.minus_rotation_left_hip_cross_xy;
-    let inertia_left_hip_cross_xx_4 = 0.00131625 * poses.cos_left_hip_yaw;
-    let inertia_left_hip_cross_yy_0 = 0.001535625 * poses.rotation_left_hip_cross_yx;
-    let inertia_left_hip_cross_yy_2 = 0.001535625 * poses.rotation_left_hip_cross_yy;
+    let inertia_left_hip_cross_yy_0 = 0.00021937500000000017
+        * poses.rotation_left_hip_cross_yx;
+    let inertia_left_hip_cross_yy_2 = 0.00021937500000000017
+        * poses.rotation_left_hip_cross_yy;
     // left_hip_cross
     let inertia_left_hip_cross_hx = inertia_left_hip_cross_hx_0 * 1.3;
     let inertia_left_hip_cross_hy = inertia_left_hip_cross_hy_0 * 1.3;
     let inertia_left_hip_cross_hz = inertia_left_hip_cross_hz_0 * 1.3;
-    let inertia_left_hip_cross_yy_7 = inertia_left_hip_cross_hx
+    let inertia_left_hip_cross_yy_5 = inertia_left_hip_cross_hx
         * inertia_left_hip_cross_hx_0;
-    let inertia_left_hip_cross_xx_6 = inertia_left_hip_cross_hy
+    let inertia_left_hip_cross_xx_5 = inertia_left_hip_cross_hy
         * inertia_left_hip_cross_hy_0;
-    let inertia_left_hip_cross_xx_7 = inertia_left_hip_cross_hz
+    let inertia_left_hip_cross_xx_6 = inertia_left_hip_cross_hz
         * inertia_left_hip_cross_hz_0;
     let inertia_left_hip_cross_xx = inertia_left_hip_cross_xx_0
         * poses.minus_rotation_left_hip_cross_xx
         + inertia_left_hip_cross_xx_2 * poses.minus_rotation_left_hip_cross_xy
-        + inertia_left_hip_cross_xx_4 * poses.cos_left_hip_yaw
-        + (inertia_left_hip_cross_xx_6 + inertia_left_hip_cross_xx_7);
-    let inertia_left_hip_cross_xy = inertia_left_hip_cross_xx_4 * poses.sin_left_hip_yaw
-        - (inertia_left_hip_cross_xx_0 * poses.rotation_left_hip_cross_yx
-            + inertia_left_hip_cross_xx_2 * poses.rotation_left_hip_cross_yy)
-        - inertia_left_hip_cross_hx * inertia_left_hip_cross_hy_0;
+        + 0.00131625 + (inertia_left_hip_cross_xx_5 + inertia_left_hip_cross_xx_6);
+    let minus_inertia_left_hip_cross_xy = inertia_left_hip_cross_xx_0
+        * poses.rotation_left_hip_cross_yx
+        + inertia_left_hip_cross_xx_2 * poses.rotation_left_hip_cross_yy
+        + inertia_left_hip_cross_hx * inertia_left_hip_cross_hy_0;
     let inertia_left_hip_cross_xz = inertia_left_hip_cross_xx_0 * poses.cos_left_hip_roll
         - inertia_left_hip_cross_xx_2 * poses.sin_left_hip_roll
         - inertia_left_hip_cross_hx * inertia_left_hip_cross_hz_0;
     let inertia_left_hip_cross_yy = inertia_left_hip_cross_yy_0
         * poses.rotation_left_hip_cross_yx
-        + inertia_left_hip_cross_yy_2 * poses.rotation_left_hip_cross_yy
-        + 0.00131625 * poses.sin_left_hip_yaw * poses.sin_left_hip_yaw
-        + (inertia_left_hip_cross_yy_7 + inertia_left_hip_cross_xx_7);
+        + inertia_left_hip_cross_yy_2 * poses.rotation_left_hip_cross_yy + 0.00131625
+        + (inertia_left_hip_cross_yy_5 + inertia_left_hip_cross_xx_6);
     let inertia_left_hip_cross_yz = inertia_left_hip_cross_yy_2 * poses.sin_left_hip_roll
         - inertia_left_hip_cross_yy_0 * poses.cos_left_hip_roll
         - inertia_left_hip_cross_hy * inertia_left_hip_cross_hz_0;
-    let inertia_left_hip_cross_zz = 0.001535625 * poses.cos_left_hip_roll
+    let inertia_left_hip_cross_zz = 0.00021937500000000017 * poses.cos_left_hip_roll
         * poses.cos_left_hip_roll
-        + 0.001535625 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
-        + (inertia_left_hip_cross_yy_7 + inertia_left_hip_cross_xx_6);
+        + 0.00021937500000000017 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
+        + 0.00131625 + (inertia_left_hip_cross_yy_5 + inertia_left_hip_cross_xx_5);
     let inertia_left_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_6
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_6
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_5
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_thigh_xx_0 = 0.0471 * poses.rotation_left_thigh_xx;
-    let inertia_left_thigh_xx_2 = 0.0082875 * poses.minus_rotation_left_thigh_xy;
-    let inertia_left_thigh_xx_4 = 0.0478875 * poses.minus_rotation_left_hip_cross_xy;
-    let inertia_left_thigh_yy_0 = 0.0471 * poses.rotation_left_thigh_yx;
-    let inertia_left_thigh_yy_2 = 0.0082875 * poses.rotation_left_thigh_yy;
-    let inertia_left_thigh_yy_4 = 0.0478875 * poses.rotation_left_hip_cross_yy;
+    let inertia_left_thigh_xx_0 = 0.0388125 * poses.rotation_left_thigh_xx;
+    let inertia_left_thigh_xx_2 = 0.039599999999999996
+        * poses.minus_rotation_left_hip_cross_xy;
+    let inertia_left_thigh_yy_0 = 0.0388125 * poses.rotation_left_thigh_yx;
+    let inertia_left_thigh_yy_2 = 0.039599999999999996
+        * poses.rotation_left_hip_cross_yy;
     // left_thigh
     let inertia_left_thigh_hx = inertia_left_thigh_hx_0 * 4.5;
     let inertia_left_thigh_hy = inertia_left_thigh_hy_0 * 4.5;
     let inertia_left_thigh_hz = inertia_left_thigh_hz_0 * 4.5;
-    let inertia_left_thigh_yy_6 = inertia_left_thigh_hx * inertia_left_thigh_hx_0;
-    let inertia_left_thigh_xx_6 = inertia_left_thigh_hy * inertia_left_thigh_hy_0;
-    let inertia_left_thigh_xx_7 = inertia_left_thigh_hz * inertia_left_thigh_hz_0;
+    let inertia_left_thigh_yy_5 = inertia_left_thigh_hx * inertia_left_thigh_hx_0;
+    let inertia_left_thigh_xx_5 = inertia_left_thigh_hy * inertia_left_thigh_hy_0;
+    let inertia_left_thigh_xx_6 = inertia_left_thigh_hz * inertia_left_thigh_hz_0;
     let inertia_left_thigh_xx = inertia_left_thigh_xx_0 * poses.rotation_left_thigh_xx
-        + inertia_left_thigh_xx_2 * poses.minus_rotation_left_thigh_xy
-        + inertia_left_thigh_xx_4 * poses.minus_rotation_left_hip_cross_xy
-        + (inertia_left_thigh_xx_6 + inertia_left_thigh_xx_7);
+        + inertia_left_thigh_xx_2 * poses.minus_rotation_left_hip_cross_xy + 0.0082875
+        + (inertia_left_thigh_xx_5 + inertia_left_thigh_xx_6);
     let inertia_left_thigh_xy = inertia_left_thigh_xx_0 * poses.rotation_left_thigh_yx
-        - inertia_left_thigh_xx_2 * poses.rotation_left_thigh_yy
-        - inertia_left_thigh_xx_4 * poses.rotation_left_hip_cross_yy
+        - inertia_left_thigh_xx_2 * poses.rotation_left_hip_cross_yy
         - inertia_left_thigh_hx * inertia_left_thigh_hy_0;
-    let inertia_left_thigh_xz = inertia_left_thigh_xx_2
-        * poses.minus_rotation_left_thigh_zy
-        - inertia_left_thigh_xx_0 * poses.minus_rotation_left_thigh_zx
-        - inertia_left_thigh_xx_4 * poses.sin_left_hip_roll
-        - inertia_left_thigh_hx * inertia_left_thigh_hz_0;
-    let inertia_left_thigh_yy = inertia_left_thigh_yy_0 * poses.rotation_left_thigh_yx
-        + inertia_left_thigh_yy_2 * poses.rotation_left_thigh_yy
-        + inertia_left_thigh_yy_4 * poses.rotation_left_hip_cross_yy
-        + (inertia_left_thigh_yy_6 + inertia_left_thigh_xx_7);
-    let inertia_left_thigh_yz = inertia_left_thigh_yy_4 * poses.sin_left_hip_roll
-        - (inertia_left_thigh_yy_0 * poses.minus_rotation_left_thigh_zx
-            + inertia_left_thigh_yy_2 * poses.minus_rotation_left_thigh_zy)
-        - inertia_left_thigh_hy * inertia_left_thigh_hz_0;
-    let inertia_left_thigh_zz = 0.0471 * poses.minus_rotation_left_thigh_zx
+    let minus_inertia_left_thigh_xz = inertia_left_thigh_xx_0
         * poses.minus_rotation_left_thigh_zx
-        + 0.0082875 * poses.minus_rotation_left_thigh_zy
-            * poses.minus_rotation_left_thigh_zy
-        + 0.0478875 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
-        + (inertia_left_thigh_yy_6 + inertia_left_thigh_xx_6);
+        + inertia_left_thigh_xx_2 * poses.sin_left_hip_roll
+        + inertia_left_thigh_hx * inertia_left_thigh_hz_0;
+    let inertia_left_thigh_yy = inertia_left_thigh_yy_0 * poses.rotation_left_thigh_yx
+        + inertia_left_thigh_yy_2 * poses.rotation_left_hip_cross_yy + 0.0082875
+        + (inertia_left_thigh_yy_5 + inertia_left_thigh_xx_6);
+    let inertia_left_thigh_yz = inertia_left_thigh_yy_2 * poses.sin_left_hip_roll
+        - inertia_left_thigh_yy_0 * poses.minus_rotation_left_thigh_zx
+        - inertia_left_thigh_hy * inertia_left_thigh_hz_0;
+    let inertia_left_thigh_zz = 0.0388125 * poses.minus_rotation_left_thigh_zx
+        * poses.minus_rotation_left_thigh_zx
+        + 0.039599999999999996 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
+        + 0.0082875 + (inertia_left_thigh_yy_5 + inertia_left_thigh_xx_5);
     let inertia_left_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_8
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_8
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_7
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_shank_xx_0 = 0.025579167 * poses.rotation_left_shank_xx;
-    let inertia_left_shank_xx_2 = 0.0035758333 * poses.minus_rotation_left_shank_xy;
-    let inertia_left_shank_xx_4 = 0.025783333 * poses.minus_rotation_left_hip_cross_xy;
-    let inertia_left_shank_yy_0 = 0.025579167 * poses.rotation_left_shank_yx;
-    let inertia_left_shank_yy_2 = 0.0035758333 * poses.rotation_left_shank_yy;
-    let inertia_left_shank_yy_4 = 0.025783333 * poses.rotation_left_hip_cross_yy;
+    let inertia_left_shank_xx_0 = 0.0220033337 * poses.rotation_left_shank_xx;
+    let inertia_left_shank_xx_2 = 0.022207499699999998
+        * poses.minus_rotation_left_hip_cross_xy;
+    let inertia_left_shank_yy_0 = 0.0220033337 * poses.rotation_left_shank_yx;
+    let inertia_left_shank_yy_2 = 0.022207499699999998
+        * poses.rotation_left_hip_cross_yy;
     // left_shank
     let inertia_left_shank_hx = inertia_left_shank_hx_0 * 2.8;
     let inertia_left_shank_hy = inertia_left_shank_hy_0 * 2.8;
     let inertia_left_shank_hz = inertia_left_shank_hz_0 * 2.8;
-    let inertia_left_shank_yy_6 = inertia_left_shank_hx * inertia_left_shank_hx_0;
-    let inertia_left_shank_xx_6 = inertia_left_shank_hy * inertia_left_shank_hy_0;
-    let inertia_left_shank_xx_7 = inertia_left_shank_hz * inertia_left_shank_hz_0;
+    let inertia_left_shank_yy_5 = inertia_left_shank_hx * inertia_left_shank_hx_0;
+    let inertia_left_shank_xx_5 = inertia_left_shank_hy * inertia_left_shank_hy_0;
+    let inertia_left_shank_xx_6 = inertia_left_shank_hz * inertia_left_shank_hz_0;
     let inertia_left_shank_xx = inertia_left_shank_xx_0 * poses.rotation_left_shank_xx
-        + inertia_left_shank_xx_2 * poses.minus_rotation_left_shank_xy
-        + inertia_left_shank_xx_4 * poses.minus_rotation_left_hip_cross_xy
-        + (inertia_left_shank_xx_6 + inertia_left_shank_xx_7);
+        + inertia_left_shank_xx_2 * poses.minus_rotation_left_hip_cross_xy + 0.0035758333
+        + (inertia_left_shank_xx_5 + inertia_left_shank_xx_6);
     let inertia_left_shank_xy = inertia_left_shank_xx_0 * poses.rotation_left_shank_yx
-        - inertia_left_shank_xx_2 * poses.rotation_left_shank_yy
-        - inertia_left_shank_xx_4 * poses.rotation_left_hip_cross_yy
+        - inertia_left_shank_xx_2 * poses.rotation_left_hip_cross_yy
         - inertia_left_shank_hx * inertia_left_shank_hy_0;
     let minus_inertia_left_shank_xz = inertia_left_shank_xx_0
         * poses.minus_rotation_left_shank_zx
-        + inertia_left_shank_xx_2 * poses.rotation_left_shank_zy
-        + inertia_left_shank_xx_4 * poses.sin_left_hip_roll
+        + inertia_left_shank_xx_2 * poses.sin_left_hip_roll
         + inertia_left_shank_hx * inertia_left_shank_hz_0;
     let inertia_left_shank_yy = inertia_left_shank_yy_0 * poses.rotation_left_shank_yx
-        + inertia_left_shank_yy_2 * poses.rotation_left_shank_yy
-        + inertia_left_shank_yy_4 * poses.rotation_left_hip_cross_yy
-        + (inertia_left_shank_yy_6 + inertia_left_shank_xx_7);
-    let inertia_left_shank_yz = inertia_left_shank_yy_2 * poses.rotation_left_shank_zy
+        + inertia_left_shank_yy_2 * poses.rotation_left_hip_cross_yy + 0.0035758333
+        + (inertia_left_shank_yy_5 + inertia_left_shank_xx_6);
+    let inertia_left_shank_yz = inertia_left_shank_yy_2 * poses.sin_left_hip_roll
         - inertia_left_shank_yy_0 * poses.minus_rotation_left_shank_zx
-        + inertia_left_shank_yy_4 * poses.sin_left_hip_roll
         - inertia_left_shank_hy * inertia_left_shank_hz_0;
-    let inertia_left_shank_zz = 0.025579167 * poses.minus_rotation_left_shank_zx
+    let inertia_left_shank_zz = 0.0220033337 * poses.minus_rotation_left_shank_zx
         * poses.minus_rotation_left_shank_zx
-        + 0.0035758333 * poses.rotation_left_shank_zy * poses.rotation_left_shank_zy
-        + 0.025783333 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
-        + (inertia_left_shank_yy_6 + inertia_left_shank_xx_6);
+        + 0.022207499699999998 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
+        + 0.0035758333 + (inertia_left_shank_yy_5 + inertia_left_shank_xx_5);
     let inertia_left_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_10
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_10
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_9
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_ankle_cross_xx_0 = 0.0002625 * poses.rotation_left_ankle_cross_xx;
-    let inertia_left_ankle_cross_xx_2 = 0.0002625
+    let inertia_left_ankle_cross_xx_0 = 0.00003749999999999999
+        * poses.rotation_left_ankle_cross_xx;
+    let inertia_left_ankle_cross_xx_2 = 0.00003749999999999999
         * poses.minus_rotation_left_ankle_cross_xy;
-    let inertia_left_ankle_cross_xx_4 = 0.000225
-        * poses.minus_rotation_left_hip_cross_xy;
-    let inertia_left_ankle_cross_yy_0 = 0.0002625 * poses.rotation_left_ankle_cross_yx;
-    let inertia_left_ankle_cross_yy_2 = 0.0002625 * poses.rotation_left_ankle_cross_yy;
-    let inertia_left_ankle_cross_yy_4 = 0.000225 * poses.rotation_left_hip_cross_yy;
+    let inertia_left_ankle_cross_yy_0 = 0.00003749999999999999
+        * poses.rotation_left_ankle_cross_yx;
+    let inertia_left_ankle_cross_yy_2 = 0.00003749999999999999
+        * poses.rotation_left_ankle_cross_yy;
     // left_ankle_cross
     let inertia_left_ankle_cross_hx = inertia_left_ankle_cross_hx_0 * 0.5;
     let inertia_left_ankle_cross_hy = inertia_left_ankle_cross_hy_0 * 0.5;
     let inertia_left_ankle_cross_hz = inertia_left_ankle_cross_hz_0 * 0.5;
-    let inertia_left_ankle_cross_yy_6 = inertia_left_ankle_cross_hx
+    let inertia_left_ankle_cross_yy_5 = inertia_left_ankle_cross_hx
         * inertia_left_ankle_cross_hx_0;
-    let inertia_left_ankle_cross_xx_6 = inertia_left_ankle_cross_hy
+    let inertia_left_ankle_cross_xx_5 = inertia_left_ankle_cross_hy
         * inertia_left_ankle_cross_hy_0;
-    let inertia_left_ankle_cross_xx_7 = inertia_left_ankle_cross_hz
+    let inertia_left_ankle_cross_xx_6 = inertia_left_ankle_cross_hz
         * inertia_left_ankle_cross_hz_0;
     let inertia_left_ankle_cross_xx = inertia_left_ankle_cross_xx_0
         * poses.rotation_left_ankle_cross_xx
         + inertia_left_ankle_cross_xx_2 * poses.minus_rotation_left_ankle_cross_xy
-        + inertia_left_ankle_cross_xx_4 * poses.minus_rotation_left_hip_cross_xy
-        + (inertia_left_ankle_cross_xx_6 + inertia_left_ankle_cross_xx_7);
+        + 0.000225 + (inertia_left_ankle_cross_xx_5 + inertia_left_ankle_cross_xx_6);
     let inertia_left_ankle_cross_xy = inertia_left_ankle_cross_xx_0
         * poses.rotation_left_ankle_cross_yx
         - inertia_left_ankle_cross_xx_2 * poses.rotation_left_ankle_cross_yy
-        - inertia_left_ankle_cross_xx_4 * poses.rotation_left_hip_cross_yy
         - inertia_left_ankle_cross_hx * inertia_left_ankle_cross_hy_0;
     let inertia_left_ankle_cross_xz = inertia_left_ankle_cross_xx_0
         * poses.rotation_left_ankle_cross_zx
         - inertia_left_ankle_cross_xx_2 * poses.rotation_left_ankle_cross_zy
-        - inertia_left_ankle_cross_xx_4 * poses.sin_left_hip_roll
         - inertia_left_ankle_cross_hx * inertia_left_ankle_cross_hz_0;
     let inertia_left_ankle_cross_yy = inertia_left_ankle_cross_yy_0
         * poses.rotation_left_ankle_cross_yx
-        + inertia_left_ankle_cross_yy_2 * poses.rotation_left_ankle_cross_yy
-        + inertia_left_ankle_cross_yy_4 * poses.rotation_left_hip_cross_yy
-        + (inertia_left_ankle_cross_yy_6 + inertia_left_ankle_cross_xx_7);
+        + inertia_left_ankle_cross_yy_2 * poses.rotation_left_ankle_cross_yy + 0.000225
+        + (inertia_left_ankle_cross_yy_5 + inertia_left_ankle_cross_xx_6);
     let inertia_left_ankle_cross_yz = inertia_left_ankle_cross_yy_0
         * poses.rotation_left_ankle_cross_zx
         + inertia_left_ankle_cross_yy_2 * poses.rotation_left_ankle_cross_zy
-        + inertia_left_ankle_cross_yy_4 * poses.sin_left_hip_roll
         - inertia_left_ankle_cross_hy * inertia_left_ankle_cross_hz_0;
-    let inertia_left_ankle_cross_zz = 0.0002625 * poses.rotation_left_ankle_cross_zx
-        * poses.rotation_left_ankle_cross_zx
-        + 0.0002625 * poses.rotation_left_ankle_cross_zy
-            * poses.rotation_left_ankle_cross_zy
-        + 0.000225 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
-        + (inertia_left_ankle_cross_yy_6 + inertia_left_ankle_cross_xx_6);
+    let inertia_left_ankle_cross_zz = 0.00003749999999999999
+        * poses.rotation_left_ankle_cross_zx * poses.rotation_left_ankle_cross_zx
+        + 0.00003749999999999999 * poses.rotation_left_ankle_cross_zy
+            * poses.rotation_left_ankle_cross_zy + 0.000225
+        + (inertia_left_ankle_cross_yy_5 + inertia_left_ankle_cross_xx_5);
     let inertia_left_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_12
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_12
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_ankle_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_11
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_ankle_bracket_xx_0 = 0.004348151315384616
+    let inertia_left_ankle_bracket_xx_0 = 0.0029783596453846154
         * poses.minus_rotation_left_ankle_bracket_xx
         + 0.00006461538461538462 * poses.rotation_left_ankle_bracket_xy
         + 0.00029723076923076914 * poses.rotation_left_ankle_cross_xx;
     let inertia_left_ankle_bracket_xx_2 = 0.00006461538461538462
         * poses.minus_rotation_left_ankle_bracket_xx
-        + 0.004175122469230769 * poses.rotation_left_ankle_bracket_xy
+        + 0.0028053307992307683 * poses.rotation_left_ankle_bracket_xy
         - 0.00003715384615384614 * poses.rotation_left_ankle_cross_xx;
     let inertia_left_ankle_bracket_xx_4 = 0.00029723076923076914
         * poses.minus_rotation_left_ankle_bracket_xx
-        - 0.00003715384615384614 * poses.rotation_left_ankle_bracket_xy
-        + 0.0013697916700000001 * poses.rotation_left_ankle_cross_xx;
-    let inertia_left_ankle_bracket_yy_0 = 0.004348151315384616
+        - 0.00003715384615384614 * poses.rotation_left_ankle_bracket_xy;
+    let inertia_left_ankle_bracket_yy_0 = 0.0029783596453846154
         * poses.rotation_left_ankle_bracket_yx
         - 0.00006461538461538462 * poses.rotation_left_ankle_bracket_yy
         - 0.00029723076923076914 * poses.rotation_left_ankle_cross_yx;
-    let inertia_left_ankle_bracket_yy_2 = 0.004175122469230769
+    let inertia_left_ankle_bracket_yy_2 = 0.0028053307992307683
         * poses.rotation_left_ankle_bracket_yy
         - 0.00006461538461538462 * poses.rotation_left_ankle_bracket_yx
         - 0.00003715384615384614 * poses.rotation_left_ankle_cross_yx;
-    let inertia_left_ankle_bracket_yy_4 = 0.0013697916700000001
-        * poses.rotation_left_ankle_cross_yx
-        - (0.00029723076923076914 * poses.rotation_left_ankle_bracket_yx
-            + 0.00003715384615384614 * poses.rotation_left_ankle_bracket_yy);
+    let inertia_left_ankle_bracket_yy_4 = 0.00029723076923076914
+        * poses.rotation_left_ankle_bracket_yx
+        + 0.00003715384615384614 * poses.rotation_left_ankle_bracket_yy;
     // left_ankle_bracket
     let inertia_left_ankle_bracket_hx = inertia_left_ankle_bracket_hx_0
         * 1.2999999999999998;
@@ -3173,17 +3114,18 @@ fn inertias(poses: &Poses) -> Inertias {
         * 1.2999999999999998;
     let inertia_left_ankle_bracket_hz = inertia_left_ankle_bracket_hz_0
         * 1.2999999999999998;
-    let inertia_left_ankle_bracket_yy_6 = inertia_left_ankle_bracket_hx
+    let inertia_left_ankle_bracket_yy_7 = inertia_left_ankle_bracket_hx
         * inertia_left_ankle_bracket_hx_0;
-    let inertia_left_ankle_bracket_xx_6 = inertia_left_ankle_bracket_hy
+    let inertia_left_ankle_bracket_xx_7 = inertia_left_ankle_bracket_hy
         * inertia_left_ankle_bracket_hy_0;
-    let inertia_left_ankle_bracket_xx_7 = inertia_left_ankle_bracket_hz
+    let inertia_left_ankle_bracket_xx_8 = inertia_left_ankle_bracket_hz
         * inertia_left_ankle_bracket_hz_0;
     let inertia_left_ankle_bracket_xx = inertia_left_ankle_bracket_xx_0
         * poses.minus_rotation_left_ankle_bracket_xx
         + inertia_left_ankle_bracket_xx_2 * poses.rotation_left_ankle_bracket_xy
         + inertia_left_ankle_bracket_xx_4 * poses.rotation_left_ankle_cross_xx
-        + (inertia_left_ankle_bracket_xx_6 + inertia_left_ankle_bracket_xx_7);
+        + 0.0013697916700000001
+        + (inertia_left_ankle_bracket_xx_7 + inertia_left_ankle_bracket_xx_8);
     let inertia_left_ankle_bracket_xy = inertia_left_ankle_bracket_xx_2
         * poses.rotation_left_ankle_bracket_yy
         - inertia_left_ankle_bracket_xx_0 * poses.rotation_left_ankle_bracket_yx
@@ -3197,36 +3139,31 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_left_ankle_bracket_yy = inertia_left_ankle_bracket_yy_0
         * poses.rotation_left_ankle_bracket_yx
         + inertia_left_ankle_bracket_yy_2 * poses.rotation_left_ankle_bracket_yy
-        + inertia_left_ankle_bracket_yy_4 * poses.rotation_left_ankle_cross_yx
-        + (inertia_left_ankle_bracket_yy_6 + inertia_left_ankle_bracket_xx_7);
+        - inertia_left_ankle_bracket_yy_4 * poses.rotation_left_ankle_cross_yx
+        + 0.0013697916700000001
+        + (inertia_left_ankle_bracket_yy_7 + inertia_left_ankle_bracket_xx_8);
     let inertia_left_ankle_bracket_yz = inertia_left_ankle_bracket_yy_0
         * poses.rotation_left_ankle_bracket_zx
         + inertia_left_ankle_bracket_yy_2 * poses.rotation_left_ankle_bracket_zy
-        + inertia_left_ankle_bracket_yy_4 * poses.rotation_left_ankle_cross_zx
+        - inertia_left_ankle_bracket_yy_4 * poses.rotation_left_ankle_cross_zx
         - inertia_left_ankle_bracket_hy * inertia_left_ankle_bracket_hz_0;
-    let inertia_left_ankle_bracket_zz = (0.004348151315384616
+    let inertia_left_ankle_bracket_zz = (0.0029783596453846154
         * poses.rotation_left_ankle_bracket_zx
         - 0.00006461538461538462 * poses.rotation_left_ankle_bracket_zy
         - 0.00029723076923076914 * poses.rotation_left_ankle_cross_zx)
         * poses.rotation_left_ankle_bracket_zx
-        + (0.004175122469230769 * poses.rotation_left_ankle_bracket_zy
+        + (0.0028053307992307683 * poses.rotation_left_ankle_bracket_zy
             - 0.00006461538461538462 * poses.rotation_left_ankle_bracket_zx
             - 0.00003715384615384614 * poses.rotation_left_ankle_cross_zx)
             * poses.rotation_left_ankle_bracket_zy
-        + (0.0013697916700000001 * poses.rotation_left_ankle_cross_zx
-            - (0.00029723076923076914 * poses.rotation_left_ankle_bracket_zx
-                + 0.00003715384615384614 * poses.rotation_left_ankle_bracket_zy))
-            * poses.rotation_left_ankle_cross_zx
-        + (inertia_left_ankle_bracket_yy_6 + inertia_left_ankle_bracket_xx_6);
+        - (0.00029723076923076914 * poses.rotation_left_ankle_bracket_zx
+            + 0.00003715384615384614 * poses.rotation_left_ankle_bracket_zy)
+            * poses.rotation_left_ankle_cross_zx + 0.0013697916700000001
+        + (inertia_left_ankle_bracket_yy_7 + inertia_left_ankle_bracket_xx_7);
     let inertia_right_hip_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_14
         - poses.minus_origin_pelvis_x_1;
     let minus_inertia_right_hip_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_14
         + poses.minus_origin_pelvis_y_1;
-    let inertia_right_hip_bracket_xy_0 = 0.00124 * poses.cos_right_hip_yaw;
-    let inertia_right_hip_bracket_xy_2 = 0.00124 * poses.sin_right_hip_yaw;
-    let inertia_right_hip_bracket_xx_0 = inertia_right_hip_bracket_xy_0
-        * poses.cos_right_hip_yaw
-        + inertia_right_hip_bracket_xy_2 * poses.sin_right_hip_yaw;
     // right_hip_bracket
     let inertia_right_hip_bracket_hx = inertia_right_hip_bracket_hx_0 * 1.2;
     let minus_inertia_right_hip_bracket_hy = minus_inertia_right_hip_bracket_hy_0 * 1.2;
@@ -3234,17 +3171,15 @@ fn inertias(poses: &Poses) -> Inertias {
         * inertia_right_hip_bracket_hx_0;
     let inertia_right_hip_bracket_xx_1 = minus_inertia_right_hip_bracket_hy
         * minus_inertia_right_hip_bracket_hy_0;
+    let inertia_right_hip_bracket_xy = inertia_right_hip_bracket_hx
+        * minus_inertia_right_hip_bracket_hy_0;
     let inertia_right_hip_bracket_xz = inertia_right_hip_bracket_hx
         * minus_inertia_left_hip_bracket_hz_0;
     let minus_inertia_right_hip_bracket_yz = minus_inertia_right_hip_bracket_hy
         * minus_inertia_left_hip_bracket_hz_0;
-    let inertia_right_hip_bracket_xx = inertia_right_hip_bracket_xx_0
+    let inertia_right_hip_bracket_xx = 0.00124
         + (inertia_right_hip_bracket_xx_1 + inertia_left_hip_bracket_xx_2);
-    let inertia_right_hip_bracket_xy = inertia_right_hip_bracket_xy_0
-        * poses.sin_right_hip_yaw
-        - inertia_right_hip_bracket_xy_2 * poses.cos_right_hip_yaw
-        + inertia_right_hip_bracket_hx * minus_inertia_right_hip_bracket_hy_0;
-    let inertia_right_hip_bracket_yy = inertia_right_hip_bracket_xx_0
+    let inertia_right_hip_bracket_yy = 0.00124
         + (inertia_right_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_2);
     let inertia_right_hip_bracket_zz = 0.0015
         + (inertia_right_hip_bracket_yy_1 + inertia_right_hip_bracket_xx_1);
@@ -3254,197 +3189,175 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_pelvis_y_1;
     let minus_inertia_right_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_14
         + poses.minus_origin_pelvis_z_1;
-    let inertia_right_hip_cross_xx_0 = 0.001535625
+    let inertia_right_hip_cross_xx_0 = 0.00021937500000000017
         * poses.minus_rotation_right_hip_cross_xx;
-    let inertia_right_hip_cross_xx_2 = 0.001535625
+    let inertia_right_hip_cross_xx_2 = 0.00021937500000000017
         * poses.minus_rotation_right_hip_cross_xy;
-    let inertia_right_hip_cross_xx_4 = 0.00131625 * poses.cos_right_hip_yaw;
-    let inertia_right_hip_cross_yy_0 = 0.001535625 * poses.rotation_right_hip_cross_yx;
-    let inertia_right_hip_cross_yy_2 = 0.001535625 * poses.rotation_right_hip_cross_yy;
+    let inertia_right_hip_cross_yy_0 = 0.00021937500000000017
+        * poses.rotation_right_hip_cross_yx;
+    let inertia_right_hip_cross_yy_2 = 0.00021937500000000017
+        * poses.rotation_right_hip_cross_yy;
     // right_hip_cross
     let inertia_right_hip_cross_hx = inertia_right_hip_cross_hx_0 * 1.3;
     let inertia_right_hip_cross_hy = inertia_right_hip_cross_hy_0 * 1.3;
     let minus_inertia_right_hip_cross_hz = minus_inertia_right_hip_cross_hz_0 * 1.3;
-    let inertia_right_hip_cross_yy_7 = inertia_right_hip_cross_hx
+    let inertia_right_hip_cross_yy_5 = inertia_right_hip_cross_hx
         * inertia_right_hip_cross_hx_0;
-    let inertia_right_hip_cross_xx_6 = inertia_right_hip_cross_hy
+    let inertia_right_hip_cross_xx_5 = inertia_right_hip_cross_hy
         * inertia_right_hip_cross_hy_0;
-    let inertia_right_hip_cross_xx_7 = minus_inertia_right_hip_cross_hz
+    let inertia_right_hip_cross_xx_6 = minus_inertia_right_hip_cross_hz
         * minus_inertia_right_hip_cross_hz_0;
     let inertia_right_hip_cross_xx = inertia_right_hip_cross_xx_0
         * poses.minus_rotation_right_hip_cross_xx
         + inertia_right_hip_cross_xx_2 * poses.minus_rotation_right_hip_cross_xy
-        + inertia_right_hip_cross_xx_4 * poses.cos_right_hip_yaw
-        + (inertia_right_hip_cross_xx_6 + inertia_right_hip_cross_xx_7);
-    let inertia_right_hip_cross_xy = inertia_right_hip_cross_xx_4
-        * poses.sin_right_hip_yaw
-        - (inertia_right_hip_cross_xx_0 * poses.rotation_right_hip_cross_yx
-            + inertia_right_hip_cross_xx_2 * poses.rotation_right_hip_cross_yy)
-        - inertia_right_hip_cross_hx * inertia_right_hip_cross_hy_0;
+        + 0.00131625 + (inertia_right_hip_cross_xx_5 + inertia_right_hip_cross_xx_6);
+    let minus_inertia_right_hip_cross_xy = inertia_right_hip_cross_xx_0
+        * poses.rotation_right_hip_cross_yx
+        + inertia_right_hip_cross_xx_2 * poses.rotation_right_hip_cross_yy
+        + inertia_right_hip_cross_hx * inertia_right_hip_cross_hy_0;
     let inertia_right_hip_cross_xz = inertia_right_hip_cross_xx_0
         * poses.cos_right_hip_roll
         - inertia_right_hip_cross_xx_2 * poses.sin_right_hip_roll
         + inertia_right_hip_cross_hx * minus_inertia_right_hip_cross_hz_0;
     let inertia_right_hip_cross_yy = inertia_right_hip_cross_yy_0
         * poses.rotation_right_hip_cross_yx
-        + inertia_right_hip_cross_yy_2 * poses.rotation_right_hip_cross_yy
-        + 0.00131625 * poses.sin_right_hip_yaw * poses.sin_right_hip_yaw
-        + (inertia_right_hip_cross_yy_7 + inertia_right_hip_cross_xx_7);
+        + inertia_right_hip_cross_yy_2 * poses.rotation_right_hip_cross_yy + 0.00131625
+        + (inertia_right_hip_cross_yy_5 + inertia_right_hip_cross_xx_6);
     let inertia_right_hip_cross_yz = inertia_right_hip_cross_yy_2
         * poses.sin_right_hip_roll
         - inertia_right_hip_cross_yy_0 * poses.cos_right_hip_roll
         + inertia_right_hip_cross_hy * minus_inertia_right_hip_cross_hz_0;
-    let inertia_right_hip_cross_zz = 0.001535625 * poses.cos_right_hip_roll
+    let inertia_right_hip_cross_zz = 0.00021937500000000017 * poses.cos_right_hip_roll
         * poses.cos_right_hip_roll
-        + 0.001535625 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
-        + (inertia_right_hip_cross_yy_7 + inertia_right_hip_cross_xx_6);
+        + 0.00021937500000000017 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
+        + 0.00131625 + (inertia_right_hip_cross_yy_5 + inertia_right_hip_cross_xx_5);
     let inertia_right_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_18
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_18
         - poses.minus_origin_pelvis_y_1;
     let minus_inertia_right_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_16
         + poses.minus_origin_pelvis_z_1;
-    let inertia_right_thigh_xx_0 = 0.0471 * poses.rotation_right_thigh_xx;
-    let inertia_right_thigh_xx_2 = 0.0082875 * poses.minus_rotation_right_thigh_xy;
-    let inertia_right_thigh_xx_4 = 0.0478875 * poses.minus_rotation_right_hip_cross_xy;
-    let inertia_right_thigh_yy_0 = 0.0471 * poses.rotation_right_thigh_yx;
-    let inertia_right_thigh_yy_2 = 0.0082875 * poses.rotation_right_thigh_yy;
-    let inertia_right_thigh_yy_4 = 0.0478875 * poses.rotation_right_hip_cross_yy;
+    let inertia_right_thigh_xx_0 = 0.0388125 * poses.rotation_right_thigh_xx;
+    let inertia_right_thigh_xx_2 = 0.039599999999999996
+        * poses.minus_rotation_right_hip_cross_xy;
+    let inertia_right_thigh_yy_0 = 0.0388125 * poses.rotation_right_thigh_yx;
+    let inertia_right_thigh_yy_2 = 0.039599999999999996
+        * poses.rotation_right_hip_cross_yy;
     // right_thigh
     let inertia_right_thigh_hx = inertia_right_thigh_hx_0 * 4.5;
     let inertia_right_thigh_hy = inertia_right_thigh_hy_0 * 4.5;
     let minus_inertia_right_thigh_hz = minus_inertia_right_thigh_hz_0 * 4.5;
-    let inertia_right_thigh_yy_6 = inertia_right_thigh_hx * inertia_right_thigh_hx_0;
-    let inertia_right_thigh_xx_6 = inertia_right_thigh_hy * inertia_right_thigh_hy_0;
-    let inertia_right_thigh_xx_7 = minus_inertia_right_thigh_hz
+    let inertia_right_thigh_yy_5 = inertia_right_thigh_hx * inertia_right_thigh_hx_0;
+    let inertia_right_thigh_xx_5 = inertia_right_thigh_hy * inertia_right_thigh_hy_0;
+    let inertia_right_thigh_xx_6 = minus_inertia_right_thigh_hz
         * minus_inertia_right_thigh_hz_0;
     let inertia_right_thigh_xx = inertia_right_thigh_xx_0 * poses.rotation_right_thigh_xx
-        + inertia_right_thigh_xx_2 * poses.minus_rotation_right_thigh_xy
-        + inertia_right_thigh_xx_4 * poses.minus_rotation_right_hip_cross_xy
-        + (inertia_right_thigh_xx_6 + inertia_right_thigh_xx_7);
+        + inertia_right_thigh_xx_2 * poses.minus_rotation_right_hip_cross_xy + 0.0082875
+        + (inertia_right_thigh_xx_5 + inertia_right_thigh_xx_6);
     let inertia_right_thigh_xy = inertia_right_thigh_xx_0 * poses.rotation_right_thigh_yx
-        - inertia_right_thigh_xx_2 * poses.rotation_right_thigh_yy
-        - inertia_right_thigh_xx_4 * poses.rotation_right_hip_cross_yy
+        - inertia_right_thigh_xx_2 * poses.rotation_right_hip_cross_yy
         - inertia_right_thigh_hx * inertia_right_thigh_hy_0;
-    let inertia_right_thigh_xz = inertia_right_thigh_xx_2
-        * poses.minus_rotation_right_thigh_zy
-        - inertia_right_thigh_xx_0 * poses.minus_rotation_right_thigh_zx
-        - inertia_right_thigh_xx_4 * poses.sin_right_hip_roll
-        + inertia_right_thigh_hx * minus_inertia_right_thigh_hz_0;
+    let inertia_right_thigh_xz = inertia_right_thigh_hx * minus_inertia_right_thigh_hz_0
+        - (inertia_right_thigh_xx_0 * poses.minus_rotation_right_thigh_zx
+            + inertia_right_thigh_xx_2 * poses.sin_right_hip_roll);
     let inertia_right_thigh_yy = inertia_right_thigh_yy_0 * poses.rotation_right_thigh_yx
-        + inertia_right_thigh_yy_2 * poses.rotation_right_thigh_yy
-        + inertia_right_thigh_yy_4 * poses.rotation_right_hip_cross_yy
-        + (inertia_right_thigh_yy_6 + inertia_right_thigh_xx_7);
-    let inertia_right_thigh_yz = inertia_right_thigh_yy_4 * poses.sin_right_hip_roll
-        - (inertia_right_thigh_yy_0 * poses.minus_rotation_right_thigh_zx
-            + inertia_right_thigh_yy_2 * poses.minus_rotation_right_thigh_zy)
+        + inertia_right_thigh_yy_2 * poses.rotation_right_hip_cross_yy + 0.0082875
+        + (inertia_right_thigh_yy_5 + inertia_right_thigh_xx_6);
+    let inertia_right_thigh_yz = inertia_right_thigh_yy_2 * poses.sin_right_hip_roll
+        - inertia_right_thigh_yy_0 * poses.minus_rotation_right_thigh_zx
         + inertia_right_thigh_hy * minus_inertia_right_thigh_hz_0;
-    let inertia_right_thigh_zz = 0.0471 * poses.minus_rotation_right_thigh_zx
+    let inertia_right_thigh_zz = 0.0388125 * poses.minus_rotation_right_thigh_zx
         * poses.minus_rotation_right_thigh_zx
-        + 0.0082875 * poses.minus_rotation_right_thigh_zy
-            * poses.minus_rotation_right_thigh_zy
-        + 0.0478875 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
-        + (inertia_right_thigh_yy_6 + inertia_right_thigh_xx_6);
+        + 0.039599999999999996 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
+        + 0.0082875 + (inertia_right_thigh_yy_5 + inertia_right_thigh_xx_5);
     let inertia_right_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_20
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_20
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_18
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_shank_xx_0 = 0.025579167 * poses.rotation_right_shank_xx;
-    let inertia_right_shank_xx_2 = 0.0035758333 * poses.minus_rotation_right_shank_xy;
-    let inertia_right_shank_xx_4 = 0.025783333 * poses.minus_rotation_right_hip_cross_xy;
-    let inertia_right_shank_yy_0 = 0.025579167 * poses.rotation_right_shank_yx;
-    let inertia_right_shank_yy_2 = 0.0035758333 * poses.rotation_right_shank_yy;
-    let inertia_right_shank_yy_4 = 0.025783333 * poses.rotation_right_hip_cross_yy;
+    let inertia_right_shank_xx_0 = 0.0220033337 * poses.rotation_right_shank_xx;
+    let inertia_right_shank_xx_2 = 0.022207499699999998
+        * poses.minus_rotation_right_hip_cross_xy;
+    let inertia_right_shank_yy_0 = 0.0220033337 * poses.rotation_right_shank_yx;
+    let inertia_right_shank_yy_2 = 0.022207499699999998
+        * poses.rotation_right_hip_cross_yy;
     // right_shank
     let inertia_right_shank_hx = inertia_right_shank_hx_0 * 2.8;
     let inertia_right_shank_hy = inertia_right_shank_hy_0 * 2.8;
     let inertia_right_shank_hz = inertia_right_shank_hz_0 * 2.8;
-    let inertia_right_shank_yy_6 = inertia_right_shank_hx * inertia_right_shank_hx_0;
-    let inertia_right_shank_xx_6 = inertia_right_shank_hy * inertia_right_shank_hy_0;
-    let inertia_right_shank_xx_7 = inertia_right_shank_hz * inertia_right_shank_hz_0;
+    let inertia_right_shank_yy_5 = inertia_right_shank_hx * inertia_right_shank_hx_0;
+    let inertia_right_shank_xx_5 = inertia_right_shank_hy * inertia_right_shank_hy_0;
+    let inertia_right_shank_xx_6 = inertia_right_shank_hz * inertia_right_shank_hz_0;
     let inertia_right_shank_xx = inertia_right_shank_xx_0 * poses.rotation_right_shank_xx
-        + inertia_right_shank_xx_2 * poses.minus_rotation_right_shank_xy
-        + inertia_right_shank_xx_4 * poses.minus_rotation_right_hip_cross_xy
-        + (inertia_right_shank_xx_6 + inertia_right_shank_xx_7);
+        + inertia_right_shank_xx_2 * poses.minus_rotation_right_hip_cross_xy
+        + 0.0035758333 + (inertia_right_shank_xx_5 + inertia_right_shank_xx_6);
     let inertia_right_shank_xy = inertia_right_shank_xx_0 * poses.rotation_right_shank_yx
-        - inertia_right_shank_xx_2 * poses.rotation_right_shank_yy
-        - inertia_right_shank_xx_4 * poses.rotation_right_hip_cross_yy
+        - inertia_right_shank_xx_2 * poses.rotation_right_hip_cross_yy
         - inertia_right_shank_hx * inertia_right_shank_hy_0;
     let minus_inertia_right_shank_xz = inertia_right_shank_xx_0
         * poses.minus_rotation_right_shank_zx
-        + inertia_right_shank_xx_2 * poses.rotation_right_shank_zy
-        + inertia_right_shank_xx_4 * poses.sin_right_hip_roll
+        + inertia_right_shank_xx_2 * poses.sin_right_hip_roll
         + inertia_right_shank_hx * inertia_right_shank_hz_0;
     let inertia_right_shank_yy = inertia_right_shank_yy_0 * poses.rotation_right_shank_yx
-        + inertia_right_shank_yy_2 * poses.rotation_right_shank_yy
-        + inertia_right_shank_yy_4 * poses.rotation_right_hip_cross_yy
-        + (inertia_right_shank_yy_6 + inertia_right_shank_xx_7);
-    let inertia_right_shank_yz = inertia_right_shank_yy_2 * poses.rotation_right_shank_zy
+        + inertia_right_shank_yy_2 * poses.rotation_right_hip_cross_yy + 0.0035758333
+        + (inertia_right_shank_yy_5 + inertia_right_shank_xx_6);
+    let inertia_right_shank_yz = inertia_right_shank_yy_2 * poses.sin_right_hip_roll
         - inertia_right_shank_yy_0 * poses.minus_rotation_right_shank_zx
-        + inertia_right_shank_yy_4 * poses.sin_right_hip_roll
         - inertia_right_shank_hy * inertia_right_shank_hz_0;
-    let inertia_right_shank_zz = 0.025579167 * poses.minus_rotation_right_shank_zx
+    let inertia_right_shank_zz = 0.0220033337 * poses.minus_rotation_right_shank_zx
         * poses.minus_rotation_right_shank_zx
-        + 0.0035758333 * poses.rotation_right_shank_zy * poses.rotation_right_shank_zy
-        + 0.025783333 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
-        + (inertia_right_shank_yy_6 + inertia_right_shank_xx_6);
+        + 0.022207499699999998 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
+        + 0.0035758333 + (inertia_right_shank_yy_5 + inertia_right_shank_xx_5);
     let inertia_right_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_22
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_22
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_20
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_ankle_cross_xx_0 = 0.0002625 * poses.rotation_right_ankle_cross_xx;
-    let inertia_right_ankle_cross_xx_2 = 0.0002625
+    let inertia_right_ankle_cross_xx_0 = 0.00003749999999999999
+        * poses.rotation_right_ankle_cross_xx;
+    let inertia_right_ankle_cross_xx_2 = 0.00003749999999999999
         * poses.minus_rotation_right_ankle_cross_xy;
-    let inertia_right_ankle_cross_xx_4 = 0.000225
-        * poses.minus_rotation_right_hip_cross_xy;
-    let inertia_right_ankle_cross_yy_0 = 0.0002625 * poses.rotation_right_ankle_cross_yx;
-    let inertia_right_ankle_cross_yy_2 = 0.0002625 * poses.rotation_right_ankle_cross_yy;
-    let inertia_right_ankle_cross_yy_4 = 0.000225 * poses.rotation_right_hip_cross_yy;
+    let inertia_right_ankle_cross_yy_0 = 0.00003749999999999999
+        * poses.rotation_right_ankle_cross_yx;
+    let inertia_right_ankle_cross_yy_2 = 0.00003749999999999999
+        * poses.rotation_right_ankle_cross_yy;
     // right_ankle_cross
     let inertia_right_ankle_cross_hx = inertia_right_ankle_cross_hx_0 * 0.5;
     let inertia_right_ankle_cross_hy = inertia_right_ankle_cross_hy_0 * 0.5;
     let inertia_right_ankle_cross_hz = inertia_right_ankle_cross_hz_0 * 0.5;
-    let inertia_right_ankle_cross_yy_6 = inertia_right_ankle_cross_hx
+    let inertia_right_ankle_cross_yy_5 = inertia_right_ankle_cross_hx
         * inertia_right_ankle_cross_hx_0;
-    let inertia_right_ankle_cross_xx_6 = inertia_right_ankle_cross_hy
+    let inertia_right_ankle_cross_xx_5 = inertia_right_ankle_cross_hy
         * inertia_right_ankle_cross_hy_0;
-    let inertia_right_ankle_cross_xx_7 = inertia_right_ankle_cross_hz
+    let inertia_right_ankle_cross_xx_6 = inertia_right_ankle_cross_hz
         * inertia_right_ankle_cross_hz_0;
     let inertia_right_ankle_cross_xx = inertia_right_ankle_cross_xx_0
         * poses.rotation_right_ankle_cross_xx
         + inertia_right_ankle_cross_xx_2 * poses.minus_rotation_right_ankle_cross_xy
-        + inertia_right_ankle_cross_xx_4 * poses.minus_rotation_right_hip_cross_xy
-        + (inertia_right_ankle_cross_xx_6 + inertia_right_ankle_cross_xx_7);
+        + 0.000225 + (inertia_right_ankle_cross_xx_5 + inertia_right_ankle_cross_xx_6);
     let inertia_right_ankle_cross_xy = inertia_right_ankle_cross_xx_0
         * poses.rotation_right_ankle_cross_yx
         - inertia_right_ankle_cross_xx_2 * poses.rotation_right_ankle_cross_yy
-        - inertia_right_ankle_cross_xx_4 * poses.rotation_right_hip_cross_yy
         - inertia_right_ankle_cross_hx * inertia_right_ankle_cross_hy_0;
     let inertia_right_ankle_cross_xz = inertia_right_ankle_cross_xx_0
         * poses.rotation_right_ankle_cross_zx
         - inertia_right_ankle_cross_xx_2 * poses.rotation_right_ankle_cross_zy
-        - inertia_right_ankle_cross_xx_4 * poses.sin_right_hip_roll
         - inertia_right_ankle_cross_hx * inertia_right_ankle_cross_hz_0;
     let inertia_right_ankle_cross_yy = inertia_right_ankle_cross_yy_0
         * poses.rotation_right_ankle_cross_yx
-        + inertia_right_ankle_cross_yy_2 * poses.rotation_right_ankle_cross_yy
-        + inertia_right_ankle_cross_yy_4 * poses.rotation_right_hip_cross_yy
-        + (inertia_right_ankle_cross_yy_6 + inertia_right_ankle_cross_xx_7);
+        + inertia_right_ankle_cross_yy_2 * poses.rotation_right_ankle_cross_yy + 0.000225
+        + (inertia_right_ankle_cross_yy_5 + inertia_right_ankle_cross_xx_6);
     let inertia_right_ankle_cross_yz = inertia_right_ankle_cross_yy_0
         * poses.rotation_right_ankle_cross_zx
         + inertia_right_ankle_cross_yy_2 * poses.rotation_right_ankle_cross_zy
-        + inertia_right_ankle_cross_yy_4 * poses.sin_right_hip_roll
         - inertia_right_ankle_cross_hy * inertia_right_ankle_cross_hz_0;
-    let inertia_right_ankle_cross_zz = 0.0002625 * poses.rotation_right_ankle_cross_zx
-        * poses.rotation_right_ankle_cross_zx
-        + 0.0002625 * poses.rotation_right_ankle_cross_zy
-            * poses.rotation_right_ankle_cross_zy
-        + 0.000225 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
-        + (inertia_right_ankle_cross_yy_6 + inertia_right_ankle_cross_xx_6);
+    let inertia_right_ankle_cross_zz = 0.00003749999999999999
+        * poses.rotation_right_ankle_cross_zx * poses.rotation_right_ankle_cross_zx
+        + 0.00003749999999999999 * poses.rotation_right_ankle_cross_zy
+            * poses.rotation_right_ankle_cross_zy + 0.000225
+        + (inertia_right_ankle_cross_yy_5 + inertia_right_ankle_cross_xx_5);
     let inertia_right_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_24
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_24
@@ -3453,28 +3366,26 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_pelvis_z_1;
     let inertia_right_ankle_bracket_xx_2 = 0.00006461538461538462
         * poses.rotation_right_ankle_bracket_xy
-        - 0.004348151315384616 * poses.minus_rotation_right_ankle_bracket_xx
+        - 0.0029783596453846154 * poses.minus_rotation_right_ankle_bracket_xx
         - 0.00029723076923076914 * poses.rotation_right_ankle_cross_xx;
-    let inertia_right_ankle_bracket_xx_0 = 0.004175122469230769
+    let inertia_right_ankle_bracket_xx_0 = 0.0028053307992307683
         * poses.rotation_right_ankle_bracket_xy
         - 0.00006461538461538462 * poses.minus_rotation_right_ankle_bracket_xx
         + 0.00003715384615384614 * poses.rotation_right_ankle_cross_xx;
     let inertia_right_ankle_bracket_xx_4 = 0.00029723076923076914
         * poses.minus_rotation_right_ankle_bracket_xx
-        + 0.00003715384615384614 * poses.rotation_right_ankle_bracket_xy
-        + 0.0013697916700000001 * poses.rotation_right_ankle_cross_xx;
-    let inertia_right_ankle_bracket_yy_0 = 0.004348151315384616
+        + 0.00003715384615384614 * poses.rotation_right_ankle_bracket_xy;
+    let inertia_right_ankle_bracket_yy_0 = 0.0029783596453846154
         * poses.rotation_right_ankle_bracket_yx
         + 0.00006461538461538462 * poses.rotation_right_ankle_bracket_yy
         - 0.00029723076923076914 * poses.rotation_right_ankle_cross_yx;
     let inertia_right_ankle_bracket_yy_2 = 0.00006461538461538462
         * poses.rotation_right_ankle_bracket_yx
-        + 0.004175122469230769 * poses.rotation_right_ankle_bracket_yy
+        + 0.0028053307992307683 * poses.rotation_right_ankle_bracket_yy
         + 0.00003715384615384614 * poses.rotation_right_ankle_cross_yx;
     let inertia_right_ankle_bracket_yy_4 = 0.00003715384615384614
         * poses.rotation_right_ankle_bracket_yy
-        - 0.00029723076923076914 * poses.rotation_right_ankle_bracket_yx
-        + 0.0013697916700000001 * poses.rotation_right_ankle_cross_yx;
+        - 0.00029723076923076914 * poses.rotation_right_ankle_bracket_yx;
     // right_ankle_bracket
     let inertia_right_ankle_bracket_hx = inertia_right_ankle_bracket_hx_0
         * 1.2999999999999998;
@@ -3482,17 +3393,18 @@ fn inertias(poses: &Poses) -> Inertias {
         * 1.2999999999999998;
     let inertia_right_ankle_bracket_hz = inertia_right_ankle_bracket_hz_0
         * 1.2999999999999998;
-    let inertia_right_ankle_bracket_yy_6 = inertia_right_ankle_bracket_hx
+    let inertia_right_ankle_bracket_yy_7 = inertia_right_ankle_bracket_hx
         * inertia_right_ankle_bracket_hx_0;
-    let inertia_right_ankle_bracket_xx_6 = inertia_right_ankle_bracket_hy
+    let inertia_right_ankle_bracket_xx_7 = inertia_right_ankle_bracket_hy
         * inertia_right_ankle_bracket_hy_0;
-    let inertia_right_ankle_bracket_xx_7 = inertia_right_ankle_bracket_hz
+    let inertia_right_ankle_bracket_xx_8 = inertia_right_ankle_bracket_hz
         * inertia_right_ankle_bracket_hz_0;
     let inertia_right_ankle_bracket_xx = inertia_right_ankle_bracket_xx_0
         * poses.rotation_right_ankle_bracket_xy
         - inertia_right_ankle_bracket_xx_2 * poses.minus_rotation_right_ankle_bracket_xx
         + inertia_right_ankle_bracket_xx_4 * poses.rotation_right_ankle_cross_xx
-        + (inertia_right_ankle_bracket_xx_6 + inertia_right_ankle_bracket_xx_7);
+        + 0.0013697916700000001
+        + (inertia_right_ankle_bracket_xx_7 + inertia_right_ankle_bracket_xx_8);
     let inertia_right_ankle_bracket_xy = inertia_right_ankle_bracket_xx_2
         * poses.rotation_right_ankle_bracket_yx
         + inertia_right_ankle_bracket_xx_0 * poses.rotation_right_ankle_bracket_yy
@@ -3507,36 +3419,32 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_ankle_bracket_yx
         + inertia_right_ankle_bracket_yy_2 * poses.rotation_right_ankle_bracket_yy
         + inertia_right_ankle_bracket_yy_4 * poses.rotation_right_ankle_cross_yx
-        + (inertia_right_ankle_bracket_yy_6 + inertia_right_ankle_bracket_xx_7);
+        + 0.0013697916700000001
+        + (inertia_right_ankle_bracket_yy_7 + inertia_right_ankle_bracket_xx_8);
     let inertia_right_ankle_bracket_yz = inertia_right_ankle_bracket_yy_0
         * poses.rotation_right_ankle_bracket_zx
         + inertia_right_ankle_bracket_yy_2 * poses.rotation_right_ankle_bracket_zy
         + inertia_right_ankle_bracket_yy_4 * poses.rotation_right_ankle_cross_zx
         - inertia_right_ankle_bracket_hy * inertia_right_ankle_bracket_hz_0;
-    let inertia_right_ankle_bracket_zz = (0.004348151315384616
+    let inertia_right_ankle_bracket_zz = (0.0029783596453846154
         * poses.rotation_right_ankle_bracket_zx
         + 0.00006461538461538462 * poses.rotation_right_ankle_bracket_zy
         - 0.00029723076923076914 * poses.rotation_right_ankle_cross_zx)
         * poses.rotation_right_ankle_bracket_zx
         + (0.00006461538461538462 * poses.rotation_right_ankle_bracket_zx
-            + 0.004175122469230769 * poses.rotation_right_ankle_bracket_zy
+            + 0.0028053307992307683 * poses.rotation_right_ankle_bracket_zy
             + 0.00003715384615384614 * poses.rotation_right_ankle_cross_zx)
             * poses.rotation_right_ankle_bracket_zy
         + (0.00003715384615384614 * poses.rotation_right_ankle_bracket_zy
-            - 0.00029723076923076914 * poses.rotation_right_ankle_bracket_zx
-            + 0.0013697916700000001 * poses.rotation_right_ankle_cross_zx)
-            * poses.rotation_right_ankle_cross_zx
-        + (inertia_right_ankle_bracket_yy_6 + inertia_right_ankle_bracket_xx_6);
+            - 0.00029723076923076914 * poses.rotation_right_ankle_bracket_zx)
+            * poses.rotation_right_ankle_cross_zx + 0.0013697916700000001
+        + (inertia_right_ankle_bracket_yy_7 + inertia_right_ankle_bracket_xx_7);
     let inertia_waist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_1
         - poses.minus_origin_pelvis_x_1;
     let inertia_waist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_1
         - poses.minus_origin_pelvis_y_1;
     let inertia_waist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_1
         - poses.minus_origin_pelvis_z_1;
-    let inertia_waist_bracket_xy_0 = 0.0016625 * poses.cos_waist_yaw;
-    let inertia_waist_bracket_xy_2 = 0.0016625 * poses.sin_waist_yaw;
-    let inertia_waist_bracket_xx_0 = inertia_waist_bracket_xy_0 * poses.cos_waist_yaw
-        + inertia_waist_bracket_xy_2 * poses.sin_waist_yaw;
     // waist_bracket
     let inertia_waist_bracket_hx = inertia_waist_bracket_hx_0 * 1.5;
     let inertia_waist_bracket_hy = inertia_waist_bracket_hy_0 * 1.5;
@@ -3547,16 +3455,15 @@ fn inertias(poses: &Poses) -> Inertias {
         * inertia_waist_bracket_hy_0;
     let inertia_waist_bracket_xx_2 = inertia_waist_bracket_hz
         * inertia_waist_bracket_hz_0;
+    let minus_inertia_waist_bracket_xy = inertia_waist_bracket_hx
+        * inertia_waist_bracket_hy_0;
     let minus_inertia_waist_bracket_xz = inertia_waist_bracket_hx
         * inertia_waist_bracket_hz_0;
     let minus_inertia_waist_bracket_yz = inertia_waist_bracket_hy
         * inertia_waist_bracket_hz_0;
-    let inertia_waist_bracket_xx = inertia_waist_bracket_xx_0
+    let inertia_waist_bracket_xx = 0.0016625
         + (inertia_waist_bracket_xx_1 + inertia_waist_bracket_xx_2);
-    let inertia_waist_bracket_xy = inertia_waist_bracket_xy_0 * poses.sin_waist_yaw
-        - inertia_waist_bracket_xy_2 * poses.cos_waist_yaw
-        - inertia_waist_bracket_hx * inertia_waist_bracket_hy_0;
-    let inertia_waist_bracket_yy = inertia_waist_bracket_xx_0
+    let inertia_waist_bracket_yy = 0.0016625
         + (inertia_waist_bracket_yy_1 + inertia_waist_bracket_xx_2);
     let inertia_waist_bracket_zz = 0.0027
         + (inertia_waist_bracket_yy_1 + inertia_waist_bracket_xx_1);
@@ -3566,533 +3473,420 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_pelvis_y_1;
     let inertia_waist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_3
         - poses.minus_origin_pelvis_z_1;
-    let inertia_waist_cross_xx_0 = 0.0021875 * poses.minus_rotation_waist_cross_xx;
-    let inertia_waist_cross_xx_2 = 0.0021875 * poses.minus_rotation_waist_cross_xy;
-    let inertia_waist_cross_xx_4 = 0.001875 * poses.cos_waist_yaw;
-    let inertia_waist_cross_yy_0 = 0.0021875 * poses.rotation_waist_cross_yx;
-    let inertia_waist_cross_yy_2 = 0.0021875 * poses.rotation_waist_cross_yy;
+    let inertia_waist_cross_xx_0 = 0.0003125000000000003
+        * poses.minus_rotation_waist_cross_xx;
+    let inertia_waist_cross_xx_2 = 0.0003125000000000003
+        * poses.minus_rotation_waist_cross_xy;
+    let inertia_waist_cross_yy_0 = 0.0003125000000000003 * poses.rotation_waist_cross_yx;
+    let inertia_waist_cross_yy_2 = 0.0003125000000000003 * poses.rotation_waist_cross_yy;
     // waist_cross
     let inertia_waist_cross_hx = inertia_waist_cross_hx_0 * 1.5;
     let inertia_waist_cross_hy = inertia_waist_cross_hy_0 * 1.5;
     let inertia_waist_cross_hz = inertia_waist_cross_hz_0 * 1.5;
-    let inertia_waist_cross_yy_7 = inertia_waist_cross_hx * inertia_waist_cross_hx_0;
-    let inertia_waist_cross_xx_6 = inertia_waist_cross_hy * inertia_waist_cross_hy_0;
-    let inertia_waist_cross_xx_7 = inertia_waist_cross_hz * inertia_waist_cross_hz_0;
+    let inertia_waist_cross_yy_5 = inertia_waist_cross_hx * inertia_waist_cross_hx_0;
+    let inertia_waist_cross_xx_5 = inertia_waist_cross_hy * inertia_waist_cross_hy_0;
+    let inertia_waist_cross_xx_6 = inertia_waist_cross_hz * inertia_waist_cross_hz_0;
     let inertia_waist_cross_xx = inertia_waist_cross_xx_0
         * poses.minus_rotation_waist_cross_xx
-        + inertia_waist_cross_xx_2 * poses.minus_rotation_waist_cross_xy
-        + inertia_waist_cross_xx_4 * poses.cos_waist_yaw
-        + (inertia_waist_cross_xx_6 + inertia_waist_cross_xx_7);
-    let inertia_waist_cross_xy = inertia_waist_cross_xx_4 * poses.sin_waist_yaw
-        - (inertia_waist_cross_xx_0 * poses.rotation_waist_cross_yx
-            + inertia_waist_cross_xx_2 * poses.rotation_waist_cross_yy)
-        - inertia_waist_cross_hx * inertia_waist_cross_hy_0;
+        + inertia_waist_cross_xx_2 * poses.minus_rotation_waist_cross_xy + 0.001875
+        + (inertia_waist_cross_xx_5 + inertia_waist_cross_xx_6);
+    let minus_inertia_waist_cross_xy = inertia_waist_cross_xx_0
+        * poses.rotation_waist_cross_yx
+        + inertia_waist_cross_xx_2 * poses.rotation_waist_cross_yy
+        + inertia_waist_cross_hx * inertia_waist_cross_hy_0;
     let inertia_waist_cross_xz = inertia_waist_cross_xx_0 * poses.cos_waist_roll
         - inertia_waist_cross_xx_2 * poses.sin_waist_roll
         - inertia_waist_cross_hx * inertia_waist_cross_hz_0;
     let inertia_waist_cross_yy = inertia_waist_cross_yy_0 * poses.rotation_waist_cross_yx
-        + inertia_waist_cross_yy_2 * poses.rotation_waist_cross_yy
-        + 0.001875 * poses.sin_waist_yaw * poses.sin_waist_yaw
-        + (inertia_waist_cross_yy_7 + inertia_waist_cross_xx_7);
+        + inertia_waist_cross_yy_2 * poses.rotation_waist_cross_yy + 0.001875
+        + (inertia_waist_cross_yy_5 + inertia_waist_cross_xx_6);
     let inertia_waist_cross_yz = inertia_waist_cross_yy_2 * poses.sin_waist_roll
         - inertia_waist_cross_yy_0 * poses.cos_waist_roll
         - inertia_waist_cross_hy * inertia_waist_cross_hz_0;
-    let inertia_waist_cross_zz = 0.0021875 * poses.cos_waist_roll * poses.cos_waist_roll
-        + 0.0021875 * poses.sin_waist_roll * poses.sin_waist_roll
-        + (inertia_waist_cross_yy_7 + inertia_waist_cross_xx_6);
+    let inertia_waist_cross_zz = 0.0003125000000000003 * poses.cos_waist_roll
+        * poses.cos_waist_roll
+        + 0.0003125000000000003 * poses.sin_waist_roll * poses.sin_waist_roll + 0.001875
+        + (inertia_waist_cross_yy_5 + inertia_waist_cross_xx_5);
     let inertia_torso_hx_0 = poses.minus_origin_pelvis_x_1_0_5
         - poses.minus_origin_pelvis_x_1;
     let inertia_torso_hy_0 = poses.minus_origin_pelvis_y_1_0_5
         - poses.minus_origin_pelvis_y_1;
     let inertia_torso_hz_0 = poses.minus_origin_pelvis_z_1_0_5
         - poses.minus_origin_pelvis_z_1;
-    let inertia_torso_xx_0 = 0.26293333 * poses.rotation_torso_xx;
-    let inertia_torso_xx_2 = 0.13333333 * poses.rotation_neck_bracket_xz;
-    let inertia_torso_xx_4 = 0.216 * poses.minus_rotation_waist_cross_xy;
-    let inertia_torso_yy_0 = 0.26293333 * poses.rotation_torso_yx;
-    let inertia_torso_yy_2 = 0.13333333 * poses.rotation_torso_yy;
-    let inertia_torso_yy_4 = 0.216 * poses.rotation_waist_cross_yy;
+    let inertia_torso_xx_0 = 0.12960000000000002 * poses.rotation_torso_xx;
+    let inertia_torso_xx_2 = 0.08266667 * poses.minus_rotation_waist_cross_xy;
+    let inertia_torso_yy_0 = 0.12960000000000002 * poses.rotation_torso_yx;
+    let inertia_torso_yy_2 = 0.08266667 * poses.rotation_waist_cross_yy;
     // torso
     let inertia_torso_hx = inertia_torso_hx_0 * 16.0;
     let inertia_torso_hy = inertia_torso_hy_0 * 16.0;
     let inertia_torso_hz = inertia_torso_hz_0 * 16.0;
-    let inertia_torso_yy_6 = inertia_torso_hx * inertia_torso_hx_0;
-    let inertia_torso_xx_6 = inertia_torso_hy * inertia_torso_hy_0;
-    let inertia_torso_xx_7 = inertia_torso_hz * inertia_torso_hz_0;
+    let inertia_torso_yy_5 = inertia_torso_hx * inertia_torso_hx_0;
+    let inertia_torso_xx_5 = inertia_torso_hy * inertia_torso_hy_0;
+    let inertia_torso_xx_6 = inertia_torso_hz * inertia_torso_hz_0;
     let inertia_torso_xx = inertia_torso_xx_0 * poses.rotation_torso_xx
-        + inertia_torso_xx_2 * poses.rotation_neck_bracket_xz
-        + inertia_torso_xx_4 * poses.minus_rotation_waist_cross_xy
-        + (inertia_torso_xx_6 + inertia_torso_xx_7);
+        + inertia_torso_xx_2 * poses.minus_rotation_waist_cross_xy + 0.13333333
+        + (inertia_torso_xx_5 + inertia_torso_xx_6);
     let inertia_torso_xy = inertia_torso_xx_0 * poses.rotation_torso_yx
-        - inertia_torso_xx_2 * poses.rotation_torso_yy
-        - inertia_torso_xx_4 * poses.rotation_waist_cross_yy
+        - inertia_torso_xx_2 * poses.rotation_waist_cross_yy
         - inertia_torso_hx * inertia_torso_hy_0;
-    let inertia_torso_xz = inertia_torso_xx_2 * poses.rotation_neck_bracket_zz
-        - inertia_torso_xx_0 * poses.minus_rotation_torso_zx
-        - inertia_torso_xx_4 * poses.sin_waist_roll
-        - inertia_torso_hx * inertia_torso_hz_0;
+    let minus_inertia_torso_xz = inertia_torso_xx_0 * poses.minus_rotation_torso_zx
+        + inertia_torso_xx_2 * poses.sin_waist_roll
+        + inertia_torso_hx * inertia_torso_hz_0;
     let inertia_torso_yy = inertia_torso_yy_0 * poses.rotation_torso_yx
-        + inertia_torso_yy_2 * poses.rotation_torso_yy
-        + inertia_torso_yy_4 * poses.rotation_waist_cross_yy
-        + (inertia_torso_yy_6 + inertia_torso_xx_7);
-    let inertia_torso_yz = inertia_torso_yy_4 * poses.sin_waist_roll
-        - (inertia_torso_yy_0 * poses.minus_rotation_torso_zx
-            + inertia_torso_yy_2 * poses.rotation_neck_bracket_zz)
+        + inertia_torso_yy_2 * poses.rotation_waist_cross_yy + 0.13333333
+        + (inertia_torso_yy_5 + inertia_torso_xx_6);
+    let inertia_torso_yz = inertia_torso_yy_2 * poses.sin_waist_roll
+        - inertia_torso_yy_0 * poses.minus_rotation_torso_zx
         - inertia_torso_hy * inertia_torso_hz_0;
-    let inertia_torso_zz = 0.26293333 * poses.minus_rotation_torso_zx
+    let inertia_torso_zz = 0.12960000000000002 * poses.minus_rotation_torso_zx
         * poses.minus_rotation_torso_zx
-        + 0.13333333 * poses.rotation_neck_bracket_zz * poses.rotation_neck_bracket_zz
-        + 0.216 * poses.sin_waist_roll * poses.sin_waist_roll
-        + (inertia_torso_yy_6 + inertia_torso_xx_6);
+        + 0.08266667 * poses.sin_waist_roll * poses.sin_waist_roll + 0.13333333
+        + (inertia_torso_yy_5 + inertia_torso_xx_5);
     let inertia_neck_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_7
         - poses.minus_origin_pelvis_x_1;
     let inertia_neck_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_7
         - poses.minus_origin_pelvis_y_1;
     let inertia_neck_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_7
         - poses.minus_origin_pelvis_z_1;
-    let inertia_neck_bracket_xx_0 = 0.00021666667 * poses.rotation_neck_bracket_xx;
-    let inertia_neck_bracket_xx_2 = 0.00021666667 * poses.minus_rotation_neck_bracket_xy;
-    let inertia_neck_bracket_xx_4 = 0.000225 * poses.rotation_neck_bracket_xz;
-    let inertia_neck_bracket_yy_0 = 0.00021666667 * poses.rotation_neck_bracket_yx;
-    let inertia_neck_bracket_yy_2 = 0.00021666667 * poses.rotation_neck_bracket_yy;
-    let inertia_neck_bracket_yy_4 = 0.000225 * poses.rotation_torso_yy;
+    let inertia_neck_bracket_xx_0 = 0.000008333329999999999
+        * poses.rotation_neck_bracket_xz;
+    let inertia_neck_bracket_yy_0 = 0.000008333329999999999 * poses.rotation_torso_yy;
     // neck_bracket
     let inertia_neck_bracket_hx = inertia_neck_bracket_hx_0 * 0.5;
     let inertia_neck_bracket_hy = inertia_neck_bracket_hy_0 * 0.5;
     let inertia_neck_bracket_hz = inertia_neck_bracket_hz_0 * 0.5;
-    let inertia_neck_bracket_yy_6 = inertia_neck_bracket_hx * inertia_neck_bracket_hx_0;
-    let inertia_neck_bracket_xx_6 = inertia_neck_bracket_hy * inertia_neck_bracket_hy_0;
-    let inertia_neck_bracket_xx_7 = inertia_neck_bracket_hz * inertia_neck_bracket_hz_0;
+    let inertia_neck_bracket_yy_3 = inertia_neck_bracket_hx * inertia_neck_bracket_hx_0;
+    let inertia_neck_bracket_xx_3 = inertia_neck_bracket_hy * inertia_neck_bracket_hy_0;
+    let inertia_neck_bracket_xx_4 = inertia_neck_bracket_hz * inertia_neck_bracket_hz_0;
     let inertia_neck_bracket_xx = inertia_neck_bracket_xx_0
-        * poses.rotation_neck_bracket_xx
-        + inertia_neck_bracket_xx_2 * poses.minus_rotation_neck_bracket_xy
-        + inertia_neck_bracket_xx_4 * poses.rotation_neck_bracket_xz
-        + (inertia_neck_bracket_xx_6 + inertia_neck_bracket_xx_7);
-    let inertia_neck_bracket_xy = inertia_neck_bracket_xx_0
-        * poses.rotation_neck_bracket_yx
-        - inertia_neck_bracket_xx_2 * poses.rotation_neck_bracket_yy
-        - inertia_neck_bracket_xx_4 * poses.rotation_torso_yy
-        - inertia_neck_bracket_hx * inertia_neck_bracket_hy_0;
+        * poses.rotation_neck_bracket_xz + 0.00021666667
+        + (inertia_neck_bracket_xx_3 + inertia_neck_bracket_xx_4);
+    let minus_inertia_neck_bracket_xy = inertia_neck_bracket_xx_0
+        * poses.rotation_torso_yy + inertia_neck_bracket_hx * inertia_neck_bracket_hy_0;
     let inertia_neck_bracket_xz = inertia_neck_bracket_xx_0
-        * poses.rotation_neck_bracket_zx
-        - inertia_neck_bracket_xx_2 * poses.rotation_neck_bracket_zy
-        + inertia_neck_bracket_xx_4 * poses.rotation_neck_bracket_zz
+        * poses.rotation_neck_bracket_zz
         - inertia_neck_bracket_hx * inertia_neck_bracket_hz_0;
-    let inertia_neck_bracket_yy = inertia_neck_bracket_yy_0
-        * poses.rotation_neck_bracket_yx
-        + inertia_neck_bracket_yy_2 * poses.rotation_neck_bracket_yy
-        + inertia_neck_bracket_yy_4 * poses.rotation_torso_yy
-        + (inertia_neck_bracket_yy_6 + inertia_neck_bracket_xx_7);
-    let inertia_neck_bracket_yz = inertia_neck_bracket_yy_0
-        * poses.rotation_neck_bracket_zx
-        + inertia_neck_bracket_yy_2 * poses.rotation_neck_bracket_zy
-        - inertia_neck_bracket_yy_4 * poses.rotation_neck_bracket_zz
-        - inertia_neck_bracket_hy * inertia_neck_bracket_hz_0;
-    let inertia_neck_bracket_zz = 0.00021666667 * poses.rotation_neck_bracket_zx
-        * poses.rotation_neck_bracket_zx
-        + 0.00021666667 * poses.rotation_neck_bracket_zy * poses.rotation_neck_bracket_zy
-        + 0.000225 * poses.rotation_neck_bracket_zz * poses.rotation_neck_bracket_zz
-        + (inertia_neck_bracket_yy_6 + inertia_neck_bracket_xx_6);
+    let inertia_neck_bracket_yy = inertia_neck_bracket_yy_0 * poses.rotation_torso_yy
+        + 0.00021666667 + (inertia_neck_bracket_yy_3 + inertia_neck_bracket_xx_4);
+    let minus_inertia_neck_bracket_yz = inertia_neck_bracket_yy_0
+        * poses.rotation_neck_bracket_zz
+        + inertia_neck_bracket_hy * inertia_neck_bracket_hz_0;
+    let inertia_neck_bracket_zz = 0.000008333329999999999
+        * poses.rotation_neck_bracket_zz * poses.rotation_neck_bracket_zz + 0.00021666667
+        + (inertia_neck_bracket_yy_3 + inertia_neck_bracket_xx_3);
     let inertia_neck_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_9
         - poses.minus_origin_pelvis_x_1;
     let inertia_neck_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_9
         - poses.minus_origin_pelvis_y_1;
     let inertia_neck_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_9
         - poses.minus_origin_pelvis_z_1;
-    let inertia_neck_cross_xx_0 = 0.000248 * poses.minus_rotation_neck_cross_xx;
-    let inertia_neck_cross_xx_2 = 0.000248 * poses.rotation_neck_cross_xy;
-    let inertia_neck_cross_xx_4 = 0.000196 * poses.rotation_neck_bracket_xx;
-    let inertia_neck_cross_yy_0 = 0.000248 * poses.rotation_neck_cross_yx;
-    let inertia_neck_cross_yy_2 = 0.000248 * poses.rotation_neck_cross_yy;
-    let inertia_neck_cross_yy_4 = 0.000196 * poses.rotation_neck_bracket_yx;
+    let inertia_neck_cross_xx_0 = 0.00005200000000000002
+        * poses.minus_rotation_neck_cross_xx;
+    let inertia_neck_cross_xx_2 = 0.00005200000000000002 * poses.rotation_neck_cross_xy;
+    let inertia_neck_cross_yy_0 = 0.00005200000000000002 * poses.rotation_neck_cross_yx;
+    let inertia_neck_cross_yy_2 = 0.00005200000000000002 * poses.rotation_neck_cross_yy;
     // neck_cross
     let inertia_neck_cross_hx = inertia_neck_cross_hx_0 * 0.5;
     let inertia_neck_cross_hy = inertia_neck_cross_hy_0 * 0.5;
     let inertia_neck_cross_hz = inertia_neck_cross_hz_0 * 0.5;
-    let inertia_neck_cross_yy_6 = inertia_neck_cross_hx * inertia_neck_cross_hx_0;
-    let inertia_neck_cross_xx_6 = inertia_neck_cross_hy * inertia_neck_cross_hy_0;
-    let inertia_neck_cross_xx_7 = inertia_neck_cross_hz * inertia_neck_cross_hz_0;
+    let inertia_neck_cross_yy_5 = inertia_neck_cross_hx * inertia_neck_cross_hx_0;
+    let inertia_neck_cross_xx_5 = inertia_neck_cross_hy * inertia_neck_cross_hy_0;
+    let inertia_neck_cross_xx_6 = inertia_neck_cross_hz * inertia_neck_cross_hz_0;
     let inertia_neck_cross_xx = inertia_neck_cross_xx_0
         * poses.minus_rotation_neck_cross_xx
-        + inertia_neck_cross_xx_2 * poses.rotation_neck_cross_xy
-        + inertia_neck_cross_xx_4 * poses.rotation_neck_bracket_xx
-        + (inertia_neck_cross_xx_6 + inertia_neck_cross_xx_7);
+        + inertia_neck_cross_xx_2 * poses.rotation_neck_cross_xy + 0.000196
+        + (inertia_neck_cross_xx_5 + inertia_neck_cross_xx_6);
     let inertia_neck_cross_xy = inertia_neck_cross_xx_2 * poses.rotation_neck_cross_yy
         - inertia_neck_cross_xx_0 * poses.rotation_neck_cross_yx
-        + inertia_neck_cross_xx_4 * poses.rotation_neck_bracket_yx
         - inertia_neck_cross_hx * inertia_neck_cross_hy_0;
     let inertia_neck_cross_xz = inertia_neck_cross_xx_2 * poses.rotation_neck_cross_zy
         - inertia_neck_cross_xx_0 * poses.rotation_neck_cross_zx
-        + inertia_neck_cross_xx_4 * poses.rotation_neck_bracket_zx
         - inertia_neck_cross_hx * inertia_neck_cross_hz_0;
     let inertia_neck_cross_yy = inertia_neck_cross_yy_0 * poses.rotation_neck_cross_yx
-        + inertia_neck_cross_yy_2 * poses.rotation_neck_cross_yy
-        + inertia_neck_cross_yy_4 * poses.rotation_neck_bracket_yx
-        + (inertia_neck_cross_yy_6 + inertia_neck_cross_xx_7);
+        + inertia_neck_cross_yy_2 * poses.rotation_neck_cross_yy + 0.000196
+        + (inertia_neck_cross_yy_5 + inertia_neck_cross_xx_6);
     let inertia_neck_cross_yz = inertia_neck_cross_yy_0 * poses.rotation_neck_cross_zx
         + inertia_neck_cross_yy_2 * poses.rotation_neck_cross_zy
-        + inertia_neck_cross_yy_4 * poses.rotation_neck_bracket_zx
         - inertia_neck_cross_hy * inertia_neck_cross_hz_0;
-    let inertia_neck_cross_zz = 0.000248 * poses.rotation_neck_cross_zx
+    let inertia_neck_cross_zz = 0.00005200000000000002 * poses.rotation_neck_cross_zx
         * poses.rotation_neck_cross_zx
-        + 0.000248 * poses.rotation_neck_cross_zy * poses.rotation_neck_cross_zy
-        + 0.000196 * poses.rotation_neck_bracket_zx * poses.rotation_neck_bracket_zx
-        + (inertia_neck_cross_yy_6 + inertia_neck_cross_xx_6);
+        + 0.00005200000000000002 * poses.rotation_neck_cross_zy
+            * poses.rotation_neck_cross_zy + 0.000196
+        + (inertia_neck_cross_yy_5 + inertia_neck_cross_xx_5);
     let inertia_head_hx_0 = poses.minus_origin_pelvis_x_1_0_11
         - poses.minus_origin_pelvis_x_1;
     let inertia_head_hy_0 = poses.minus_origin_pelvis_y_1_0_11
         - poses.minus_origin_pelvis_y_1;
     let inertia_head_hz_0 = poses.minus_origin_pelvis_z_1_0_11
         - poses.minus_origin_pelvis_z_1;
-    let inertia_head_xx_0 = 0.012 * poses.rotation_head_xx;
-    let inertia_head_xx_2 = 0.012 * poses.minus_rotation_head_xy;
-    let inertia_head_xx_4 = 0.012 * poses.rotation_neck_cross_xy;
-    let inertia_head_yy_0 = 0.012 * poses.rotation_head_yx;
-    let inertia_head_yy_2 = 0.012 * poses.rotation_head_yy;
-    let inertia_head_yy_4 = 0.012 * poses.rotation_neck_cross_yy;
     // head
     let inertia_head_hx = inertia_head_hx_0 * 3.0;
     let inertia_head_hy = inertia_head_hy_0 * 3.0;
     let inertia_head_hz = inertia_head_hz_0 * 3.0;
-    let inertia_head_yy_6 = inertia_head_hx * inertia_head_hx_0;
-    let inertia_head_xx_6 = inertia_head_hy * inertia_head_hy_0;
-    let inertia_head_xx_7 = inertia_head_hz * inertia_head_hz_0;
-    let inertia_head_xx = inertia_head_xx_0 * poses.rotation_head_xx
-        + inertia_head_xx_2 * poses.minus_rotation_head_xy
-        + inertia_head_xx_4 * poses.rotation_neck_cross_xy
-        + (inertia_head_xx_6 + inertia_head_xx_7);
-    let inertia_head_xy = inertia_head_xx_0 * poses.rotation_head_yx
-        - inertia_head_xx_2 * poses.rotation_head_yy
-        + inertia_head_xx_4 * poses.rotation_neck_cross_yy
-        - inertia_head_hx * inertia_head_hy_0;
-    let inertia_head_xz = inertia_head_xx_0 * poses.rotation_head_zx
-        - inertia_head_xx_2 * poses.rotation_head_zy
-        + inertia_head_xx_4 * poses.rotation_neck_cross_zy
-        - inertia_head_hx * inertia_head_hz_0;
-    let inertia_head_yy = inertia_head_yy_0 * poses.rotation_head_yx
-        + inertia_head_yy_2 * poses.rotation_head_yy
-        + inertia_head_yy_4 * poses.rotation_neck_cross_yy
-        + (inertia_head_yy_6 + inertia_head_xx_7);
-    let inertia_head_yz = inertia_head_yy_0 * poses.rotation_head_zx
-        + inertia_head_yy_2 * poses.rotation_head_zy
-        + inertia_head_yy_4 * poses.rotation_neck_cross_zy
-        - inertia_head_hy * inertia_head_hz_0;
-    let inertia_head_zz = 0.012 * poses.rotation_head_zx * poses.rotation_head_zx
-        + 0.012 * poses.rotation_head_zy * poses.rotation_head_zy
-        + 0.012 * poses.rotation_neck_cross_zy * poses.rotation_neck_cross_zy
-        + (inertia_head_yy_6 + inertia_head_xx_6);
+    let inertia_head_yy_1 = inertia_head_hx * inertia_head_hx_0;
+    let inertia_head_xx_1 = inertia_head_hy * inertia_head_hy_0;
+    let inertia_head_xx_2 = inertia_head_hz * inertia_head_hz_0;
+    let minus_inertia_head_xy = inertia_head_hx * inertia_head_hy_0;
+    let minus_inertia_head_xz = inertia_head_hx * inertia_head_hz_0;
+    let minus_inertia_head_yz = inertia_head_hy * inertia_head_hz_0;
+    let inertia_head_xx = 0.012 + (inertia_head_xx_1 + inertia_head_xx_2);
+    let inertia_head_yy = 0.012 + (inertia_head_yy_1 + inertia_head_xx_2);
+    let inertia_head_zz = 0.012 + (inertia_head_yy_1 + inertia_head_xx_1);
     let inertia_left_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_13
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_13
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_13
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_shoulder_bracket_xx_0 = 0.00056583333
+    let inertia_left_shoulder_bracket_xx_0 = 0.000005833330000000101
         * poses.rotation_left_shoulder_bracket_xx;
-    let inertia_left_shoulder_bracket_xx_2 = 0.00056583333
+    let inertia_left_shoulder_bracket_xx_2 = 0.000005833330000000101
         * poses.minus_rotation_left_shoulder_bracket_xy;
-    let inertia_left_shoulder_bracket_xx_4 = 0.00056
-        * poses.rotation_left_shoulder_bracket_xz;
-    let inertia_left_shoulder_bracket_yy_0 = 0.00056583333
+    let inertia_left_shoulder_bracket_yy_0 = 0.000005833330000000101
         * poses.rotation_left_shoulder_bracket_yx;
-    let inertia_left_shoulder_bracket_yy_2 = 0.00056583333
+    let inertia_left_shoulder_bracket_yy_2 = 0.000005833330000000101
         * poses.rotation_left_shoulder_bracket_yy;
-    let inertia_left_shoulder_bracket_yy_4 = 0.00056
-        * poses.rotation_left_shoulder_bracket_yz;
     // left_shoulder_bracket
     let inertia_left_shoulder_bracket_hx = inertia_left_shoulder_bracket_hx_0 * 0.7;
     let inertia_left_shoulder_bracket_hy = inertia_left_shoulder_bracket_hy_0 * 0.7;
     let inertia_left_shoulder_bracket_hz = inertia_left_shoulder_bracket_hz_0 * 0.7;
-    let inertia_left_shoulder_bracket_yy_6 = inertia_left_shoulder_bracket_hx
+    let inertia_left_shoulder_bracket_yy_5 = inertia_left_shoulder_bracket_hx
         * inertia_left_shoulder_bracket_hx_0;
-    let inertia_left_shoulder_bracket_xx_6 = inertia_left_shoulder_bracket_hy
+    let inertia_left_shoulder_bracket_xx_5 = inertia_left_shoulder_bracket_hy
         * inertia_left_shoulder_bracket_hy_0;
-    let inertia_left_shoulder_bracket_xx_7 = inertia_left_shoulder_bracket_hz
+    let inertia_left_shoulder_bracket_xx_6 = inertia_left_shoulder_bracket_hz
         * inertia_left_shoulder_bracket_hz_0;
     let inertia_left_shoulder_bracket_xx = inertia_left_shoulder_bracket_xx_0
         * poses.rotation_left_shoulder_bracket_xx
         + inertia_left_shoulder_bracket_xx_2
-            * poses.minus_rotation_left_shoulder_bracket_xy
-        + inertia_left_shoulder_bracket_xx_4 * poses.rotation_left_shoulder_bracket_xz
-        + (inertia_left_shoulder_bracket_xx_6 + inertia_left_shoulder_bracket_xx_7);
+            * poses.minus_rotation_left_shoulder_bracket_xy + 0.00056
+        + (inertia_left_shoulder_bracket_xx_5 + inertia_left_shoulder_bracket_xx_6);
     let inertia_left_shoulder_bracket_xy = inertia_left_shoulder_bracket_xx_0
         * poses.rotation_left_shoulder_bracket_yx
         - inertia_left_shoulder_bracket_xx_2 * poses.rotation_left_shoulder_bracket_yy
-        + inertia_left_shoulder_bracket_xx_4 * poses.rotation_left_shoulder_bracket_yz
         - inertia_left_shoulder_bracket_hx * inertia_left_shoulder_bracket_hy_0;
     let inertia_left_shoulder_bracket_xz = inertia_left_shoulder_bracket_xx_0
         * poses.rotation_left_shoulder_bracket_zx
         - inertia_left_shoulder_bracket_xx_2 * poses.rotation_left_shoulder_bracket_zy
-        + inertia_left_shoulder_bracket_xx_4 * poses.rotation_left_shoulder_bracket_zz
         - inertia_left_shoulder_bracket_hx * inertia_left_shoulder_bracket_hz_0;
     let inertia_left_shoulder_bracket_yy = inertia_left_shoulder_bracket_yy_0
         * poses.rotation_left_shoulder_bracket_yx
         + inertia_left_shoulder_bracket_yy_2 * poses.rotation_left_shoulder_bracket_yy
-        + inertia_left_shoulder_bracket_yy_4 * poses.rotation_left_shoulder_bracket_yz
-        + (inertia_left_shoulder_bracket_yy_6 + inertia_left_shoulder_bracket_xx_7);
+        + 0.00056
+        + (inertia_left_shoulder_bracket_yy_5 + inertia_left_shoulder_bracket_xx_6);
     let inertia_left_shoulder_bracket_yz = inertia_left_shoulder_bracket_yy_0
         * poses.rotation_left_shoulder_bracket_zx
         + inertia_left_shoulder_bracket_yy_2 * poses.rotation_left_shoulder_bracket_zy
-        + inertia_left_shoulder_bracket_yy_4 * poses.rotation_left_shoulder_bracket_zz
         - inertia_left_shoulder_bracket_hy * inertia_left_shoulder_bracket_hz_0;
-    let inertia_left_shoulder_bracket_zz = 0.00056583333
+    let inertia_left_shoulder_bracket_zz = 0.000005833330000000101
         * poses.rotation_left_shoulder_bracket_zx
         * poses.rotation_left_shoulder_bracket_zx
-        + 0.00056583333 * poses.rotation_left_shoulder_bracket_zy
-            * poses.rotation_left_shoulder_bracket_zy
-        + 0.00056 * poses.rotation_left_shoulder_bracket_zz
-            * poses.rotation_left_shoulder_bracket_zz
-        + (inertia_left_shoulder_bracket_yy_6 + inertia_left_shoulder_bracket_xx_6);
+        + 0.000005833330000000101 * poses.rotation_left_shoulder_bracket_zy
+            * poses.rotation_left_shoulder_bracket_zy + 0.00056
+        + (inertia_left_shoulder_bracket_yy_5 + inertia_left_shoulder_bracket_xx_5);
     let inertia_left_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_15
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_15
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_15
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_shoulder_cross_xx_0 = 0.0005366
+    let inertia_left_shoulder_cross_xx_0 = 0.00010340000000000002
         * poses.rotation_left_shoulder_cross_xx;
-    let inertia_left_shoulder_cross_xx_2 = 0.0005366
+    let inertia_left_shoulder_cross_xx_2 = 0.00010340000000000002
         * poses.rotation_left_shoulder_cross_xy;
-    let inertia_left_shoulder_cross_xx_4 = 0.0004332
-        * poses.rotation_left_shoulder_bracket_xx;
-    let inertia_left_shoulder_cross_yy_0 = 0.0005366
+    let inertia_left_shoulder_cross_yy_0 = 0.00010340000000000002
         * poses.rotation_left_shoulder_cross_yx;
-    let inertia_left_shoulder_cross_yy_2 = 0.0005366
+    let inertia_left_shoulder_cross_yy_2 = 0.00010340000000000002
         * poses.rotation_left_shoulder_cross_yy;
-    let inertia_left_shoulder_cross_yy_4 = 0.0004332
-        * poses.rotation_left_shoulder_bracket_yx;
     // left_shoulder_cross
     let inertia_left_shoulder_cross_hx = inertia_left_shoulder_cross_hx_0 * 0.6;
     let inertia_left_shoulder_cross_hy = inertia_left_shoulder_cross_hy_0 * 0.6;
     let inertia_left_shoulder_cross_hz = inertia_left_shoulder_cross_hz_0 * 0.6;
-    let inertia_left_shoulder_cross_yy_6 = inertia_left_shoulder_cross_hx
+    let inertia_left_shoulder_cross_yy_5 = inertia_left_shoulder_cross_hx
         * inertia_left_shoulder_cross_hx_0;
-    let inertia_left_shoulder_cross_xx_6 = inertia_left_shoulder_cross_hy
+    let inertia_left_shoulder_cross_xx_5 = inertia_left_shoulder_cross_hy
         * inertia_left_shoulder_cross_hy_0;
-    let inertia_left_shoulder_cross_xx_7 = inertia_left_shoulder_cross_hz
+    let inertia_left_shoulder_cross_xx_6 = inertia_left_shoulder_cross_hz
         * inertia_left_shoulder_cross_hz_0;
     let inertia_left_shoulder_cross_xx = inertia_left_shoulder_cross_xx_0
         * poses.rotation_left_shoulder_cross_xx
         + inertia_left_shoulder_cross_xx_2 * poses.rotation_left_shoulder_cross_xy
-        + inertia_left_shoulder_cross_xx_4 * poses.rotation_left_shoulder_bracket_xx
-        + (inertia_left_shoulder_cross_xx_6 + inertia_left_shoulder_cross_xx_7);
+        + 0.0004332
+        + (inertia_left_shoulder_cross_xx_5 + inertia_left_shoulder_cross_xx_6);
     let inertia_left_shoulder_cross_xy = inertia_left_shoulder_cross_xx_0
         * poses.rotation_left_shoulder_cross_yx
         + inertia_left_shoulder_cross_xx_2 * poses.rotation_left_shoulder_cross_yy
-        + inertia_left_shoulder_cross_xx_4 * poses.rotation_left_shoulder_bracket_yx
         - inertia_left_shoulder_cross_hx * inertia_left_shoulder_cross_hy_0;
     let inertia_left_shoulder_cross_xz = inertia_left_shoulder_cross_xx_0
         * poses.rotation_left_shoulder_cross_zx
         + inertia_left_shoulder_cross_xx_2 * poses.rotation_left_shoulder_cross_zy
-        + inertia_left_shoulder_cross_xx_4 * poses.rotation_left_shoulder_bracket_zx
         - inertia_left_shoulder_cross_hx * inertia_left_shoulder_cross_hz_0;
     let inertia_left_shoulder_cross_yy = inertia_left_shoulder_cross_yy_0
         * poses.rotation_left_shoulder_cross_yx
         + inertia_left_shoulder_cross_yy_2 * poses.rotation_left_shoulder_cross_yy
-        + inertia_left_shoulder_cross_yy_4 * poses.rotation_left_shoulder_bracket_yx
-        + (inertia_left_shoulder_cross_yy_6 + inertia_left_shoulder_cross_xx_7);
+        + 0.0004332
+        + (inertia_left_shoulder_cross_yy_5 + inertia_left_shoulder_cross_xx_6);
     let inertia_left_shoulder_cross_yz = inertia_left_shoulder_cross_yy_0
         * poses.rotation_left_shoulder_cross_zx
         + inertia_left_shoulder_cross_yy_2 * poses.rotation_left_shoulder_cross_zy
-        + inertia_left_shoulder_cross_yy_4 * poses.rotation_left_shoulder_bracket_zx
         - inertia_left_shoulder_cross_hy * inertia_left_shoulder_cross_hz_0;
-    let inertia_left_shoulder_cross_zz = 0.0005366
+    let inertia_left_shoulder_cross_zz = 0.00010340000000000002
         * poses.rotation_left_shoulder_cross_zx * poses.rotation_left_shoulder_cross_zx
-        + 0.0005366 * poses.rotation_left_shoulder_cross_zy
-            * poses.rotation_left_shoulder_cross_zy
-        + 0.0004332 * poses.rotation_left_shoulder_bracket_zx
-            * poses.rotation_left_shoulder_bracket_zx
-        + (inertia_left_shoulder_cross_yy_6 + inertia_left_shoulder_cross_xx_6);
+        + 0.00010340000000000002 * poses.rotation_left_shoulder_cross_zy
+            * poses.rotation_left_shoulder_cross_zy + 0.0004332
+        + (inertia_left_shoulder_cross_yy_5 + inertia_left_shoulder_cross_xx_5);
     let inertia_left_upper_arm_hx_0 = poses.minus_origin_pelvis_x_1_0_17
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_upper_arm_hy_0 = poses.minus_origin_pelvis_y_1_0_17
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_upper_arm_hz_0 = poses.minus_origin_pelvis_z_1_0_17
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_upper_arm_xx_0 = 0.0026191667 * poses.rotation_left_upper_arm_xx;
-    let inertia_left_upper_arm_xx_2 = 0.0026614583 * poses.rotation_left_upper_arm_xy;
-    let inertia_left_upper_arm_xx_4 = 0.00061395833
-        * poses.rotation_left_shoulder_cross_xx;
-    let inertia_left_upper_arm_yy_0 = 0.0026191667 * poses.rotation_left_upper_arm_yx;
-    let inertia_left_upper_arm_yy_2 = 0.0026614583 * poses.rotation_left_upper_arm_yy;
-    let inertia_left_upper_arm_yy_4 = 0.00061395833
-        * poses.rotation_left_shoulder_cross_yx;
+    let inertia_left_upper_arm_xx_0 = 0.00200520837 * poses.rotation_left_upper_arm_xx;
+    let inertia_left_upper_arm_xx_2 = 0.00204749997 * poses.rotation_left_upper_arm_xy;
+    let inertia_left_upper_arm_yy_0 = 0.00200520837 * poses.rotation_left_upper_arm_yx;
+    let inertia_left_upper_arm_yy_2 = 0.00204749997 * poses.rotation_left_upper_arm_yy;
     // left_upper_arm
     let inertia_left_upper_arm_hx = inertia_left_upper_arm_hx_0 * 0.7;
     let inertia_left_upper_arm_hy = inertia_left_upper_arm_hy_0 * 0.7;
     let inertia_left_upper_arm_hz = inertia_left_upper_arm_hz_0 * 0.7;
-    let inertia_left_upper_arm_yy_6 = inertia_left_upper_arm_hx
+    let inertia_left_upper_arm_yy_5 = inertia_left_upper_arm_hx
         * inertia_left_upper_arm_hx_0;
-    let inertia_left_upper_arm_xx_6 = inertia_left_upper_arm_hy
+    let inertia_left_upper_arm_xx_5 = inertia_left_upper_arm_hy
         * inertia_left_upper_arm_hy_0;
-    let inertia_left_upper_arm_xx_7 = inertia_left_upper_arm_hz
+    let inertia_left_upper_arm_xx_6 = inertia_left_upper_arm_hz
         * inertia_left_upper_arm_hz_0;
     let inertia_left_upper_arm_xx = inertia_left_upper_arm_xx_0
         * poses.rotation_left_upper_arm_xx
-        + inertia_left_upper_arm_xx_2 * poses.rotation_left_upper_arm_xy
-        + inertia_left_upper_arm_xx_4 * poses.rotation_left_shoulder_cross_xx
-        + (inertia_left_upper_arm_xx_6 + inertia_left_upper_arm_xx_7);
+        + inertia_left_upper_arm_xx_2 * poses.rotation_left_upper_arm_xy + 0.00061395833
+        + (inertia_left_upper_arm_xx_5 + inertia_left_upper_arm_xx_6);
     let inertia_left_upper_arm_xy = inertia_left_upper_arm_xx_0
         * poses.rotation_left_upper_arm_yx
         + inertia_left_upper_arm_xx_2 * poses.rotation_left_upper_arm_yy
-        + inertia_left_upper_arm_xx_4 * poses.rotation_left_shoulder_cross_yx
         - inertia_left_upper_arm_hx * inertia_left_upper_arm_hy_0;
     let inertia_left_upper_arm_xz = inertia_left_upper_arm_xx_0
         * poses.rotation_left_upper_arm_zx
         + inertia_left_upper_arm_xx_2 * poses.rotation_left_upper_arm_zy
-        + inertia_left_upper_arm_xx_4 * poses.rotation_left_shoulder_cross_zx
         - inertia_left_upper_arm_hx * inertia_left_upper_arm_hz_0;
     let inertia_left_upper_arm_yy = inertia_left_upper_arm_yy_0
         * poses.rotation_left_upper_arm_yx
-        + inertia_left_upper_arm_yy_2 * poses.rotation_left_upper_arm_yy
-        + inertia_left_upper_arm_yy_4 * poses.rotation_left_shoulder_cross_yx
-        + (inertia_left_upper_arm_yy_6 + inertia_left_upper_arm_xx_7);
+        + inertia_left_upper_arm_yy_2 * poses.rotation_left_upper_arm_yy + 0.00061395833
+        + (inertia_left_upper_arm_yy_5 + inertia_left_upper_arm_xx_6);
     let inertia_left_upper_arm_yz = inertia_left_upper_arm_yy_0
         * poses.rotation_left_upper_arm_zx
         + inertia_left_upper_arm_yy_2 * poses.rotation_left_upper_arm_zy
-        + inertia_left_upper_arm_yy_4 * poses.rotation_left_shoulder_cross_zx
         - inertia_left_upper_arm_hy * inertia_left_upper_arm_hz_0;
-    let inertia_left_upper_arm_zz = 0.0026191667 * poses.rotation_left_upper_arm_zx
+    let inertia_left_upper_arm_zz = 0.00200520837 * poses.rotation_left_upper_arm_zx
         * poses.rotation_left_upper_arm_zx
-        + 0.0026614583 * poses.rotation_left_upper_arm_zy
-            * poses.rotation_left_upper_arm_zy
-        + 0.00061395833 * poses.rotation_left_shoulder_cross_zx
-            * poses.rotation_left_shoulder_cross_zx
-        + (inertia_left_upper_arm_yy_6 + inertia_left_upper_arm_xx_6);
+        + 0.00204749997 * poses.rotation_left_upper_arm_zy
+            * poses.rotation_left_upper_arm_zy + 0.00061395833
+        + (inertia_left_upper_arm_yy_5 + inertia_left_upper_arm_xx_5);
     let inertia_left_forearm_hx_0 = poses.minus_origin_pelvis_x_1_0_19
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_forearm_hy_0 = poses.minus_origin_pelvis_y_1_0_19
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_forearm_hz_0 = poses.minus_origin_pelvis_z_1_0_19
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_forearm_xx_0 = 0.0013375125 * poses.rotation_left_forearm_xx;
-    let inertia_left_forearm_xx_2 = 0.000245025 * poses.rotation_left_forearm_xy;
-    let inertia_left_forearm_xx_4 = 0.0013375125 * poses.rotation_left_upper_arm_xy;
-    let inertia_left_forearm_yy_0 = 0.0013375125 * poses.rotation_left_forearm_yx;
-    let inertia_left_forearm_yy_2 = 0.000245025 * poses.rotation_left_forearm_yy;
-    let inertia_left_forearm_yy_4 = 0.0013375125 * poses.rotation_left_upper_arm_yy;
+    let inertia_left_forearm_xx_0 = 0.0010924875 * poses.rotation_left_forearm_xx;
+    let inertia_left_forearm_xx_2 = 0.0010924875 * poses.rotation_left_upper_arm_xy;
+    let inertia_left_forearm_yy_0 = 0.0010924875 * poses.rotation_left_forearm_yx;
+    let inertia_left_forearm_yy_2 = 0.0010924875 * poses.rotation_left_upper_arm_yy;
     // left_forearm
     let inertia_left_forearm_hx = inertia_left_forearm_hx_0 * 0.45;
     let inertia_left_forearm_hy = inertia_left_forearm_hy_0 * 0.45;
     let inertia_left_forearm_hz = inertia_left_forearm_hz_0 * 0.45;
-    let inertia_left_forearm_yy_6 = inertia_left_forearm_hx * inertia_left_forearm_hx_0;
-    let inertia_left_forearm_xx_6 = inertia_left_forearm_hy * inertia_left_forearm_hy_0;
-    let inertia_left_forearm_xx_7 = inertia_left_forearm_hz * inertia_left_forearm_hz_0;
+    let inertia_left_forearm_yy_5 = inertia_left_forearm_hx * inertia_left_forearm_hx_0;
+    let inertia_left_forearm_xx_5 = inertia_left_forearm_hy * inertia_left_forearm_hy_0;
+    let inertia_left_forearm_xx_6 = inertia_left_forearm_hz * inertia_left_forearm_hz_0;
     let inertia_left_forearm_xx = inertia_left_forearm_xx_0
         * poses.rotation_left_forearm_xx
-        + inertia_left_forearm_xx_2 * poses.rotation_left_forearm_xy
-        + inertia_left_forearm_xx_4 * poses.rotation_left_upper_arm_xy
-        + (inertia_left_forearm_xx_6 + inertia_left_forearm_xx_7);
+        + inertia_left_forearm_xx_2 * poses.rotation_left_upper_arm_xy + 0.000245025
+        + (inertia_left_forearm_xx_5 + inertia_left_forearm_xx_6);
     let inertia_left_forearm_xy = inertia_left_forearm_xx_0
         * poses.rotation_left_forearm_yx
-        + inertia_left_forearm_xx_2 * poses.rotation_left_forearm_yy
-        + inertia_left_forearm_xx_4 * poses.rotation_left_upper_arm_yy
+        + inertia_left_forearm_xx_2 * poses.rotation_left_upper_arm_yy
         - inertia_left_forearm_hx * inertia_left_forearm_hy_0;
     let inertia_left_forearm_xz = inertia_left_forearm_xx_0
         * poses.rotation_left_forearm_zx
-        + inertia_left_forearm_xx_2 * poses.rotation_left_forearm_zy
-        + inertia_left_forearm_xx_4 * poses.rotation_left_upper_arm_zy
+        + inertia_left_forearm_xx_2 * poses.rotation_left_upper_arm_zy
         - inertia_left_forearm_hx * inertia_left_forearm_hz_0;
     let inertia_left_forearm_yy = inertia_left_forearm_yy_0
         * poses.rotation_left_forearm_yx
-        + inertia_left_forearm_yy_2 * poses.rotation_left_forearm_yy
-        + inertia_left_forearm_yy_4 * poses.rotation_left_upper_arm_yy
-        + (inertia_left_forearm_yy_6 + inertia_left_forearm_xx_7);
+        + inertia_left_forearm_yy_2 * poses.rotation_left_upper_arm_yy + 0.000245025
+        + (inertia_left_forearm_yy_5 + inertia_left_forearm_xx_6);
     let inertia_left_forearm_yz = inertia_left_forearm_yy_0
         * poses.rotation_left_forearm_zx
-        + inertia_left_forearm_yy_2 * poses.rotation_left_forearm_zy
-        + inertia_left_forearm_yy_4 * poses.rotation_left_upper_arm_zy
+        + inertia_left_forearm_yy_2 * poses.rotation_left_upper_arm_zy
         - inertia_left_forearm_hy * inertia_left_forearm_hz_0;
-    let inertia_left_forearm_zz = 0.0013375125 * poses.rotation_left_forearm_zx
+    let inertia_left_forearm_zz = 0.0010924875 * poses.rotation_left_forearm_zx
         * poses.rotation_left_forearm_zx
-        + 0.000245025 * poses.rotation_left_forearm_zy * poses.rotation_left_forearm_zy
-        + 0.0013375125 * poses.rotation_left_upper_arm_zy
-            * poses.rotation_left_upper_arm_zy
-        + (inertia_left_forearm_yy_6 + inertia_left_forearm_xx_6);
+        + 0.0010924875 * poses.rotation_left_upper_arm_zy
+            * poses.rotation_left_upper_arm_zy + 0.000245025
+        + (inertia_left_forearm_yy_5 + inertia_left_forearm_xx_5);
     let inertia_left_wrist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_21
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_wrist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_21
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_wrist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_21
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_wrist_bracket_xx_0 = 0.000057916667
-        * poses.rotation_left_wrist_bracket_xx;
-    let inertia_left_wrist_bracket_xx_2 = 0.000057916667
-        * poses.rotation_left_wrist_bracket_xy;
-    let inertia_left_wrist_bracket_xx_4 = 0.0000625 * poses.rotation_left_forearm_xy;
-    let inertia_left_wrist_bracket_yy_0 = 0.000057916667
-        * poses.rotation_left_wrist_bracket_yx;
-    let inertia_left_wrist_bracket_yy_2 = 0.000057916667
-        * poses.rotation_left_wrist_bracket_yy;
-    let inertia_left_wrist_bracket_yy_4 = 0.0000625 * poses.rotation_left_forearm_yy;
+    let inertia_left_wrist_bracket_xx_0 = 0.000004583333000000004
+        * poses.rotation_left_forearm_xy;
+    let inertia_left_wrist_bracket_yy_0 = 0.000004583333000000004
+        * poses.rotation_left_forearm_yy;
     // left_wrist_bracket
     let inertia_left_wrist_bracket_hx = inertia_left_wrist_bracket_hx_0 * 0.2;
     let inertia_left_wrist_bracket_hy = inertia_left_wrist_bracket_hy_0 * 0.2;
     let inertia_left_wrist_bracket_hz = inertia_left_wrist_bracket_hz_0 * 0.2;
-    let inertia_left_wrist_bracket_yy_6 = inertia_left_wrist_bracket_hx
+    let inertia_left_wrist_bracket_yy_3 = inertia_left_wrist_bracket_hx
         * inertia_left_wrist_bracket_hx_0;
-    let inertia_left_wrist_bracket_xx_6 = inertia_left_wrist_bracket_hy
+    let inertia_left_wrist_bracket_xx_3 = inertia_left_wrist_bracket_hy
         * inertia_left_wrist_bracket_hy_0;
-    let inertia_left_wrist_bracket_xx_7 = inertia_left_wrist_bracket_hz
+    let inertia_left_wrist_bracket_xx_4 = inertia_left_wrist_bracket_hz
         * inertia_left_wrist_bracket_hz_0;
     let inertia_left_wrist_bracket_xx = inertia_left_wrist_bracket_xx_0
-        * poses.rotation_left_wrist_bracket_xx
-        + inertia_left_wrist_bracket_xx_2 * poses.rotation_left_wrist_bracket_xy
-        + inertia_left_wrist_bracket_xx_4 * poses.rotation_left_forearm_xy
-        + (inertia_left_wrist_bracket_xx_6 + inertia_left_wrist_bracket_xx_7);
+        * poses.rotation_left_forearm_xy + 0.000057916667
+        + (inertia_left_wrist_bracket_xx_3 + inertia_left_wrist_bracket_xx_4);
     let inertia_left_wrist_bracket_xy = inertia_left_wrist_bracket_xx_0
-        * poses.rotation_left_wrist_bracket_yx
-        + inertia_left_wrist_bracket_xx_2 * poses.rotation_left_wrist_bracket_yy
-        + inertia_left_wrist_bracket_xx_4 * poses.rotation_left_forearm_yy
+        * poses.rotation_left_forearm_yy
         - inertia_left_wrist_bracket_hx * inertia_left_wrist_bracket_hy_0;
     let inertia_left_wrist_bracket_xz = inertia_left_wrist_bracket_xx_0
-        * poses.rotation_left_wrist_bracket_zx
-        + inertia_left_wrist_bracket_xx_2 * poses.rotation_left_wrist_bracket_zy
-        + inertia_left_wrist_bracket_xx_4 * poses.rotation_left_forearm_zy
+        * poses.rotation_left_forearm_zy
         - inertia_left_wrist_bracket_hx * inertia_left_wrist_bracket_hz_0;
     let inertia_left_wrist_bracket_yy = inertia_left_wrist_bracket_yy_0
-        * poses.rotation_left_wrist_bracket_yx
-        + inertia_left_wrist_bracket_yy_2 * poses.rotation_left_wrist_bracket_yy
-        + inertia_left_wrist_bracket_yy_4 * poses.rotation_left_forearm_yy
-        + (inertia_left_wrist_bracket_yy_6 + inertia_left_wrist_bracket_xx_7);
+        * poses.rotation_left_forearm_yy + 0.000057916667
+        + (inertia_left_wrist_bracket_yy_3 + inertia_left_wrist_bracket_xx_4);
     let inertia_left_wrist_bracket_yz = inertia_left_wrist_bracket_yy_0
-        * poses.rotation_left_wrist_bracket_zx
-        + inertia_left_wrist_bracket_yy_2 * poses.rotation_left_wrist_bracket_zy
-        + inertia_left_wrist_bracket_yy_4 * poses.rotation_left_forearm_zy
+        * poses.rotation_left_forearm_zy
         - inertia_left_wrist_bracket_hy * inertia_left_wrist_bracket_hz_0;
-    let inertia_left_wrist_bracket_zz = 0.000057916667
-        * poses.rotation_left_wrist_bracket_zx * poses.rotation_left_wrist_bracket_zx
-        + 0.000057916667 * poses.rotation_left_wrist_bracket_zy
-            * poses.rotation_left_wrist_bracket_zy
-        + 0.0000625 * poses.rotation_left_forearm_zy * poses.rotation_left_forearm_zy
-        + (inertia_left_wrist_bracket_yy_6 + inertia_left_wrist_bracket_xx_6);
+    let inertia_left_wrist_bracket_zz = 0.000004583333000000004
+        * poses.rotation_left_forearm_zy * poses.rotation_left_forearm_zy
+        + 0.000057916667
+        + (inertia_left_wrist_bracket_yy_3 + inertia_left_wrist_bracket_xx_3);
     let inertia_left_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_23
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_23
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_23
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_wrist_cross_xx_0 = 0.0010358020799999998
+    let inertia_left_wrist_cross_xx_0 = 0.0008382812499999998
         * poses.rotation_left_wrist_cross_xx
         - 0.000051187500000000004 * poses.rotation_left_wrist_cross_xy
         - 0.00000196875 * poses.rotation_left_wrist_bracket_xy;
-    let inertia_left_wrist_cross_xx_2 = 0.00019752083
-        * poses.rotation_left_wrist_cross_xy
-        - 0.000051187500000000004 * poses.rotation_left_wrist_cross_xx
-        - 0.000021937499999999998 * poses.rotation_left_wrist_bracket_xy;
-    let inertia_left_wrist_cross_xx_4 = 0.00092496875
+    let inertia_left_wrist_cross_xx_2 = 0.000051187500000000004
+        * poses.rotation_left_wrist_cross_xx
+        + 0.000021937499999999998 * poses.rotation_left_wrist_bracket_xy;
+    let inertia_left_wrist_cross_xx_4 = 0.00072744792
         * poses.rotation_left_wrist_bracket_xy
         - (0.00000196875 * poses.rotation_left_wrist_cross_xx
             + 0.000021937499999999998 * poses.rotation_left_wrist_cross_xy);
-    let inertia_left_wrist_cross_yy_0 = 0.0010358020799999998
+    let inertia_left_wrist_cross_yy_0 = 0.0008382812499999998
         * poses.rotation_left_wrist_cross_yx
         - 0.000051187500000000004 * poses.rotation_left_wrist_cross_yy
         - 0.00000196875 * poses.rotation_left_wrist_bracket_yy;
-    let inertia_left_wrist_cross_yy_2 = 0.00019752083
-        * poses.rotation_left_wrist_cross_yy
-        - 0.000051187500000000004 * poses.rotation_left_wrist_cross_yx
-        - 0.000021937499999999998 * poses.rotation_left_wrist_bracket_yy;
-    let inertia_left_wrist_cross_yy_4 = 0.00092496875
+    let inertia_left_wrist_cross_yy_2 = 0.000051187500000000004
+        * poses.rotation_left_wrist_cross_yx
+        + 0.000021937499999999998 * poses.rotation_left_wrist_bracket_yy;
+    let inertia_left_wrist_cross_yy_4 = 0.00072744792
         * poses.rotation_left_wrist_bracket_yy
         - (0.00000196875 * poses.rotation_left_wrist_cross_yx
             + 0.000021937499999999998 * poses.rotation_left_wrist_cross_yy);
@@ -4100,425 +3894,366 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_left_wrist_cross_hx = inertia_left_wrist_cross_hx_0 * 0.4;
     let inertia_left_wrist_cross_hy = inertia_left_wrist_cross_hy_0 * 0.4;
     let inertia_left_wrist_cross_hz = inertia_left_wrist_cross_hz_0 * 0.4;
-    let inertia_left_wrist_cross_yy_6 = inertia_left_wrist_cross_hx
+    let inertia_left_wrist_cross_yy_7 = inertia_left_wrist_cross_hx
         * inertia_left_wrist_cross_hx_0;
-    let inertia_left_wrist_cross_xx_6 = inertia_left_wrist_cross_hy
+    let inertia_left_wrist_cross_xx_7 = inertia_left_wrist_cross_hy
         * inertia_left_wrist_cross_hy_0;
-    let inertia_left_wrist_cross_xx_7 = inertia_left_wrist_cross_hz
+    let inertia_left_wrist_cross_xx_8 = inertia_left_wrist_cross_hz
         * inertia_left_wrist_cross_hz_0;
     let inertia_left_wrist_cross_xx = inertia_left_wrist_cross_xx_0
         * poses.rotation_left_wrist_cross_xx
-        + inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_xy
+        - inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_xy
         + inertia_left_wrist_cross_xx_4 * poses.rotation_left_wrist_bracket_xy
-        + (inertia_left_wrist_cross_xx_6 + inertia_left_wrist_cross_xx_7);
+        + 0.00019752083
+        + (inertia_left_wrist_cross_xx_7 + inertia_left_wrist_cross_xx_8);
     let inertia_left_wrist_cross_xy = inertia_left_wrist_cross_xx_0
         * poses.rotation_left_wrist_cross_yx
-        + inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_yy
+        - inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_yy
         + inertia_left_wrist_cross_xx_4 * poses.rotation_left_wrist_bracket_yy
         - inertia_left_wrist_cross_hx * inertia_left_wrist_cross_hy_0;
     let inertia_left_wrist_cross_xz = inertia_left_wrist_cross_xx_0
         * poses.rotation_left_wrist_cross_zx
-        + inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_zy
+        - inertia_left_wrist_cross_xx_2 * poses.rotation_left_wrist_cross_zy
         + inertia_left_wrist_cross_xx_4 * poses.rotation_left_wrist_bracket_zy
         - inertia_left_wrist_cross_hx * inertia_left_wrist_cross_hz_0;
     let inertia_left_wrist_cross_yy = inertia_left_wrist_cross_yy_0
         * poses.rotation_left_wrist_cross_yx
-        + inertia_left_wrist_cross_yy_2 * poses.rotation_left_wrist_cross_yy
+        - inertia_left_wrist_cross_yy_2 * poses.rotation_left_wrist_cross_yy
         + inertia_left_wrist_cross_yy_4 * poses.rotation_left_wrist_bracket_yy
-        + (inertia_left_wrist_cross_yy_6 + inertia_left_wrist_cross_xx_7);
+        + 0.00019752083
+        + (inertia_left_wrist_cross_yy_7 + inertia_left_wrist_cross_xx_8);
     let inertia_left_wrist_cross_yz = inertia_left_wrist_cross_yy_0
         * poses.rotation_left_wrist_cross_zx
-        + inertia_left_wrist_cross_yy_2 * poses.rotation_left_wrist_cross_zy
+        - inertia_left_wrist_cross_yy_2 * poses.rotation_left_wrist_cross_zy
         + inertia_left_wrist_cross_yy_4 * poses.rotation_left_wrist_bracket_zy
         - inertia_left_wrist_cross_hy * inertia_left_wrist_cross_hz_0;
-    let inertia_left_wrist_cross_zz = (0.0010358020799999998
+    let inertia_left_wrist_cross_zz = (0.0008382812499999998
         * poses.rotation_left_wrist_cross_zx
         - 0.000051187500000000004 * poses.rotation_left_wrist_cross_zy
         - 0.00000196875 * poses.rotation_left_wrist_bracket_zy)
         * poses.rotation_left_wrist_cross_zx
-        + (0.00019752083 * poses.rotation_left_wrist_cross_zy
-            - 0.000051187500000000004 * poses.rotation_left_wrist_cross_zx
-            - 0.000021937499999999998 * poses.rotation_left_wrist_bracket_zy)
+        - (0.000051187500000000004 * poses.rotation_left_wrist_cross_zx
+            + 0.000021937499999999998 * poses.rotation_left_wrist_bracket_zy)
             * poses.rotation_left_wrist_cross_zy
-        + (0.00092496875 * poses.rotation_left_wrist_bracket_zy
+        + (0.00072744792 * poses.rotation_left_wrist_bracket_zy
             - (0.00000196875 * poses.rotation_left_wrist_cross_zx
                 + 0.000021937499999999998 * poses.rotation_left_wrist_cross_zy))
-            * poses.rotation_left_wrist_bracket_zy
-        + (inertia_left_wrist_cross_yy_6 + inertia_left_wrist_cross_xx_6);
+            * poses.rotation_left_wrist_bracket_zy + 0.00019752083
+        + (inertia_left_wrist_cross_yy_7 + inertia_left_wrist_cross_xx_7);
     let inertia_right_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_1
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_1
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_1
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_shoulder_bracket_xx_0 = 0.00056583333
+    let inertia_right_shoulder_bracket_xx_0 = 0.000005833330000000101
         * poses.rotation_right_shoulder_bracket_xx;
-    let inertia_right_shoulder_bracket_xx_2 = 0.00056583333
+    let inertia_right_shoulder_bracket_xx_2 = 0.000005833330000000101
         * poses.rotation_right_shoulder_bracket_xy;
-    let inertia_right_shoulder_bracket_xx_4 = 0.00056
-        * poses.minus_rotation_right_shoulder_bracket_xz;
-    let inertia_right_shoulder_bracket_yy_0 = 0.00056583333
+    let inertia_right_shoulder_bracket_yy_0 = 0.000005833330000000101
         * poses.rotation_right_shoulder_bracket_yx;
-    let inertia_right_shoulder_bracket_yy_2 = 0.00056583333
+    let inertia_right_shoulder_bracket_yy_2 = 0.000005833330000000101
         * poses.rotation_right_shoulder_bracket_yy;
-    let inertia_right_shoulder_bracket_yy_4 = 0.00056
-        * poses.rotation_right_shoulder_bracket_yz;
     // right_shoulder_bracket
     let inertia_right_shoulder_bracket_hx = inertia_right_shoulder_bracket_hx_0 * 0.7;
     let inertia_right_shoulder_bracket_hy = inertia_right_shoulder_bracket_hy_0 * 0.7;
     let inertia_right_shoulder_bracket_hz = inertia_right_shoulder_bracket_hz_0 * 0.7;
-    let inertia_right_shoulder_bracket_yy_6 = inertia_right_shoulder_bracket_hx
+    let inertia_right_shoulder_bracket_yy_5 = inertia_right_shoulder_bracket_hx
         * inertia_right_shoulder_bracket_hx_0;
-    let inertia_right_shoulder_bracket_xx_6 = inertia_right_shoulder_bracket_hy
+    let inertia_right_shoulder_bracket_xx_5 = inertia_right_shoulder_bracket_hy
         * inertia_right_shoulder_bracket_hy_0;
-    let inertia_right_shoulder_bracket_xx_7 = inertia_right_shoulder_bracket_hz
+    let inertia_right_shoulder_bracket_xx_6 = inertia_right_shoulder_bracket_hz
         * inertia_right_shoulder_bracket_hz_0;
     let inertia_right_shoulder_bracket_xx = inertia_right_shoulder_bracket_xx_0
         * poses.rotation_right_shoulder_bracket_xx
         + inertia_right_shoulder_bracket_xx_2 * poses.rotation_right_shoulder_bracket_xy
-        + inertia_right_shoulder_bracket_xx_4
-            * poses.minus_rotation_right_shoulder_bracket_xz
-        + (inertia_right_shoulder_bracket_xx_6 + inertia_right_shoulder_bracket_xx_7);
+        + 0.00056
+        + (inertia_right_shoulder_bracket_xx_5 + inertia_right_shoulder_bracket_xx_6);
     let inertia_right_shoulder_bracket_xy = inertia_right_shoulder_bracket_xx_0
         * poses.rotation_right_shoulder_bracket_yx
         + inertia_right_shoulder_bracket_xx_2 * poses.rotation_right_shoulder_bracket_yy
-        - inertia_right_shoulder_bracket_xx_4 * poses.rotation_right_shoulder_bracket_yz
         - inertia_right_shoulder_bracket_hx * inertia_right_shoulder_bracket_hy_0;
     let inertia_right_shoulder_bracket_xz = inertia_right_shoulder_bracket_xx_2
         * poses.rotation_right_shoulder_bracket_zy
         - inertia_right_shoulder_bracket_xx_0
             * poses.minus_rotation_right_shoulder_bracket_zx
-        - inertia_right_shoulder_bracket_xx_4 * poses.rotation_right_shoulder_bracket_zz
         - inertia_right_shoulder_bracket_hx * inertia_right_shoulder_bracket_hz_0;
     let inertia_right_shoulder_bracket_yy = inertia_right_shoulder_bracket_yy_0
         * poses.rotation_right_shoulder_bracket_yx
         + inertia_right_shoulder_bracket_yy_2 * poses.rotation_right_shoulder_bracket_yy
-        + inertia_right_shoulder_bracket_yy_4 * poses.rotation_right_shoulder_bracket_yz
-        + (inertia_right_shoulder_bracket_yy_6 + inertia_right_shoulder_bracket_xx_7);
+        + 0.00056
+        + (inertia_right_shoulder_bracket_yy_5 + inertia_right_shoulder_bracket_xx_6);
     let inertia_right_shoulder_bracket_yz = inertia_right_shoulder_bracket_yy_2
         * poses.rotation_right_shoulder_bracket_zy
         - inertia_right_shoulder_bracket_yy_0
             * poses.minus_rotation_right_shoulder_bracket_zx
-        + inertia_right_shoulder_bracket_yy_4 * poses.rotation_right_shoulder_bracket_zz
         - inertia_right_shoulder_bracket_hy * inertia_right_shoulder_bracket_hz_0;
-    let inertia_right_shoulder_bracket_zz = 0.00056583333
+    let inertia_right_shoulder_bracket_zz = 0.000005833330000000101
         * poses.minus_rotation_right_shoulder_bracket_zx
         * poses.minus_rotation_right_shoulder_bracket_zx
-        + 0.00056583333 * poses.rotation_right_shoulder_bracket_zy
-            * poses.rotation_right_shoulder_bracket_zy
-        + 0.00056 * poses.rotation_right_shoulder_bracket_zz
-            * poses.rotation_right_shoulder_bracket_zz
-        + (inertia_right_shoulder_bracket_yy_6 + inertia_right_shoulder_bracket_xx_6);
+        + 0.000005833330000000101 * poses.rotation_right_shoulder_bracket_zy
+            * poses.rotation_right_shoulder_bracket_zy + 0.00056
+        + (inertia_right_shoulder_bracket_yy_5 + inertia_right_shoulder_bracket_xx_5);
     let inertia_right_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_3
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_3
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_3
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_shoulder_cross_xx_0 = 0.0005366
+    let inertia_right_shoulder_cross_xx_0 = 0.00010340000000000002
         * poses.rotation_right_shoulder_cross_xx;
-    let inertia_right_shoulder_cross_xx_2 = 0.0005366
+    let inertia_right_shoulder_cross_xx_2 = 0.00010340000000000002
         * poses.minus_rotation_right_shoulder_cross_xy;
-    let inertia_right_shoulder_cross_xx_4 = 0.0004332
-        * poses.rotation_right_shoulder_bracket_xx;
-    let inertia_right_shoulder_cross_yy_0 = 0.0005366
+    let inertia_right_shoulder_cross_yy_0 = 0.00010340000000000002
         * poses.rotation_right_shoulder_cross_yx;
-    let inertia_right_shoulder_cross_yy_2 = 0.0005366
+    let inertia_right_shoulder_cross_yy_2 = 0.00010340000000000002
         * poses.rotation_right_shoulder_cross_yy;
-    let inertia_right_shoulder_cross_yy_4 = 0.0004332
-        * poses.rotation_right_shoulder_bracket_yx;
     // right_shoulder_cross
     let inertia_right_shoulder_cross_hx = inertia_right_shoulder_cross_hx_0 * 0.6;
     let inertia_right_shoulder_cross_hy = inertia_right_shoulder_cross_hy_0 * 0.6;
     let inertia_right_shoulder_cross_hz = inertia_right_shoulder_cross_hz_0 * 0.6;
-    let inertia_right_shoulder_cross_yy_6 = inertia_right_shoulder_cross_hx
+    let inertia_right_shoulder_cross_yy_5 = inertia_right_shoulder_cross_hx
         * inertia_right_shoulder_cross_hx_0;
-    let inertia_right_shoulder_cross_xx_6 = inertia_right_shoulder_cross_hy
+    let inertia_right_shoulder_cross_xx_5 = inertia_right_shoulder_cross_hy
         * inertia_right_shoulder_cross_hy_0;
-    let inertia_right_shoulder_cross_xx_7 = inertia_right_shoulder_cross_hz
+    let inertia_right_shoulder_cross_xx_6 = inertia_right_shoulder_cross_hz
         * inertia_right_shoulder_cross_hz_0;
     let inertia_right_shoulder_cross_xx = inertia_right_shoulder_cross_xx_0
         * poses.rotation_right_shoulder_cross_xx
         + inertia_right_shoulder_cross_xx_2
-            * poses.minus_rotation_right_shoulder_cross_xy
-        + inertia_right_shoulder_cross_xx_4 * poses.rotation_right_shoulder_bracket_xx
-        + (inertia_right_shoulder_cross_xx_6 + inertia_right_shoulder_cross_xx_7);
+            * poses.minus_rotation_right_shoulder_cross_xy + 0.0004332
+        + (inertia_right_shoulder_cross_xx_5 + inertia_right_shoulder_cross_xx_6);
     let inertia_right_shoulder_cross_xy = inertia_right_shoulder_cross_xx_0
         * poses.rotation_right_shoulder_cross_yx
         - inertia_right_shoulder_cross_xx_2 * poses.rotation_right_shoulder_cross_yy
-        + inertia_right_shoulder_cross_xx_4 * poses.rotation_right_shoulder_bracket_yx
         - inertia_right_shoulder_cross_hx * inertia_right_shoulder_cross_hy_0;
     let inertia_right_shoulder_cross_xz = inertia_right_shoulder_cross_xx_0
         * poses.rotation_right_shoulder_cross_zx
         - inertia_right_shoulder_cross_xx_2 * poses.rotation_right_shoulder_cross_zy
-        - inertia_right_shoulder_cross_xx_4
-            * poses.minus_rotation_right_shoulder_bracket_zx
         - inertia_right_shoulder_cross_hx * inertia_right_shoulder_cross_hz_0;
     let inertia_right_shoulder_cross_yy = inertia_right_shoulder_cross_yy_0
         * poses.rotation_right_shoulder_cross_yx
         + inertia_right_shoulder_cross_yy_2 * poses.rotation_right_shoulder_cross_yy
-        + inertia_right_shoulder_cross_yy_4 * poses.rotation_right_shoulder_bracket_yx
-        + (inertia_right_shoulder_cross_yy_6 + inertia_right_shoulder_cross_xx_7);
+        + 0.0004332
+        + (inertia_right_shoulder_cross_yy_5 + inertia_right_shoulder_cross_xx_6);
     let inertia_right_shoulder_cross_yz = inertia_right_shoulder_cross_yy_0
         * poses.rotation_right_shoulder_cross_zx
         + inertia_right_shoulder_cross_yy_2 * poses.rotation_right_shoulder_cross_zy
-        - inertia_right_shoulder_cross_yy_4
-            * poses.minus_rotation_right_shoulder_bracket_zx
         - inertia_right_shoulder_cross_hy * inertia_right_shoulder_cross_hz_0;
-    let inertia_right_shoulder_cross_zz = 0.0005366
+    let inertia_right_shoulder_cross_zz = 0.00010340000000000002
         * poses.rotation_right_shoulder_cross_zx * poses.rotation_right_shoulder_cross_zx
-        + 0.0005366 * poses.rotation_right_shoulder_cross_zy
-            * poses.rotation_right_shoulder_cross_zy
-        + 0.0004332 * poses.minus_rotation_right_shoulder_bracket_zx
-            * poses.minus_rotation_right_shoulder_bracket_zx
-        + (inertia_right_shoulder_cross_yy_6 + inertia_right_shoulder_cross_xx_6);
+        + 0.00010340000000000002 * poses.rotation_right_shoulder_cross_zy
+            * poses.rotation_right_shoulder_cross_zy + 0.0004332
+        + (inertia_right_shoulder_cross_yy_5 + inertia_right_shoulder_cross_xx_5);
     let inertia_right_upper_arm_hx_0 = poses.minus_origin_pelvis_x_1_5
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_upper_arm_hy_0 = poses.minus_origin_pelvis_y_1_5
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_upper_arm_hz_0 = poses.minus_origin_pelvis_z_1_5
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_upper_arm_xx_0 = 0.0026191667 * poses.rotation_right_upper_arm_xx;
-    let inertia_right_upper_arm_xx_2 = 0.0026614583
+    let inertia_right_upper_arm_xx_0 = 0.00200520837 * poses.rotation_right_upper_arm_xx;
+    let inertia_right_upper_arm_xx_2 = 0.00204749997
         * poses.minus_rotation_right_upper_arm_xy;
-    let inertia_right_upper_arm_xx_4 = 0.00061395833
-        * poses.rotation_right_shoulder_cross_xx;
-    let inertia_right_upper_arm_yy_0 = 0.0026191667 * poses.rotation_right_upper_arm_yx;
-    let inertia_right_upper_arm_yy_2 = 0.0026614583 * poses.rotation_right_upper_arm_yy;
-    let inertia_right_upper_arm_yy_4 = 0.00061395833
-        * poses.rotation_right_shoulder_cross_yx;
+    let inertia_right_upper_arm_yy_0 = 0.00200520837 * poses.rotation_right_upper_arm_yx;
+    let inertia_right_upper_arm_yy_2 = 0.00204749997 * poses.rotation_right_upper_arm_yy;
     // right_upper_arm
     let inertia_right_upper_arm_hx = inertia_right_upper_arm_hx_0 * 0.7;
     let inertia_right_upper_arm_hy = inertia_right_upper_arm_hy_0 * 0.7;
     let inertia_right_upper_arm_hz = inertia_right_upper_arm_hz_0 * 0.7;
-    let inertia_right_upper_arm_yy_6 = inertia_right_upper_arm_hx
+    let inertia_right_upper_arm_yy_5 = inertia_right_upper_arm_hx
         * inertia_right_upper_arm_hx_0;
-    let inertia_right_upper_arm_xx_6 = inertia_right_upper_arm_hy
+    let inertia_right_upper_arm_xx_5 = inertia_right_upper_arm_hy
         * inertia_right_upper_arm_hy_0;
-    let inertia_right_upper_arm_xx_7 = inertia_right_upper_arm_hz
+    let inertia_right_upper_arm_xx_6 = inertia_right_upper_arm_hz
         * inertia_right_upper_arm_hz_0;
     let inertia_right_upper_arm_xx = inertia_right_upper_arm_xx_0
         * poses.rotation_right_upper_arm_xx
         + inertia_right_upper_arm_xx_2 * poses.minus_rotation_right_upper_arm_xy
-        + inertia_right_upper_arm_xx_4 * poses.rotation_right_shoulder_cross_xx
-        + (inertia_right_upper_arm_xx_6 + inertia_right_upper_arm_xx_7);
+        + 0.00061395833 + (inertia_right_upper_arm_xx_5 + inertia_right_upper_arm_xx_6);
     let inertia_right_upper_arm_xy = inertia_right_upper_arm_xx_0
         * poses.rotation_right_upper_arm_yx
         - inertia_right_upper_arm_xx_2 * poses.rotation_right_upper_arm_yy
-        + inertia_right_upper_arm_xx_4 * poses.rotation_right_shoulder_cross_yx
         - inertia_right_upper_arm_hx * inertia_right_upper_arm_hy_0;
     let inertia_right_upper_arm_xz = inertia_right_upper_arm_xx_0
         * poses.rotation_right_upper_arm_zx
         - inertia_right_upper_arm_xx_2 * poses.rotation_right_upper_arm_zy
-        + inertia_right_upper_arm_xx_4 * poses.rotation_right_shoulder_cross_zx
         - inertia_right_upper_arm_hx * inertia_right_upper_arm_hz_0;
     let inertia_right_upper_arm_yy = inertia_right_upper_arm_yy_0
         * poses.rotation_right_upper_arm_yx
         + inertia_right_upper_arm_yy_2 * poses.rotation_right_upper_arm_yy
-        + inertia_right_upper_arm_yy_4 * poses.rotation_right_shoulder_cross_yx
-        + (inertia_right_upper_arm_yy_6 + inertia_right_upper_arm_xx_7);
+        + 0.00061395833 + (inertia_right_upper_arm_yy_5 + inertia_right_upper_arm_xx_6);
     let inertia_right_upper_arm_yz = inertia_right_upper_arm_yy_0
         * poses.rotation_right_upper_arm_zx
         + inertia_right_upper_arm_yy_2 * poses.rotation_right_upper_arm_zy
-        + inertia_right_upper_arm_yy_4 * poses.rotation_right_shoulder_cross_zx
         - inertia_right_upper_arm_hy * inertia_right_upper_arm_hz_0;
-    let inertia_right_upper_arm_zz = 0.0026191667 * poses.rotation_right_upper_arm_zx
+    let inertia_right_upper_arm_zz = 0.00200520837 * poses.rotation_right_upper_arm_zx
         * poses.rotation_right_upper_arm_zx
-        + 0.0026614583 * poses.rotation_right_upper_arm_zy
-            * poses.rotation_right_upper_arm_zy
-        + 0.00061395833 * poses.rotation_right_shoulder_cross_zx
-            * poses.rotation_right_shoulder_cross_zx
-        + (inertia_right_upper_arm_yy_6 + inertia_right_upper_arm_xx_6);
+        + 0.00204749997 * poses.rotation_right_upper_arm_zy
+            * poses.rotation_right_upper_arm_zy + 0.00061395833
+        + (inertia_right_upper_arm_yy_5 + inertia_right_upper_arm_xx_5);
     let inertia_right_forearm_hx_0 = poses.minus_origin_pelvis_x_1_7
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_forearm_hy_0 = poses.minus_origin_pelvis_y_1_7
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_forearm_hz_0 = poses.minus_origin_pelvis_z_1_7
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_forearm_xx_0 = 0.0013375125 * poses.rotation_right_forearm_xx;
-    let inertia_right_forearm_xx_2 = 0.000245025 * poses.rotation_right_forearm_xy;
-    let inertia_right_forearm_xx_4 = 0.0013375125
+    let inertia_right_forearm_xx_0 = 0.0010924875 * poses.rotation_right_forearm_xx;
+    let inertia_right_forearm_xx_2 = 0.0010924875
         * poses.minus_rotation_right_upper_arm_xy;
-    let inertia_right_forearm_yy_0 = 0.0013375125 * poses.rotation_right_forearm_yx;
-    let inertia_right_forearm_yy_2 = 0.000245025 * poses.rotation_right_forearm_yy;
-    let inertia_right_forearm_yy_4 = 0.0013375125 * poses.rotation_right_upper_arm_yy;
+    let inertia_right_forearm_yy_0 = 0.0010924875 * poses.rotation_right_forearm_yx;
+    let inertia_right_forearm_yy_2 = 0.0010924875 * poses.rotation_right_upper_arm_yy;
     // right_forearm
     let inertia_right_forearm_hx = inertia_right_forearm_hx_0 * 0.45;
     let inertia_right_forearm_hy = inertia_right_forearm_hy_0 * 0.45;
     let inertia_right_forearm_hz = inertia_right_forearm_hz_0 * 0.45;
-    let inertia_right_forearm_yy_6 = inertia_right_forearm_hx
+    let inertia_right_forearm_yy_5 = inertia_right_forearm_hx
         * inertia_right_forearm_hx_0;
-    let inertia_right_forearm_xx_6 = inertia_right_forearm_hy
+    let inertia_right_forearm_xx_5 = inertia_right_forearm_hy
         * inertia_right_forearm_hy_0;
-    let inertia_right_forearm_xx_7 = inertia_right_forearm_hz
+    let inertia_right_forearm_xx_6 = inertia_right_forearm_hz
         * inertia_right_forearm_hz_0;
     let inertia_right_forearm_xx = inertia_right_forearm_xx_0
         * poses.rotation_right_forearm_xx
-        + inertia_right_forearm_xx_2 * poses.rotation_right_forearm_xy
-        + inertia_right_forearm_xx_4 * poses.minus_rotation_right_upper_arm_xy
-        + (inertia_right_forearm_xx_6 + inertia_right_forearm_xx_7);
+        + inertia_right_forearm_xx_2 * poses.minus_rotation_right_upper_arm_xy
+        + 0.000245025 + (inertia_right_forearm_xx_5 + inertia_right_forearm_xx_6);
     let inertia_right_forearm_xy = inertia_right_forearm_xx_0
         * poses.rotation_right_forearm_yx
-        + inertia_right_forearm_xx_2 * poses.rotation_right_forearm_yy
-        - inertia_right_forearm_xx_4 * poses.rotation_right_upper_arm_yy
+        - inertia_right_forearm_xx_2 * poses.rotation_right_upper_arm_yy
         - inertia_right_forearm_hx * inertia_right_forearm_hy_0;
     let inertia_right_forearm_xz = inertia_right_forearm_xx_0
         * poses.rotation_right_forearm_zx
-        + inertia_right_forearm_xx_2 * poses.rotation_right_forearm_zy
-        - inertia_right_forearm_xx_4 * poses.rotation_right_upper_arm_zy
+        - inertia_right_forearm_xx_2 * poses.rotation_right_upper_arm_zy
         - inertia_right_forearm_hx * inertia_right_forearm_hz_0;
     let inertia_right_forearm_yy = inertia_right_forearm_yy_0
         * poses.rotation_right_forearm_yx
-        + inertia_right_forearm_yy_2 * poses.rotation_right_forearm_yy
-        + inertia_right_forearm_yy_4 * poses.rotation_right_upper_arm_yy
-        + (inertia_right_forearm_yy_6 + inertia_right_forearm_xx_7);
+        + inertia_right_forearm_yy_2 * poses.rotation_right_upper_arm_yy + 0.000245025
+        + (inertia_right_forearm_yy_5 + inertia_right_forearm_xx_6);
     let inertia_right_forearm_yz = inertia_right_forearm_yy_0
         * poses.rotation_right_forearm_zx
-        + inertia_right_forearm_yy_2 * poses.rotation_right_forearm_zy
-        + inertia_right_forearm_yy_4 * poses.rotation_right_upper_arm_zy
+        + inertia_right_forearm_yy_2 * poses.rotation_right_upper_arm_zy
         - inertia_right_forearm_hy * inertia_right_forearm_hz_0;
-    let inertia_right_forearm_zz = 0.0013375125 * poses.rotation_right_forearm_zx
+    let inertia_right_forearm_zz = 0.0010924875 * poses.rotation_right_forearm_zx
         * poses.rotation_right_forearm_zx
-        + 0.000245025 * poses.rotation_right_forearm_zy * poses.rotation_right_forearm_zy
-        + 0.0013375125 * poses.rotation_right_upper_arm_zy
-            * poses.rotation_right_upper_arm_zy
-        + (inertia_right_forearm_yy_6 + inertia_right_forearm_xx_6);
+        + 0.0010924875 * poses.rotation_right_upper_arm_zy
+            * poses.rotation_right_upper_arm_zy + 0.000245025
+        + (inertia_right_forearm_yy_5 + inertia_right_forearm_xx_5);
     let inertia_right_wrist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_9
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_wrist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_9
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_wrist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_9
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_wrist_bracket_xx_0 = 0.000057916667
-        * poses.rotation_right_wrist_bracket_xx;
-    let inertia_right_wrist_bracket_xx_2 = 0.000057916667
-        * poses.minus_rotation_right_wrist_bracket_xy;
-    let inertia_right_wrist_bracket_xx_4 = 0.0000625 * poses.rotation_right_forearm_xy;
-    let inertia_right_wrist_bracket_yy_0 = 0.000057916667
-        * poses.rotation_right_wrist_bracket_yx;
-    let inertia_right_wrist_bracket_yy_2 = 0.000057916667
-        * poses.rotation_right_wrist_bracket_yy;
-    let inertia_right_wrist_bracket_yy_4 = 0.0000625 * poses.rotation_right_forearm_yy;
+    let inertia_right_wrist_bracket_xx_0 = 0.000004583333000000004
+        * poses.rotation_right_forearm_xy;
+    let inertia_right_wrist_bracket_yy_0 = 0.000004583333000000004
+        * poses.rotation_right_forearm_yy;
     // right_wrist_bracket
     let inertia_right_wrist_bracket_hx = inertia_right_wrist_bracket_hx_0 * 0.2;
     let inertia_right_wrist_bracket_hy = inertia_right_wrist_bracket_hy_0 * 0.2;
     let inertia_right_wrist_bracket_hz = inertia_right_wrist_bracket_hz_0 * 0.2;
-    let inertia_right_wrist_bracket_yy_6 = inertia_right_wrist_bracket_hx
+    let inertia_right_wrist_bracket_yy_3 = inertia_right_wrist_bracket_hx
         * inertia_right_wrist_bracket_hx_0;
-    let inertia_right_wrist_bracket_xx_6 = inertia_right_wrist_bracket_hy
+    let inertia_right_wrist_bracket_xx_3 = inertia_right_wrist_bracket_hy
         * inertia_right_wrist_bracket_hy_0;
-    let inertia_right_wrist_bracket_xx_7 = inertia_right_wrist_bracket_hz
+    let inertia_right_wrist_bracket_xx_4 = inertia_right_wrist_bracket_hz
         * inertia_right_wrist_bracket_hz_0;
     let inertia_right_wrist_bracket_xx = inertia_right_wrist_bracket_xx_0
-        * poses.rotation_right_wrist_bracket_xx
-        + inertia_right_wrist_bracket_xx_2 * poses.minus_rotation_right_wrist_bracket_xy
-        + inertia_right_wrist_bracket_xx_4 * poses.rotation_right_forearm_xy
-        + (inertia_right_wrist_bracket_xx_6 + inertia_right_wrist_bracket_xx_7);
+        * poses.rotation_right_forearm_xy + 0.000057916667
+        + (inertia_right_wrist_bracket_xx_3 + inertia_right_wrist_bracket_xx_4);
     let inertia_right_wrist_bracket_xy = inertia_right_wrist_bracket_xx_0
-        * poses.rotation_right_wrist_bracket_yx
-        - inertia_right_wrist_bracket_xx_2 * poses.rotation_right_wrist_bracket_yy
-        + inertia_right_wrist_bracket_xx_4 * poses.rotation_right_forearm_yy
+        * poses.rotation_right_forearm_yy
         - inertia_right_wrist_bracket_hx * inertia_right_wrist_bracket_hy_0;
     let inertia_right_wrist_bracket_xz = inertia_right_wrist_bracket_xx_0
-        * poses.rotation_right_wrist_bracket_zx
-        - inertia_right_wrist_bracket_xx_2 * poses.rotation_right_wrist_bracket_zy
-        + inertia_right_wrist_bracket_xx_4 * poses.rotation_right_forearm_zy
+        * poses.rotation_right_forearm_zy
         - inertia_right_wrist_bracket_hx * inertia_right_wrist_bracket_hz_0;
     let inertia_right_wrist_bracket_yy = inertia_right_wrist_bracket_yy_0
-        * poses.rotation_right_wrist_bracket_yx
-        + inertia_right_wrist_bracket_yy_2 * poses.rotation_right_wrist_bracket_yy
-        + inertia_right_wrist_bracket_yy_4 * poses.rotation_right_forearm_yy
-        + (inertia_right_wrist_bracket_yy_6 + inertia_right_wrist_bracket_xx_7);
+        * poses.rotation_right_forearm_yy + 0.000057916667
+        + (inertia_right_wrist_bracket_yy_3 + inertia_right_wrist_bracket_xx_4);
     let inertia_right_wrist_bracket_yz = inertia_right_wrist_bracket_yy_0
-        * poses.rotation_right_wrist_bracket_zx
-        + inertia_right_wrist_bracket_yy_2 * poses.rotation_right_wrist_bracket_zy
-        + inertia_right_wrist_bracket_yy_4 * poses.rotation_right_forearm_zy
+        * poses.rotation_right_forearm_zy
         - inertia_right_wrist_bracket_hy * inertia_right_wrist_bracket_hz_0;
-    let inertia_right_wrist_bracket_zz = 0.000057916667
-        * poses.rotation_right_wrist_bracket_zx * poses.rotation_right_wrist_bracket_zx
-        + 0.000057916667 * poses.rotation_right_wrist_bracket_zy
-            * poses.rotation_right_wrist_bracket_zy
-        + 0.0000625 * poses.rotation_right_forearm_zy * poses.rotation_right_forearm_zy
-        + (inertia_right_wrist_bracket_yy_6 + inertia_right_wrist_bracket_xx_6);
+    let inertia_right_wrist_bracket_zz = 0.000004583333000000004
+        * poses.rotation_right_forearm_zy * poses.rotation_right_forearm_zy
+        + 0.000057916667
+        + (inertia_right_wrist_bracket_yy_3 + inertia_right_wrist_bracket_xx_3);
     let inertia_right_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_11
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_11
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_11
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_wrist_cross_xx_0 = 0.0010358020799999998
+    let inertia_right_wrist_cross_xx_0 = 0.0008382812499999998
         * poses.rotation_right_wrist_cross_xx
         - 0.000051187500000000004 * poses.rotation_right_wrist_cross_xy
         - 0.00000196875 * poses.minus_rotation_right_wrist_bracket_xy;
-    let inertia_right_wrist_cross_xx_2 = 0.00019752083
-        * poses.rotation_right_wrist_cross_xy
-        - 0.000051187500000000004 * poses.rotation_right_wrist_cross_xx
-        - 0.000021937499999999998 * poses.minus_rotation_right_wrist_bracket_xy;
+    let inertia_right_wrist_cross_xx_2 = 0.000051187500000000004
+        * poses.rotation_right_wrist_cross_xx
+        + 0.000021937499999999998 * poses.minus_rotation_right_wrist_bracket_xy;
     let inertia_right_wrist_cross_xx_4 = 0.00000196875
         * poses.rotation_right_wrist_cross_xx
         + 0.000021937499999999998 * poses.rotation_right_wrist_cross_xy
-        - 0.00092496875 * poses.minus_rotation_right_wrist_bracket_xy;
-    let inertia_right_wrist_cross_yy_0 = 0.0010358020799999998
+        - 0.00072744792 * poses.minus_rotation_right_wrist_bracket_xy;
+    let inertia_right_wrist_cross_yy_0 = 0.0008382812499999998
         * poses.rotation_right_wrist_cross_yx
         - 0.000051187500000000004 * poses.rotation_right_wrist_cross_yy
         + 0.00000196875 * poses.rotation_right_wrist_bracket_yy;
-    let inertia_right_wrist_cross_yy_2 = 0.00019752083
-        * poses.rotation_right_wrist_cross_yy
-        - 0.000051187500000000004 * poses.rotation_right_wrist_cross_yx
-        + 0.000021937499999999998 * poses.rotation_right_wrist_bracket_yy;
+    let inertia_right_wrist_cross_yy_2 = 0.000021937499999999998
+        * poses.rotation_right_wrist_bracket_yy
+        - 0.000051187500000000004 * poses.rotation_right_wrist_cross_yx;
     let inertia_right_wrist_cross_yy_4 = 0.00000196875
         * poses.rotation_right_wrist_cross_yx
         + 0.000021937499999999998 * poses.rotation_right_wrist_cross_yy
-        + 0.00092496875 * poses.rotation_right_wrist_bracket_yy;
+        + 0.00072744792 * poses.rotation_right_wrist_bracket_yy;
     // right_wrist_cross
     let inertia_right_wrist_cross_hx = inertia_right_wrist_cross_hx_0 * 0.4;
     let inertia_right_wrist_cross_hy = inertia_right_wrist_cross_hy_0 * 0.4;
     let inertia_right_wrist_cross_hz = inertia_right_wrist_cross_hz_0 * 0.4;
-    let inertia_right_wrist_cross_yy_6 = inertia_right_wrist_cross_hx
+    let inertia_right_wrist_cross_yy_7 = inertia_right_wrist_cross_hx
         * inertia_right_wrist_cross_hx_0;
-    let inertia_right_wrist_cross_xx_6 = inertia_right_wrist_cross_hy
+    let inertia_right_wrist_cross_xx_7 = inertia_right_wrist_cross_hy
         * inertia_right_wrist_cross_hy_0;
-    let inertia_right_wrist_cross_xx_7 = inertia_right_wrist_cross_hz
+    let inertia_right_wrist_cross_xx_8 = inertia_right_wrist_cross_hz
         * inertia_right_wrist_cross_hz_0;
     let inertia_right_wrist_cross_xx = inertia_right_wrist_cross_xx_0
         * poses.rotation_right_wrist_cross_xx
-        + inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_xy
+        - inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_xy
         - inertia_right_wrist_cross_xx_4 * poses.minus_rotation_right_wrist_bracket_xy
-        + (inertia_right_wrist_cross_xx_6 + inertia_right_wrist_cross_xx_7);
+        + 0.00019752083
+        + (inertia_right_wrist_cross_xx_7 + inertia_right_wrist_cross_xx_8);
     let inertia_right_wrist_cross_xy = inertia_right_wrist_cross_xx_0
         * poses.rotation_right_wrist_cross_yx
-        + inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_yy
+        - inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_yy
         + inertia_right_wrist_cross_xx_4 * poses.rotation_right_wrist_bracket_yy
         - inertia_right_wrist_cross_hx * inertia_right_wrist_cross_hy_0;
     let inertia_right_wrist_cross_xz = inertia_right_wrist_cross_xx_0
         * poses.rotation_right_wrist_cross_zx
-        + inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_zy
+        - inertia_right_wrist_cross_xx_2 * poses.rotation_right_wrist_cross_zy
         + inertia_right_wrist_cross_xx_4 * poses.rotation_right_wrist_bracket_zy
         - inertia_right_wrist_cross_hx * inertia_right_wrist_cross_hz_0;
     let inertia_right_wrist_cross_yy = inertia_right_wrist_cross_yy_0
         * poses.rotation_right_wrist_cross_yx
         + inertia_right_wrist_cross_yy_2 * poses.rotation_right_wrist_cross_yy
         + inertia_right_wrist_cross_yy_4 * poses.rotation_right_wrist_bracket_yy
-        + (inertia_right_wrist_cross_yy_6 + inertia_right_wrist_cross_xx_7);
+        + 0.00019752083
+        + (inertia_right_wrist_cross_yy_7 + inertia_right_wrist_cross_xx_8);
     let inertia_right_wrist_cross_yz = inertia_right_wrist_cross_yy_0
         * poses.rotation_right_wrist_cross_zx
         + inertia_right_wrist_cross_yy_2 * poses.rotation_right_wrist_cross_zy
         + inertia_right_wrist_cross_yy_4 * poses.rotation_right_wrist_bracket_zy
         - inertia_right_wrist_cross_hy * inertia_right_wrist_cross_hz_0;
-    let inertia_right_wrist_cross_zz = (0.0010358020799999998
+    let inertia_right_wrist_cross_zz = (0.0008382812499999998
         * poses.rotation_right_wrist_cross_zx
         - 0.000051187500000000004 * poses.rotation_right_wrist_cross_zy
         + 0.00000196875 * poses.rotation_right_wrist_bracket_zy)
         * poses.rotation_right_wrist_cross_zx
-        + (0.00019752083 * poses.rotation_right_wrist_cross_zy
-            - 0.000051187500000000004 * poses.rotation_right_wrist_cross_zx
-            + 0.000021937499999999998 * poses.rotation_right_wrist_bracket_zy)
+        + (0.000021937499999999998 * poses.rotation_right_wrist_bracket_zy
+            - 0.000051187500000000004 * poses.rotation_right_wrist_cross_zx)
             * poses.rotation_right_wrist_cross_zy
         + (0.00000196875 * poses.rotation_right_wrist_cross_zx
             + 0.000021937499999999998 * poses.rotation_right_wrist_cross_zy
-            + 0.00092496875 * poses.rotation_right_wrist_bracket_zy)
-            * poses.rotation_right_wrist_bracket_zy
-        + (inertia_right_wrist_cross_yy_6 + inertia_right_wrist_cross_xx_6);
+            + 0.00072744792 * poses.rotation_right_wrist_bracket_zy)
+            * poses.rotation_right_wrist_bracket_zy + 0.00019752083
+        + (inertia_right_wrist_cross_yy_7 + inertia_right_wrist_cross_xx_7);
     // right_wrist_bracket
     let composite_right_wrist_bracket_hx = inertia_right_wrist_bracket_hx
         + inertia_right_wrist_cross_hx;
@@ -4619,7 +4354,8 @@ fn inertias(poses: &Poses) -> Inertias {
     let composite_torso_hz_0_0 = inertia_torso_hz + composite_right_shoulder_bracket_hz;
     let composite_torso_xx_0_0 = inertia_torso_xx + composite_right_shoulder_bracket_xx;
     let composite_torso_xy_0_0 = inertia_torso_xy + composite_right_shoulder_bracket_xy;
-    let composite_torso_xz_0_0 = inertia_torso_xz + composite_right_shoulder_bracket_xz;
+    let composite_torso_xz_0_0 = composite_right_shoulder_bracket_xz
+        - minus_inertia_torso_xz;
     let composite_torso_yy_0_0 = inertia_torso_yy + composite_right_shoulder_bracket_yy;
     let composite_torso_yz_0_0 = inertia_torso_yz + composite_right_shoulder_bracket_yz;
     let composite_torso_zz_0_0 = inertia_torso_zz + composite_right_shoulder_bracket_zz;
@@ -4741,20 +4477,22 @@ fn inertias(poses: &Poses) -> Inertias {
     let composite_neck_cross_hy = inertia_neck_cross_hy + inertia_head_hy;
     let composite_neck_cross_hz = inertia_neck_cross_hz + inertia_head_hz;
     let composite_neck_cross_xx = inertia_neck_cross_xx + inertia_head_xx;
-    let composite_neck_cross_xy = inertia_neck_cross_xy + inertia_head_xy;
-    let composite_neck_cross_xz = inertia_neck_cross_xz + inertia_head_xz;
+    let composite_neck_cross_xy = inertia_neck_cross_xy - minus_inertia_head_xy;
+    let composite_neck_cross_xz = inertia_neck_cross_xz - minus_inertia_head_xz;
     let composite_neck_cross_yy = inertia_neck_cross_yy + inertia_head_yy;
-    let composite_neck_cross_yz = inertia_neck_cross_yz + inertia_head_yz;
+    let composite_neck_cross_yz = inertia_neck_cross_yz - minus_inertia_head_yz;
     let composite_neck_cross_zz = inertia_neck_cross_zz + inertia_head_zz;
     // neck_bracket
     let composite_neck_bracket_hx = inertia_neck_bracket_hx + composite_neck_cross_hx;
     let composite_neck_bracket_hy = inertia_neck_bracket_hy + composite_neck_cross_hy;
     let composite_neck_bracket_hz = inertia_neck_bracket_hz + composite_neck_cross_hz;
     let composite_neck_bracket_xx = inertia_neck_bracket_xx + composite_neck_cross_xx;
-    let composite_neck_bracket_xy = inertia_neck_bracket_xy + composite_neck_cross_xy;
+    let composite_neck_bracket_xy = composite_neck_cross_xy
+        - minus_inertia_neck_bracket_xy;
     let composite_neck_bracket_xz = inertia_neck_bracket_xz + composite_neck_cross_xz;
     let composite_neck_bracket_yy = inertia_neck_bracket_yy + composite_neck_cross_yy;
-    let composite_neck_bracket_yz = inertia_neck_bracket_yz + composite_neck_cross_yz;
+    let composite_neck_bracket_yz = composite_neck_cross_yz
+        - minus_inertia_neck_bracket_yz;
     let composite_neck_bracket_zz = inertia_neck_bracket_zz + composite_neck_cross_zz;
     // torso
     let composite_torso_hx = composite_torso_hx_0 + composite_neck_bracket_hx;
@@ -4771,7 +4509,7 @@ fn inertias(poses: &Poses) -> Inertias {
     let composite_waist_cross_hy = inertia_waist_cross_hy + composite_torso_hy;
     let composite_waist_cross_hz = inertia_waist_cross_hz + composite_torso_hz;
     let composite_waist_cross_xx = inertia_waist_cross_xx + composite_torso_xx;
-    let composite_waist_cross_xy = inertia_waist_cross_xy + composite_torso_xy;
+    let composite_waist_cross_xy = composite_torso_xy - minus_inertia_waist_cross_xy;
     let composite_waist_cross_xz = inertia_waist_cross_xz + composite_torso_xz;
     let composite_waist_cross_yy = inertia_waist_cross_yy + composite_torso_yy;
     let composite_waist_cross_yz = inertia_waist_cross_yz + composite_torso_yz;
@@ -4781,7 +4519,8 @@ fn inertias(poses: &Poses) -> Inertias {
     let composite_waist_bracket_hy = inertia_waist_bracket_hy + composite_waist_cross_hy;
     let composite_waist_bracket_hz = inertia_waist_bracket_hz + composite_waist_cross_hz;
     let composite_waist_bracket_xx = inertia_waist_bracket_xx + composite_waist_cross_xx;
-    let composite_waist_bracket_xy = inertia_waist_bracket_xy + composite_waist_cross_xy;
+    let composite_waist_bracket_xy = composite_waist_cross_xy
+        - minus_inertia_waist_bracket_xy;
     let composite_waist_bracket_xz = composite_waist_cross_xz
         - minus_inertia_waist_bracket_xz;
     let composite_waist_bracket_yy = inertia_waist_bracket_yy + composite_waist_cross_yy;
@@ -4858,8 +4597,8 @@ fn inertias(poses: &Poses) -> Inertias {
         - minus_inertia_right_hip_cross_hz;
     let composite_right_hip_cross_xx = inertia_right_hip_cross_xx
         + composite_right_thigh_xx;
-    let composite_right_hip_cross_xy = inertia_right_hip_cross_xy
-        + composite_right_thigh_xy;
+    let composite_right_hip_cross_xy = composite_right_thigh_xy
+        - minus_inertia_right_hip_cross_xy;
     let composite_right_hip_cross_xz = inertia_right_hip_cross_xz
         + composite_right_thigh_xz;
     let composite_right_hip_cross_yy = inertia_right_hip_cross_yy
@@ -4936,7 +4675,7 @@ fn inertias(poses: &Poses) -> Inertias {
     let composite_left_thigh_hz = inertia_left_thigh_hz + composite_left_shank_hz;
     let composite_left_thigh_xx = inertia_left_thigh_xx + composite_left_shank_xx;
     let composite_left_thigh_xy = inertia_left_thigh_xy + composite_left_shank_xy;
-    let composite_left_thigh_xz = inertia_left_thigh_xz + composite_left_shank_xz;
+    let composite_left_thigh_xz = composite_left_shank_xz - minus_inertia_left_thigh_xz;
     let composite_left_thigh_yy = inertia_left_thigh_yy + composite_left_shank_yy;
     let composite_left_thigh_yz = inertia_left_thigh_yz + composite_left_shank_yz;
     let composite_left_thigh_zz = inertia_left_thigh_zz + composite_left_shank_zz;
@@ -4949,8 +4688,8 @@ fn inertias(poses: &Poses) -> Inertias {
         + composite_left_thigh_hz;
     let composite_left_hip_cross_xx = inertia_left_hip_cross_xx
         + composite_left_thigh_xx;
-    let composite_left_hip_cross_xy = inertia_left_hip_cross_xy
-        + composite_left_thigh_xy;
+    let composite_left_hip_cross_xy = composite_left_thigh_xy
+        - minus_inertia_left_hip_cross_xy;
     let composite_left_hip_cross_xz = inertia_left_hip_cross_xz
         + composite_left_thigh_xz;
     let composite_left_hip_cross_yy = inertia_left_hip_cross_yy
@@ -4968,8 +4707,8 @@ fn inertias(poses: &Poses) -> Inertias {
         - minus_inertia_left_hip_bracket_hz;
     let composite_left_hip_bracket_xx = inertia_left_hip_bracket_xx
         + composite_left_hip_cross_xx;
-    let composite_left_hip_bracket_xy = inertia_left_hip_bracket_xy
-        + composite_left_hip_cross_xy;
+    let composite_left_hip_bracket_xy = composite_left_hip_cross_xy
+        - minus_inertia_left_hip_bracket_xy;
     let composite_left_hip_bracket_xz = inertia_left_hip_bracket_xz
         + composite_left_hip_cross_xz;
     let composite_left_hip_bracket_yy = inertia_left_hip_bracket_yy
@@ -5154,12 +4893,16 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_neck_bracket_xx;
     let inside_neck_roll_mz_0_0_1 = composite_neck_cross_yz
         * poses.rotation_neck_bracket_yx;
-    let inside_neck_pitch_mx_0_0_1 = inertia_head_xy * poses.rotation_neck_cross_yy;
-    let inside_neck_pitch_mx_0_1 = inertia_head_xz * poses.rotation_neck_cross_zy;
-    let inside_neck_pitch_my_0_0_0 = inertia_head_xy * poses.rotation_neck_cross_xy;
-    let inside_neck_pitch_my_0_1 = inertia_head_yz * poses.rotation_neck_cross_zy;
-    let inside_neck_pitch_mz_0_0_0 = inertia_head_xz * poses.rotation_neck_cross_xy;
-    let inside_neck_pitch_mz_0_0_1 = inertia_head_yz * poses.rotation_neck_cross_yy;
+    let inside_neck_pitch_mx_0_0_1 = minus_inertia_head_xy
+        * poses.rotation_neck_cross_yy;
+    let inside_neck_pitch_mx_0_1 = minus_inertia_head_xz * poses.rotation_neck_cross_zy;
+    let inside_neck_pitch_my_0_0_1 = minus_inertia_head_xy
+        * poses.rotation_neck_cross_xy;
+    let inside_neck_pitch_my_0_1 = minus_inertia_head_yz * poses.rotation_neck_cross_zy;
+    let inside_neck_pitch_mz_0_1_0 = minus_inertia_head_xz
+        * poses.rotation_neck_cross_xy;
+    let inside_neck_pitch_mz_0_1_1 = minus_inertia_head_yz
+        * poses.rotation_neck_cross_yy;
     let inside_left_shoulder_pitch_mx_0_0_1 = composite_left_shoulder_bracket_xy
         * poses.rotation_left_shoulder_bracket_yz;
     let inside_left_shoulder_pitch_mx_0_1 = composite_left_shoulder_bracket_xz
@@ -5317,17 +5060,17 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_left_hip_bracket_hx,
         inertia_left_hip_bracket_hy,
         minus_inertia_left_hip_bracket_hz,
+        minus_inertia_left_hip_bracket_xy,
         inertia_left_hip_bracket_xz,
         inertia_left_hip_bracket_yz,
         inertia_left_hip_bracket_xx,
-        inertia_left_hip_bracket_xy,
         inertia_left_hip_bracket_yy,
         inertia_left_hip_bracket_zz,
         inertia_left_hip_cross_hx,
         inertia_left_hip_cross_hy,
         inertia_left_hip_cross_hz,
         inertia_left_hip_cross_xx,
-        inertia_left_hip_cross_xy,
+        minus_inertia_left_hip_cross_xy,
         inertia_left_hip_cross_xz,
         inertia_left_hip_cross_yy,
         inertia_left_hip_cross_yz,
@@ -5337,7 +5080,7 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_left_thigh_hz,
         inertia_left_thigh_xx,
         inertia_left_thigh_xy,
-        inertia_left_thigh_xz,
+        minus_inertia_left_thigh_xz,
         inertia_left_thigh_yy,
         inertia_left_thigh_yz,
         inertia_left_thigh_zz,
@@ -5370,17 +5113,17 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_left_ankle_bracket_zz,
         inertia_right_hip_bracket_hx,
         minus_inertia_right_hip_bracket_hy,
+        inertia_right_hip_bracket_xy,
         inertia_right_hip_bracket_xz,
         minus_inertia_right_hip_bracket_yz,
         inertia_right_hip_bracket_xx,
-        inertia_right_hip_bracket_xy,
         inertia_right_hip_bracket_yy,
         inertia_right_hip_bracket_zz,
         inertia_right_hip_cross_hx,
         inertia_right_hip_cross_hy,
         minus_inertia_right_hip_cross_hz,
         inertia_right_hip_cross_xx,
-        inertia_right_hip_cross_xy,
+        minus_inertia_right_hip_cross_xy,
         inertia_right_hip_cross_xz,
         inertia_right_hip_cross_yy,
         inertia_right_hip_cross_yz,
@@ -5424,17 +5167,17 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_waist_bracket_hx,
         inertia_waist_bracket_hy,
         inertia_waist_bracket_hz,
+        minus_inertia_waist_bracket_xy,
         minus_inertia_waist_bracket_xz,
         minus_inertia_waist_bracket_yz,
         inertia_waist_bracket_xx,
-        inertia_waist_bracket_xy,
         inertia_waist_bracket_yy,
         inertia_waist_bracket_zz,
         inertia_waist_cross_hx,
         inertia_waist_cross_hy,
         inertia_waist_cross_hz,
         inertia_waist_cross_xx,
-        inertia_waist_cross_xy,
+        minus_inertia_waist_cross_xy,
         inertia_waist_cross_xz,
         inertia_waist_cross_yy,
         inertia_waist_cross_yz,
@@ -5444,7 +5187,7 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_torso_hz,
         inertia_torso_xx,
         inertia_torso_xy,
-        inertia_torso_xz,
+        minus_inertia_torso_xz,
         inertia_torso_yy,
         inertia_torso_yz,
         inertia_torso_zz,
@@ -5452,10 +5195,10 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_neck_bracket_hy,
         inertia_neck_bracket_hz,
         inertia_neck_bracket_xx,
-        inertia_neck_bracket_xy,
+        minus_inertia_neck_bracket_xy,
         inertia_neck_bracket_xz,
         inertia_neck_bracket_yy,
-        inertia_neck_bracket_yz,
+        minus_inertia_neck_bracket_yz,
         inertia_neck_bracket_zz,
         inertia_neck_cross_hx,
         inertia_neck_cross_hy,
@@ -5469,11 +5212,11 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_head_hx,
         inertia_head_hy,
         inertia_head_hz,
+        minus_inertia_head_xy,
+        minus_inertia_head_xz,
+        minus_inertia_head_yz,
         inertia_head_xx,
-        inertia_head_xy,
-        inertia_head_xz,
         inertia_head_yy,
-        inertia_head_yz,
         inertia_head_zz,
         inertia_left_shoulder_bracket_hx,
         inertia_left_shoulder_bracket_hy,
@@ -5933,10 +5676,10 @@ fn inertias(poses: &Poses) -> Inertias {
         inside_neck_roll_mz_0_0_1,
         inside_neck_pitch_mx_0_0_1,
         inside_neck_pitch_mx_0_1,
-        inside_neck_pitch_my_0_0_0,
+        inside_neck_pitch_my_0_0_1,
         inside_neck_pitch_my_0_1,
-        inside_neck_pitch_mz_0_0_0,
-        inside_neck_pitch_mz_0_0_1,
+        inside_neck_pitch_mz_0_1_0,
+        inside_neck_pitch_mz_0_1_1,
         inside_left_shoulder_pitch_mx_0_0_1,
         inside_left_shoulder_pitch_mx_0_1,
         inside_left_shoulder_pitch_my_0_0_0,
@@ -6294,8 +6037,8 @@ fn complements(inertias: &Inertias) -> Complements {
         - inertias.minus_inertia_left_hip_bracket_hz;
     let complement_left_hip_cross_xx = inertias.inertia_left_hip_bracket_xx
         + inertias.complement_left_hip_bracket_xx;
-    let complement_left_hip_cross_xy = inertias.inertia_left_hip_bracket_xy
-        + inertias.complement_left_hip_bracket_xy;
+    let complement_left_hip_cross_xy = inertias.complement_left_hip_bracket_xy
+        - inertias.minus_inertia_left_hip_bracket_xy;
     let complement_left_hip_cross_xz = inertias.inertia_left_hip_bracket_xz
         + inertias.complement_left_hip_bracket_xz;
     let complement_left_hip_cross_yy = inertias.inertia_left_hip_bracket_yy
@@ -6313,8 +6056,8 @@ fn complements(inertias: &Inertias) -> Complements {
         + complement_left_hip_cross_hz;
     let complement_left_thigh_xx = inertias.inertia_left_hip_cross_xx
         + complement_left_hip_cross_xx;
-    let complement_left_thigh_xy = inertias.inertia_left_hip_cross_xy
-        + complement_left_hip_cross_xy;
+    let complement_left_thigh_xy = complement_left_hip_cross_xy
+        - inertias.minus_inertia_left_hip_cross_xy;
     let complement_left_thigh_xz = inertias.inertia_left_hip_cross_xz
         + complement_left_hip_cross_xz;
     let complement_left_thigh_yy = inertias.inertia_left_hip_cross_yy
@@ -6334,8 +6077,8 @@ fn complements(inertias: &Inertias) -> Complements {
         + complement_left_thigh_xx;
     let complement_left_shank_xy = inertias.inertia_left_thigh_xy
         + complement_left_thigh_xy;
-    let complement_left_shank_xz = inertias.inertia_left_thigh_xz
-        + complement_left_thigh_xz;
+    let complement_left_shank_xz = complement_left_thigh_xz
+        - inertias.minus_inertia_left_thigh_xz;
     let complement_left_shank_yy = inertias.inertia_left_thigh_yy
         + complement_left_thigh_yy;
     let complement_left_shank_yz = inertias.inertia_left_thigh_yz
@@ -6427,8 +6170,8 @@ fn complements(inertias: &Inertias) -> Complements {
         - inertias.minus_inertia_right_hip_cross_hz;
     let complement_right_thigh_xx = inertias.inertia_right_hip_cross_xx
         + complement_right_hip_cross_xx;
-    let complement_right_thigh_xy = inertias.inertia_right_hip_cross_xy
-        + complement_right_hip_cross_xy;
+    let complement_right_thigh_xy = complement_right_hip_cross_xy
+        - inertias.minus_inertia_right_hip_cross_xy;
     let complement_right_thigh_xz = inertias.inertia_right_hip_cross_xz
         + complement_right_hip_cross_xz;
     let complement_right_thigh_yy = inertias.inertia_right_hip_cross_yy
@@ -6527,8 +6270,8 @@ fn complements(inertias: &Inertias) -> Complements {
         + complement_waist_bracket_hz;
     let complement_waist_cross_xx = inertias.inertia_waist_bracket_xx
         + complement_waist_bracket_xx;
-    let complement_waist_cross_xy = inertias.inertia_waist_bracket_xy
-        + complement_waist_bracket_xy;
+    let complement_waist_cross_xy = complement_waist_bracket_xy
+        - inertias.minus_inertia_waist_bracket_xy;
     let complement_waist_cross_xz = complement_waist_bracket_xz
         - inertias.minus_inertia_waist_bracket_xz;
     let complement_waist_cross_yy = inertias.inertia_waist_bracket_yy
@@ -6546,8 +6289,8 @@ fn complements(inertias: &Inertias) -> Complements {
         + complement_waist_cross_hz;
     let complement_torso_xx = inertias.inertia_waist_cross_xx
         + complement_waist_cross_xx;
-    let complement_torso_xy = inertias.inertia_waist_cross_xy
-        + complement_waist_cross_xy;
+    let complement_torso_xy = complement_waist_cross_xy
+        - inertias.minus_inertia_waist_cross_xy;
     let complement_torso_xz = inertias.inertia_waist_cross_xz
         + complement_waist_cross_xz;
     let complement_torso_yy = inertias.inertia_waist_cross_yy
@@ -6593,14 +6336,14 @@ fn complements(inertias: &Inertias) -> Complements {
         + complement_neck_bracket_hz;
     let complement_neck_cross_xx = inertias.inertia_neck_bracket_xx
         + complement_neck_bracket_xx;
-    let complement_neck_cross_xy = inertias.inertia_neck_bracket_xy
-        + complement_neck_bracket_xy;
+    let complement_neck_cross_xy = complement_neck_bracket_xy
+        - inertias.minus_inertia_neck_bracket_xy;
     let complement_neck_cross_xz = inertias.inertia_neck_bracket_xz
         + complement_neck_bracket_xz;
     let complement_neck_cross_yy = inertias.inertia_neck_bracket_yy
         + complement_neck_bracket_yy;
-    let complement_neck_cross_yz = inertias.inertia_neck_bracket_yz
-        + complement_neck_bracket_yz;
+    let complement_neck_cross_yz = complement_neck_bracket_yz
+        - inertias.minus_inertia_neck_bracket_yz;
     let complement_neck_cross_zz = inertias.inertia_neck_bracket_zz
         + complement_neck_bracket_zz;
     // head
@@ -6743,9 +6486,8 @@ fn complements(inertias: &Inertias) -> Complements {
     let complement_right_shoulder_bracket_xy = inertias.inertia_torso_xy
         + (complement_left_shoulder_bracket_xy_1
             + inertias.composite_left_shoulder_bracket_xy);
-    let complement_right_shoulder_bracket_xz = inertias.inertia_torso_xz
-        + (complement_left_shoulder_bracket_xz_1
-            + inertias.composite_left_shoulder_bracket_xz);
+    let complement_right_shoulder_bracket_xz = complement_left_shoulder_bracket_xz_1
+        + inertias.composite_left_shoulder_bracket_xz - inertias.minus_inertia_torso_xz;
     let complement_right_shoulder_bracket_yy = inertias.inertia_torso_yy
         + (complement_left_shoulder_bracket_yy_1
             + inertias.composite_left_shoulder_bracket_yy);
@@ -8577,15 +8319,13 @@ fn screws(poses: &Poses, inertias: &Inertias) -> Screws {
     let inside_neck_pitch_mz_4 = inertias.inertia_head_hx * screw_neck_pitch_vy;
     let inside_neck_pitch_mz_5 = inertias.inertia_head_hy * screw_neck_pitch_vx;
     let inside_neck_pitch_mx = inertias.inertia_head_xx * poses.rotation_neck_cross_xy
-        + inertias.inside_neck_pitch_mx_0_0_1 + inertias.inside_neck_pitch_mx_0_1
+        - inertias.inside_neck_pitch_mx_0_0_1 - inertias.inside_neck_pitch_mx_0_1
         + (inside_neck_pitch_mx_4 - inside_neck_pitch_mx_5);
-    let inside_neck_pitch_my = inertias.inside_neck_pitch_my_0_0_0
-        + inertias.inertia_head_yy * poses.rotation_neck_cross_yy
-        + inertias.inside_neck_pitch_my_0_1
+    let inside_neck_pitch_my = inertias.inertia_head_yy * poses.rotation_neck_cross_yy
+        - inertias.inside_neck_pitch_my_0_0_1 - inertias.inside_neck_pitch_my_0_1
         + (inside_neck_pitch_my_4 - inside_neck_pitch_my_5);
-    let inside_neck_pitch_mz = inertias.inside_neck_pitch_mz_0_0_0
-        + inertias.inside_neck_pitch_mz_0_0_1
-        + inertias.inertia_head_zz * poses.rotation_neck_cross_zy
+    let inside_neck_pitch_mz = inertias.inertia_head_zz * poses.rotation_neck_cross_zy
+        - (inertias.inside_neck_pitch_mz_0_1_0 + inertias.inside_neck_pitch_mz_0_1_1)
         + (inside_neck_pitch_mz_4 - inside_neck_pitch_mz_5);
     let inside_neck_pitch_fx = screw_neck_pitch_vx * 3.0
         + (poses.rotation_neck_cross_yy * inertias.inertia_head_hz
@@ -13182,9 +12922,9 @@ mod inertia_itself {
         pub(super) shape_inertia_5_1: f64,
         pub(super) shape_inertia_6_1: f64,
         pub(super) shape_inertia_7_1: f64,
+        pub(super) shape_inertia_12_1: f64,
         pub(super) shape_inertia_8_1: f64,
         pub(super) shape_inertia_9_1: f64,
-        pub(super) shape_inertia_12_1: f64,
         pub(super) shape_inertia_10_1: f64,
         pub(super) shape_inertia_11_1: f64,
         pub(super) shape_inertia_13_1: f64,
@@ -13444,9 +13184,9 @@ mod inertia_itself {
             shape_inertia_5_1,
             shape_inertia_6_1,
             shape_inertia_7_1,
+            shape_inertia_12_1,
             shape_inertia_8_1,
             shape_inertia_9_1,
-            shape_inertia_12_1,
             shape_inertia_10_1,
             shape_inertia_11_1,
             shape_inertia_13_1,
@@ -13475,9 +13215,9 @@ mod inertia_itself {
         pub(super) shape_inertia_5_2: f64,
         pub(super) shape_inertia_6_2: f64,
         pub(super) shape_inertia_7_2: f64,
+        pub(super) shape_inertia_12_2: f64,
         pub(super) shape_inertia_8_2: f64,
         pub(super) shape_inertia_9_2: f64,
-        pub(super) shape_inertia_12_2: f64,
         pub(super) shape_inertia_10_2: f64,
         pub(super) shape_inertia_11_2: f64,
         pub(super) shape_inertia_13_2: f64,
@@ -13711,9 +13451,9 @@ mod inertia_itself {
             shape_inertia_5_2,
             shape_inertia_6_2,
             shape_inertia_7_2,
+            shape_inertia_12_2,
             shape_inertia_8_2,
             shape_inertia_9_2,
-            shape_inertia_12_2,
             shape_inertia_10_2,
             shape_inertia_11_2,
             shape_inertia_13_2,
@@ -13741,9 +13481,9 @@ mod inertia_itself {
         pub(super) shape_inertia_5_3: f64,
         pub(super) shape_inertia_6_3: f64,
         pub(super) shape_inertia_7_3: f64,
+        pub(super) shape_inertia_12_3: f64,
         pub(super) shape_inertia_8_3: f64,
         pub(super) shape_inertia_9_3: f64,
-        pub(super) shape_inertia_12_3: f64,
         pub(super) shape_inertia_10_3: f64,
         pub(super) shape_inertia_11_3: f64,
         pub(super) shape_inertia_13_3: f64,
@@ -13973,9 +13713,9 @@ mod inertia_itself {
             shape_inertia_5_3,
             shape_inertia_6_3,
             shape_inertia_7_3,
+            shape_inertia_12_3,
             shape_inertia_8_3,
             shape_inertia_9_3,
-            shape_inertia_12_3,
             shape_inertia_10_3,
             shape_inertia_11_3,
             shape_inertia_13_3,
@@ -14002,9 +13742,9 @@ mod inertia_itself {
         pub(super) shape_inertia_5_4: f64,
         pub(super) shape_inertia_6_4: f64,
         pub(super) shape_inertia_7_4: f64,
+        pub(super) shape_inertia_12_4: f64,
         pub(super) shape_inertia_8_4: f64,
         pub(super) shape_inertia_9_4: f64,
-        pub(super) shape_inertia_12_4: f64,
         pub(super) shape_inertia_10_4: f64,
         pub(super) shape_inertia_11_4: f64,
         pub(super) shape_inertia_13_4: f64,
@@ -14240,9 +13980,9 @@ mod inertia_itself {
             shape_inertia_5_4,
             shape_inertia_6_4,
             shape_inertia_7_4,
+            shape_inertia_12_4,
             shape_inertia_8_4,
             shape_inertia_9_4,
-            shape_inertia_12_4,
             shape_inertia_10_4,
             shape_inertia_11_4,
             shape_inertia_13_4,
@@ -14268,9 +14008,9 @@ mod inertia_itself {
         pub(super) shape_inertia_29_4: f64,
         pub(super) shape_inertia_6_5: f64,
         pub(super) shape_inertia_7_5: f64,
+        pub(super) shape_inertia_12_5: f64,
         pub(super) shape_inertia_8_5: f64,
         pub(super) shape_inertia_9_5: f64,
-        pub(super) shape_inertia_12_5: f64,
         pub(super) shape_inertia_10_5: f64,
         pub(super) shape_inertia_11_5: f64,
         pub(super) shape_inertia_13_5: f64,
@@ -14525,9 +14265,9 @@ mod inertia_itself {
             shape_inertia_29_4,
             shape_inertia_6_5,
             shape_inertia_7_5,
+            shape_inertia_12_5,
             shape_inertia_8_5,
             shape_inertia_9_5,
-            shape_inertia_12_5,
             shape_inertia_10_5,
             shape_inertia_11_5,
             shape_inertia_13_5,
@@ -20220,18 +19960,18 @@ mod forward_dynamics_itself {
                     - inertias.inside_neck_roll_mx_0_0_1)
                 - (screws.inside_neck_roll_mx_4 + screws.inside_neck_roll_mx_5))
                 * qd[16];
-        let xi_dot_0_3_3_21_19_8_0_30_0 = poses.rotation_neck_cross_yy
-            * inertias.inertia_head_xz;
-        let xi_dot_0_3_3_21_19_8_0_30_1 = poses.rotation_neck_cross_zy
-            * inertias.inertia_head_xy;
+        let xi_dot_0_3_3_21_19_8_0_30_1 = poses.rotation_neck_cross_yy
+            * inertias.minus_inertia_head_xz;
+        let xi_dot_0_3_3_21_19_8_0_30_0 = poses.rotation_neck_cross_zy
+            * inertias.minus_inertia_head_xy;
         let xi_dot_0_3_3_21_19_8_0_30 = xi_dot_0_3_3_21_19_8_0_30_0
             - xi_dot_0_3_3_21_19_8_0_30_1;
-        let xi_dot_0_3_3_21_10_0_30_1 = poses.rotation_neck_cross_xy
-            * inertias.inertia_head_yz;
-        let xi_dot_0_3_3_21_10_0_30 = xi_dot_0_3_3_21_19_8_0_30_1
-            - xi_dot_0_3_3_21_10_0_30_1;
-        let xi_dot_0_3_3_12_0_30 = xi_dot_0_3_3_21_10_0_30_1
+        let xi_dot_0_3_3_21_10_0_30_0 = poses.rotation_neck_cross_xy
+            * inertias.minus_inertia_head_yz;
+        let xi_dot_0_3_3_21_10_0_30 = xi_dot_0_3_3_21_10_0_30_0
             - xi_dot_0_3_3_21_19_8_0_30_0;
+        let xi_dot_0_3_3_12_0_30 = xi_dot_0_3_3_21_19_8_0_30_1
+            - xi_dot_0_3_3_21_10_0_30_0;
         let xi_dot_0_3_3_21_10_0_31_1 = inertias.inertia_head_hx
             * screws.screw_neck_pitch_vx;
         let xi_dot_0_3_3_21_19_8_0_31_1 = inertias.inertia_head_hy
@@ -20283,10 +20023,10 @@ mod forward_dynamics_itself {
                 + (poses.rotation_neck_bracket_zx * inertias.composite_neck_cross_xx
                     - inertias.inside_neck_roll_mz_0_0_0)
                 - (screws.inside_neck_roll_mz_4 + screws.inside_neck_roll_mz_5)) * qd[16]
-            + (inertias.inside_neck_pitch_mz_0_0_1
-                - poses.rotation_neck_cross_zy * inertias.inertia_head_yy
-                + (poses.rotation_neck_cross_zy * inertias.inertia_head_xx
-                    - inertias.inside_neck_pitch_mz_0_0_0)
+            + (poses.rotation_neck_cross_zy * inertias.inertia_head_xx
+                + inertias.inside_neck_pitch_mz_0_1_0
+                - (inertias.inside_neck_pitch_mz_0_1_1
+                    + poses.rotation_neck_cross_zy * inertias.inertia_head_yy)
                 - (screws.inside_neck_pitch_mz_4 + screws.inside_neck_pitch_mz_5))
                 * qd[17];
         let xi_dot_0_3_3_21_19_8_0_35_0 = poses.rotation_left_shoulder_bracket_yz
@@ -20682,9 +20422,9 @@ mod forward_dynamics_itself {
         let xi_dot_0_3_3_21_19_11_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_26_1
             .xi_dot_0_3_3_21_19_11_0_0
             + (poses.rotation_neck_cross_yy * inertias.inertia_head_zz
-                - inertias.inside_neck_pitch_my_0_1
-                + (inertias.inside_neck_pitch_my_0_0_0
-                    - poses.rotation_neck_cross_yy * inertias.inertia_head_xx)
+                + inertias.inside_neck_pitch_my_0_1
+                - (inertias.inside_neck_pitch_my_0_0_1
+                    + poses.rotation_neck_cross_yy * inertias.inertia_head_xx)
                 - (screws.inside_neck_pitch_my_5 + screws.inside_neck_pitch_my_4))
                 * qd[17]
             + (poses.rotation_left_shoulder_bracket_yz
@@ -20744,10 +20484,10 @@ mod forward_dynamics_itself {
                     + screws.inside_right_shoulder_pitch_my_4)) * qd[24];
         let xi_dot_0_3_3_21_11_0 = forward_dynamics_itself_from_xi_dot_0_3_3_21_19_8_0_26_1
             .xi_dot_0_3_3_21_11_0_0
-            + (inertias.inside_neck_pitch_mx_0_1
-                - poses.rotation_neck_cross_xy * inertias.inertia_head_zz
-                + (poses.rotation_neck_cross_xy * inertias.inertia_head_yy
-                    - inertias.inside_neck_pitch_mx_0_0_1)
+            + (poses.rotation_neck_cross_xy * inertias.inertia_head_yy
+                + inertias.inside_neck_pitch_mx_0_0_1
+                - (inertias.inside_neck_pitch_mx_0_1
+                    + poses.rotation_neck_cross_xy * inertias.inertia_head_zz)
                 - (screws.inside_neck_pitch_mx_4 + screws.inside_neck_pitch_mx_5))
                 * qd[17]
             + (inertias.inside_left_shoulder_pitch_mx_0_1
@@ -21494,17 +21234,17 @@ mod forward_dynamics_itself {
             + mu[2];
         let wrench_left_hip_bracket_my_17 = inertias.inertia_left_hip_bracket_xx
             * forward_dynamics_itself.wrench_waist_bracket_my_16
-            + inertias.inertia_left_hip_bracket_xy
+            - inertias.minus_inertia_left_hip_bracket_xy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             + inertias.inertia_left_hip_bracket_xz * wrench_left_hip_cross_mx_16
             + (inertias.minus_inertia_left_hip_bracket_hz
                 * velocities.velocity_left_hip_bracket_vy
                 - inertias.inertia_left_hip_bracket_hy
                     * velocities.minus_velocity_pelvis_vz);
-        let wrench_left_hip_bracket_mx_15 = inertias.inertia_left_hip_bracket_xy
-            * forward_dynamics_itself.wrench_waist_bracket_my_16
-            + inertias.inertia_left_hip_bracket_yy
-                * forward_dynamics_itself.wrench_waist_bracket_mx_18
+        let wrench_left_hip_bracket_mx_15 = inertias.inertia_left_hip_bracket_yy
+            * forward_dynamics_itself.wrench_waist_bracket_mx_18
+            - inertias.minus_inertia_left_hip_bracket_xy
+                * forward_dynamics_itself.wrench_waist_bracket_my_16
             + inertias.inertia_left_hip_bracket_yz * wrench_left_hip_cross_mx_16
             + (inertias.inertia_left_hip_bracket_hx * velocities.minus_velocity_pelvis_vz
                 - inertias.minus_inertia_left_hip_bracket_hz
@@ -21537,14 +21277,14 @@ mod forward_dynamics_itself {
         let wrench_left_hip_cross_mx_18 = velocities.velocity_left_hip_cross_wy + mu[1];
         let wrench_left_hip_cross_my_17 = inertias.inertia_left_hip_cross_xx
             * wrench_left_hip_cross_my_16
-            + inertias.inertia_left_hip_cross_xy * wrench_left_hip_cross_mx_18
+            - inertias.minus_inertia_left_hip_cross_xy * wrench_left_hip_cross_mx_18
             + inertias.inertia_left_hip_cross_xz * wrench_left_hip_cross_mx_16
             + (inertias.inertia_left_hip_cross_hy * velocities.velocity_left_hip_cross_vz
                 - inertias.inertia_left_hip_cross_hz
                     * velocities.velocity_left_hip_cross_vy);
-        let wrench_left_hip_cross_mx_15 = inertias.inertia_left_hip_cross_xy
-            * wrench_left_hip_cross_my_16
-            + inertias.inertia_left_hip_cross_yy * wrench_left_hip_cross_mx_18
+        let wrench_left_hip_cross_mx_15 = inertias.inertia_left_hip_cross_yy
+            * wrench_left_hip_cross_mx_18
+            - inertias.minus_inertia_left_hip_cross_xy * wrench_left_hip_cross_my_16
             + inertias.inertia_left_hip_cross_yz * wrench_left_hip_cross_mx_16
             + (inertias.inertia_left_hip_cross_hz * velocities.velocity_left_hip_cross_vx
                 - inertias.inertia_left_hip_cross_hx
@@ -21571,7 +21311,7 @@ mod forward_dynamics_itself {
         let wrench_left_thigh_my_17 = inertias.inertia_left_thigh_xx
             * wrench_left_thigh_my_16
             + inertias.inertia_left_thigh_xy * wrench_left_thigh_mx_18
-            + inertias.inertia_left_thigh_xz * wrench_left_thigh_mx_16
+            - inertias.minus_inertia_left_thigh_xz * wrench_left_thigh_mx_16
             + (inertias.inertia_left_thigh_hy * velocities.velocity_left_thigh_vz
                 - inertias.inertia_left_thigh_hz * velocities.velocity_left_thigh_vy);
         let wrench_left_thigh_mx_15 = inertias.inertia_left_thigh_xy
@@ -21580,9 +21320,9 @@ mod forward_dynamics_itself {
             + inertias.inertia_left_thigh_yz * wrench_left_thigh_mx_16
             + (inertias.inertia_left_thigh_hz * velocities.velocity_left_thigh_vx
                 - inertias.inertia_left_thigh_hx * velocities.velocity_left_thigh_vz);
-        let wrench_left_thigh_mx_17 = inertias.inertia_left_thigh_xz
-            * wrench_left_thigh_my_16
-            + inertias.inertia_left_thigh_yz * wrench_left_thigh_mx_18
+        let wrench_left_thigh_mx_17 = inertias.inertia_left_thigh_yz
+            * wrench_left_thigh_mx_18
+            - inertias.minus_inertia_left_thigh_xz * wrench_left_thigh_my_16
             + inertias.inertia_left_thigh_zz * wrench_left_thigh_mx_16
             + (inertias.inertia_left_thigh_hx * velocities.velocity_left_thigh_vy
                 - inertias.inertia_left_thigh_hy * velocities.velocity_left_thigh_vx);
@@ -21891,7 +21631,7 @@ mod forward_dynamics_itself {
             + mu[1];
         let wrench_right_hip_cross_my_17 = inertias.inertia_right_hip_cross_xx
             * wrench_right_hip_cross_my_16
-            + inertias.inertia_right_hip_cross_xy * wrench_right_hip_cross_mx_18
+            - inertias.minus_inertia_right_hip_cross_xy * wrench_right_hip_cross_mx_18
             + inertias.inertia_right_hip_cross_xz * wrench_right_hip_cross_mx_16
             + (inertias.inertia_right_hip_cross_hy
                 * velocities.velocity_right_hip_cross_vz
@@ -21983,12 +21723,12 @@ mod forward_dynamics_itself {
         velocities: &Velocities,
         forward_dynamics_itself_from_wrench_left_shank_mx_18: &ForwardDynamicsItselfFromWrenchLeftShankMx18,
     ) -> ForwardDynamicsItselfFromWrenchRightHipCrossMx15 {
-        let wrench_right_hip_cross_mx_15 = inertias.inertia_right_hip_cross_xy
+        let wrench_right_hip_cross_mx_15 = inertias.inertia_right_hip_cross_yy
             * forward_dynamics_itself_from_wrench_left_shank_mx_18
-                .wrench_right_hip_cross_my_16
-            + inertias.inertia_right_hip_cross_yy
+                .wrench_right_hip_cross_mx_18
+            - inertias.minus_inertia_right_hip_cross_xy
                 * forward_dynamics_itself_from_wrench_left_shank_mx_18
-                    .wrench_right_hip_cross_mx_18
+                    .wrench_right_hip_cross_my_16
             + inertias.inertia_right_hip_cross_yz
                 * forward_dynamics_itself_from_wrench_left_shank_mx_18
                     .wrench_right_hip_cross_mx_16
@@ -22340,16 +22080,16 @@ mod forward_dynamics_itself {
         let wrench_waist_cross_mx_16 = velocities.velocity_waist_bracket_wz + mu[2];
         let wrench_waist_bracket_my_17 = inertias.inertia_waist_bracket_xx
             * forward_dynamics_itself.wrench_waist_bracket_my_16
-            + inertias.inertia_waist_bracket_xy
+            - inertias.minus_inertia_waist_bracket_xy
                 * forward_dynamics_itself.wrench_waist_bracket_mx_18
             - inertias.minus_inertia_waist_bracket_xz * wrench_waist_cross_mx_16
             - (inertias.inertia_waist_bracket_hy * velocities.minus_velocity_pelvis_vz
                 + inertias.inertia_waist_bracket_hz
                     * velocities.velocity_waist_bracket_vy);
-        let wrench_waist_bracket_mx_15 = inertias.inertia_waist_bracket_xy
-            * forward_dynamics_itself.wrench_waist_bracket_my_16
-            + inertias.inertia_waist_bracket_yy
-                * forward_dynamics_itself.wrench_waist_bracket_mx_18
+        let wrench_waist_bracket_mx_15 = inertias.inertia_waist_bracket_yy
+            * forward_dynamics_itself.wrench_waist_bracket_mx_18
+            - inertias.minus_inertia_waist_bracket_xy
+                * forward_dynamics_itself.wrench_waist_bracket_my_16
             - inertias.minus_inertia_waist_bracket_yz * wrench_waist_cross_mx_16
             + (inertias.inertia_waist_bracket_hz * velocities.velocity_waist_bracket_vx
                 + inertias.inertia_waist_bracket_hx
@@ -22380,13 +22120,13 @@ mod forward_dynamics_itself {
         let wrench_waist_cross_mx_18 = velocities.velocity_waist_cross_wy + mu[1];
         let wrench_waist_cross_my_17 = inertias.inertia_waist_cross_xx
             * wrench_waist_cross_my_16
-            + inertias.inertia_waist_cross_xy * wrench_waist_cross_mx_18
+            - inertias.minus_inertia_waist_cross_xy * wrench_waist_cross_mx_18
             + inertias.inertia_waist_cross_xz * wrench_waist_cross_mx_16
             + (inertias.inertia_waist_cross_hy * velocities.velocity_waist_cross_vz
                 - inertias.inertia_waist_cross_hz * velocities.velocity_waist_cross_vy);
-        let wrench_waist_cross_mx_15 = inertias.inertia_waist_cross_xy
-            * wrench_waist_cross_my_16
-            + inertias.inertia_waist_cross_yy * wrench_waist_cross_mx_18
+        let wrench_waist_cross_mx_15 = inertias.inertia_waist_cross_yy
+            * wrench_waist_cross_mx_18
+            - inertias.minus_inertia_waist_cross_xy * wrench_waist_cross_my_16
             + inertias.inertia_waist_cross_yz * wrench_waist_cross_mx_16
             + (inertias.inertia_waist_cross_hz * velocities.velocity_waist_cross_vx
                 - inertias.inertia_waist_cross_hx * velocities.velocity_waist_cross_vz);
@@ -22410,7 +22150,7 @@ mod forward_dynamics_itself {
         let wrench_torso_mx_16 = velocities.velocity_torso_wz + mu[2];
         let wrench_torso_my_17 = inertias.inertia_torso_xx * wrench_torso_my_16
             + inertias.inertia_torso_xy * wrench_torso_mx_18
-            + inertias.inertia_torso_xz * wrench_torso_mx_16
+            - inertias.minus_inertia_torso_xz * wrench_torso_mx_16
             + (inertias.inertia_torso_hy * velocities.velocity_torso_vz
                 - inertias.inertia_torso_hz * velocities.velocity_torso_vy);
         let wrench_torso_mx_15 = inertias.inertia_torso_xy * wrench_torso_my_16
@@ -22418,8 +22158,8 @@ mod forward_dynamics_itself {
             + inertias.inertia_torso_yz * wrench_torso_mx_16
             + (inertias.inertia_torso_hz * velocities.velocity_torso_vx
                 - inertias.inertia_torso_hx * velocities.velocity_torso_vz);
-        let wrench_torso_mx_17 = inertias.inertia_torso_xz * wrench_torso_my_16
-            + inertias.inertia_torso_yz * wrench_torso_mx_18
+        let wrench_torso_mx_17 = inertias.inertia_torso_yz * wrench_torso_mx_18
+            - inertias.minus_inertia_torso_xz * wrench_torso_my_16
             + inertias.inertia_torso_zz * wrench_torso_mx_16
             + (inertias.inertia_torso_hx * velocities.velocity_torso_vy
                 - inertias.inertia_torso_hy * velocities.velocity_torso_vx);
@@ -22437,21 +22177,21 @@ mod forward_dynamics_itself {
         let wrench_neck_bracket_mx_16 = velocities.velocity_neck_bracket_wz + mu[2];
         let wrench_neck_bracket_my_17 = inertias.inertia_neck_bracket_xx
             * wrench_neck_bracket_my_16
-            + inertias.inertia_neck_bracket_xy * wrench_neck_bracket_mx_18
+            - inertias.minus_inertia_neck_bracket_xy * wrench_neck_bracket_mx_18
             + inertias.inertia_neck_bracket_xz * wrench_neck_bracket_mx_16
             + (inertias.inertia_neck_bracket_hy * velocities.velocity_neck_bracket_vz
                 - inertias.inertia_neck_bracket_hz
                     * velocities.velocity_neck_bracket_vy);
-        let wrench_neck_bracket_mx_15 = inertias.inertia_neck_bracket_xy
-            * wrench_neck_bracket_my_16
-            + inertias.inertia_neck_bracket_yy * wrench_neck_bracket_mx_18
-            + inertias.inertia_neck_bracket_yz * wrench_neck_bracket_mx_16
+        let wrench_neck_bracket_mx_15 = inertias.inertia_neck_bracket_yy
+            * wrench_neck_bracket_mx_18
+            - inertias.minus_inertia_neck_bracket_xy * wrench_neck_bracket_my_16
+            - inertias.minus_inertia_neck_bracket_yz * wrench_neck_bracket_mx_16
             + (inertias.inertia_neck_bracket_hz * velocities.velocity_neck_bracket_vx
                 - inertias.inertia_neck_bracket_hx
                     * velocities.velocity_neck_bracket_vz);
         let wrench_neck_bracket_mx_17 = inertias.inertia_neck_bracket_xz
             * wrench_neck_bracket_my_16
-            + inertias.inertia_neck_bracket_yz * wrench_neck_bracket_mx_18
+            - inertias.minus_inertia_neck_bracket_yz * wrench_neck_bracket_mx_18
             + inertias.inertia_neck_bracket_zz * wrench_neck_bracket_mx_16
             + (inertias.inertia_neck_bracket_hx * velocities.velocity_neck_bracket_vy
                 - inertias.inertia_neck_bracket_hy
@@ -22590,18 +22330,18 @@ mod forward_dynamics_itself {
         let minus_wrench_head_mx_3 = velocities.velocity_head_wy + mu[1];
         let minus_wrench_head_mx_1 = velocities.velocity_head_wz + mu[2];
         let minus_wrench_head_my_2 = inertias.inertia_head_xx * minus_wrench_head_my_1
-            + inertias.inertia_head_xy * minus_wrench_head_mx_3
-            + inertias.inertia_head_xz * minus_wrench_head_mx_1
+            - inertias.minus_inertia_head_xy * minus_wrench_head_mx_3
+            - inertias.minus_inertia_head_xz * minus_wrench_head_mx_1
             + (inertias.inertia_head_hy * velocities.velocity_head_vz
                 - inertias.inertia_head_hz * velocities.velocity_head_vy);
-        let minus_wrench_head_mx_0 = inertias.inertia_head_xy * minus_wrench_head_my_1
-            + inertias.inertia_head_yy * minus_wrench_head_mx_3
-            + inertias.inertia_head_yz * minus_wrench_head_mx_1
+        let minus_wrench_head_mx_0 = inertias.inertia_head_yy * minus_wrench_head_mx_3
+            - inertias.minus_inertia_head_xy * minus_wrench_head_my_1
+            - inertias.minus_inertia_head_yz * minus_wrench_head_mx_1
             + (inertias.inertia_head_hz * velocities.velocity_head_vx
                 - inertias.inertia_head_hx * velocities.velocity_head_vz);
-        let minus_wrench_head_mx_2 = inertias.inertia_head_xz * minus_wrench_head_my_1
-            + inertias.inertia_head_yz * minus_wrench_head_mx_3
-            + inertias.inertia_head_zz * minus_wrench_head_mx_1
+        let minus_wrench_head_mx_2 = inertias.inertia_head_zz * minus_wrench_head_mx_1
+            - (inertias.minus_inertia_head_xz * minus_wrench_head_my_1
+                + inertias.minus_inertia_head_yz * minus_wrench_head_mx_3)
             + (inertias.inertia_head_hx * velocities.velocity_head_vy
                 - inertias.inertia_head_hy * velocities.velocity_head_vx);
         let minus_wrench_head_my_6 = velocities.velocity_head_vx * 3.0
@@ -29271,8 +29011,8 @@ mod forward_dynamics_itself {
         let wrench_neck_cross_mx = inertias.inertia_head_xx
             * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .wrench_neck_cross_mx_1
-            + inertias.inertia_head_xy * wrench_neck_cross_mx_3
-            + inertias.inertia_head_xz * wrench_neck_cross_mx_5
+            - inertias.minus_inertia_head_xy * wrench_neck_cross_mx_3
+            - inertias.minus_inertia_head_xz * wrench_neck_cross_mx_5
             + (inertias.inertia_head_hy * wrench_neck_cross_mx_7
                 - inertias.inertia_head_hz * wrench_neck_cross_mx_9)
             - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_mx
@@ -29289,11 +29029,11 @@ mod forward_dynamics_itself {
                     .wrench_neck_cross_mx_17 * velocities.velocity_neck_cross_vz
                     - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_mx_19 * velocities.velocity_neck_cross_vy));
-        let wrench_neck_cross_my = inertias.inertia_head_xy
-            * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
-                .wrench_neck_cross_mx_1
-            + inertias.inertia_head_yy * wrench_neck_cross_mx_3
-            + inertias.inertia_head_yz * wrench_neck_cross_mx_5
+        let wrench_neck_cross_my = inertias.inertia_head_yy * wrench_neck_cross_mx_3
+            - inertias.minus_inertia_head_xy
+                * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
+                    .wrench_neck_cross_mx_1
+            - inertias.minus_inertia_head_yz * wrench_neck_cross_mx_5
             + (inertias.inertia_head_hz * wrench_neck_cross_my_7
                 - inertias.inertia_head_hx * wrench_neck_cross_mx_7)
             - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_my
@@ -29310,11 +29050,11 @@ mod forward_dynamics_itself {
                     .wrench_neck_cross_mx_19 * velocities.velocity_neck_cross_vx
                     - forward_dynamics_itself_from_wrench_neck_bracket_mx_19
                         .wrench_neck_cross_my_19 * velocities.velocity_neck_cross_vz));
-        let wrench_neck_cross_mz = inertias.inertia_head_xz
-            * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
-                .wrench_neck_cross_mx_1
-            + inertias.inertia_head_yz * wrench_neck_cross_mx_3
-            + inertias.inertia_head_zz * wrench_neck_cross_mx_5
+        let wrench_neck_cross_mz = inertias.inertia_head_zz * wrench_neck_cross_mx_5
+            - (inertias.minus_inertia_head_xz
+                * forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
+                    .wrench_neck_cross_mx_1
+                + inertias.minus_inertia_head_yz * wrench_neck_cross_mx_3)
             + (inertias.inertia_head_hx * wrench_neck_cross_mx_9
                 - inertias.inertia_head_hy * wrench_neck_cross_my_7)
             - forward_dynamics_itself_from_wrench_neck_bracket_mx_19.minus_wrench_head_mz
@@ -29399,17 +29139,17 @@ mod forward_dynamics_itself {
             + (inertias.inertia_head_xx
                 - minus_articulated_neck_cross_hxx_0 * screws.inside_neck_pitch_mx);
         let articulated_neck_cross_jxy = inertias.inertia_neck_cross_xy
-            + (inertias.inertia_head_xy
-                - minus_articulated_neck_cross_hxx_0 * screws.inside_neck_pitch_my);
+            - (inertias.minus_inertia_head_xy
+                + minus_articulated_neck_cross_hxx_0 * screws.inside_neck_pitch_my);
         let articulated_neck_cross_jxz = inertias.inertia_neck_cross_xz
-            + (inertias.inertia_head_xz
-                - minus_articulated_neck_cross_hxx_0 * screws.inside_neck_pitch_mz);
+            - (inertias.minus_inertia_head_xz
+                + minus_articulated_neck_cross_hxx_0 * screws.inside_neck_pitch_mz);
         let articulated_neck_cross_jyy = inertias.inertia_neck_cross_yy
             + (inertias.inertia_head_yy
                 - minus_articulated_neck_cross_hyy_0 * screws.inside_neck_pitch_my);
         let articulated_neck_cross_jyz = inertias.inertia_neck_cross_yz
-            + (inertias.inertia_head_yz
-                - minus_articulated_neck_cross_hyy_0 * screws.inside_neck_pitch_mz);
+            - (inertias.minus_inertia_head_yz
+                + minus_articulated_neck_cross_hyy_0 * screws.inside_neck_pitch_mz);
         let articulated_neck_cross_jzz = inertias.inertia_neck_cross_zz
             + (inertias.inertia_head_zz
                 - minus_articulated_neck_cross_hzz_0 * screws.inside_neck_pitch_mz);
@@ -29949,12 +29689,12 @@ mod forward_dynamics_itself {
                 - minus_articulated_neck_bracket_hxx_1
                     * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                         .wrench_outside_neck_cross_mx);
-        let articulated_neck_bracket_jxy = inertias.inertia_neck_bracket_xy
-            + (forward_dynamics_itself_from_wrench_neck_cross_mx_3
-                .articulated_neck_cross_jxy
-                - minus_articulated_neck_bracket_hxx_1
-                    * forward_dynamics_itself_from_wrench_neck_cross_mx_3
-                        .wrench_outside_neck_cross_my);
+        let articulated_neck_bracket_jxy = forward_dynamics_itself_from_wrench_neck_cross_mx_3
+            .articulated_neck_cross_jxy
+            - minus_articulated_neck_bracket_hxx_1
+                * forward_dynamics_itself_from_wrench_neck_cross_mx_3
+                    .wrench_outside_neck_cross_my
+            - inertias.minus_inertia_neck_bracket_xy;
         let articulated_neck_bracket_jxz = inertias.inertia_neck_bracket_xz
             + (forward_dynamics_itself_from_wrench_neck_cross_mx_3
                 .articulated_neck_cross_jxz
@@ -29967,12 +29707,12 @@ mod forward_dynamics_itself {
                 - minus_articulated_neck_bracket_hyy_1
                     * forward_dynamics_itself_from_wrench_neck_cross_mx_3
                         .wrench_outside_neck_cross_my);
-        let articulated_neck_bracket_jyz = inertias.inertia_neck_bracket_yz
-            + (forward_dynamics_itself_from_wrench_neck_cross_mx_3
-                .articulated_neck_cross_jyz
-                - minus_articulated_neck_bracket_hyy_1
-                    * forward_dynamics_itself_from_wrench_neck_cross_mx_3
-                        .wrench_outside_neck_cross_mz);
+        let articulated_neck_bracket_jyz = forward_dynamics_itself_from_wrench_neck_cross_mx_3
+            .articulated_neck_cross_jyz
+            - minus_articulated_neck_bracket_hyy_1
+                * forward_dynamics_itself_from_wrench_neck_cross_mx_3
+                    .wrench_outside_neck_cross_mz
+            - inertias.minus_inertia_neck_bracket_yz;
         let articulated_neck_bracket_jzz = inertias.inertia_neck_bracket_zz
             + (forward_dynamics_itself_from_wrench_neck_cross_mx_3
                 .articulated_neck_cross_jzz
@@ -30868,13 +30608,13 @@ mod forward_dynamics_itself {
                 - articulated_torso_jxx_8
                     * forward_dynamics_itself_from_wrench_neck_bracket_mx
                         .wrench_outside_neck_bracket_my);
-        let articulated_torso_jxz = inertias.inertia_torso_xz
-            + (forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
-                .articulated_right_shoulder_bracket_jxz
-                - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
-                    .articulated_torso_jxx_2
-                    * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
-                        .wrench_outside_right_shoulder_bracket_mz)
+        let articulated_torso_jxz = forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
+            .articulated_right_shoulder_bracket_jxz
+            - forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
+                .articulated_torso_jxx_2
+                * forward_dynamics_itself_from_minus_articulated_right_shoulder_bracket_hzz
+                    .wrench_outside_right_shoulder_bracket_mz
+            - inertias.minus_inertia_torso_xz
             + (forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
                 .articulated_left_shoulder_bracket_jxz
                 - forward_dynamics_itself_from_minus_articulated_left_shoulder_bracket_hyy
@@ -31618,11 +31358,11 @@ mod forward_dynamics_itself {
                 - minus_articulated_waist_cross_hxx_1
                     * forward_dynamics_itself_from_wrench_torso_my
                         .wrench_outside_torso_mx);
-        let articulated_waist_cross_jxy = inertias.inertia_waist_cross_xy
-            + (forward_dynamics_itself_from_wrench_torso_my.articulated_torso_jxy
-                - minus_articulated_waist_cross_hxx_1
-                    * forward_dynamics_itself_from_wrench_torso_my
-                        .wrench_outside_torso_my);
+        let articulated_waist_cross_jxy = forward_dynamics_itself_from_wrench_torso_my
+            .articulated_torso_jxy
+            - minus_articulated_waist_cross_hxx_1
+                * forward_dynamics_itself_from_wrench_torso_my.wrench_outside_torso_my
+            - inertias.minus_inertia_waist_cross_xy;
         let articulated_waist_cross_jxz = inertias.inertia_waist_cross_xz
             + (forward_dynamics_itself_from_wrench_torso_my.articulated_torso_jxz
                 - minus_articulated_waist_cross_hxx_1
@@ -32030,13 +31770,13 @@ mod forward_dynamics_itself {
                     .minus_articulated_waist_bracket_hxx_1
                     * forward_dynamics_itself_from_wrench_waist_cross_fx
                         .wrench_outside_waist_cross_mx);
-        let articulated_waist_bracket_jxy = inertias.inertia_waist_bracket_xy
-            + (forward_dynamics_itself_from_wrench_waist_cross_fx
-                .articulated_waist_cross_jxy
-                - forward_dynamics_itself_from_wrench_waist_cross_fx
-                    .minus_articulated_waist_bracket_hxx_1
-                    * forward_dynamics_itself_from_wrench_waist_cross_fx
-                        .wrench_outside_waist_cross_my);
+        let articulated_waist_bracket_jxy = forward_dynamics_itself_from_wrench_waist_cross_fx
+            .articulated_waist_cross_jxy
+            - forward_dynamics_itself_from_wrench_waist_cross_fx
+                .minus_articulated_waist_bracket_hxx_1
+                * forward_dynamics_itself_from_wrench_waist_cross_fx
+                    .wrench_outside_waist_cross_my
+            - inertias.minus_inertia_waist_bracket_xy;
         let articulated_waist_bracket_jxz = forward_dynamics_itself_from_wrench_waist_cross_fx
             .articulated_waist_cross_jxz
             - forward_dynamics_itself_from_wrench_waist_cross_fx
@@ -34074,13 +33814,13 @@ mod forward_dynamics_itself {
                     .minus_articulated_right_hip_cross_hxx_1
                     * forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
                         .wrench_outside_right_thigh_mx);
-        let articulated_right_hip_cross_jxy = inertias.inertia_right_hip_cross_xy
-            + (forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
-                .articulated_right_thigh_jxy
-                - forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
-                    .minus_articulated_right_hip_cross_hxx_1
-                    * forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
-                        .wrench_outside_right_thigh_my);
+        let articulated_right_hip_cross_jxy = forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
+            .articulated_right_thigh_jxy
+            - forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
+                .minus_articulated_right_hip_cross_hxx_1
+                * forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
+                    .wrench_outside_right_thigh_my
+            - inertias.minus_inertia_right_hip_cross_xy;
         let articulated_right_hip_cross_jxz = inertias.inertia_right_hip_cross_xz
             + (forward_dynamics_itself_from_minus_articulated_right_thigh_myz_1
                 .articulated_right_thigh_jxz
@@ -36082,13 +35822,12 @@ mod forward_dynamics_itself {
                     .minus_articulated_left_thigh_hxx_1
                     * forward_dynamics_itself_from_wrench_left_shank_mz
                         .wrench_outside_left_shank_my);
-        let articulated_left_thigh_jxz = inertias.inertia_left_thigh_xz
-            + (forward_dynamics_itself_from_wrench_left_shank_mz
-                .articulated_left_shank_jxz
-                - forward_dynamics_itself_from_wrench_left_shank_mz
-                    .minus_articulated_left_thigh_hxx_1
-                    * forward_dynamics_itself_from_wrench_left_shank_mz
-                        .wrench_outside_left_shank_mz);
+        let articulated_left_thigh_jxz = forward_dynamics_itself_from_wrench_left_shank_mz
+            .articulated_left_shank_jxz
+            - forward_dynamics_itself_from_wrench_left_shank_mz
+                .minus_articulated_left_thigh_hxx_1
+                * forward_dynamics_itself_from_wrench_left_shank_mz
+                    .wrench_outside_left_shank_mz - inertias.minus_inertia_left_thigh_xz;
         let articulated_left_thigh_jyy = inertias.inertia_left_thigh_yy
             + (forward_dynamics_itself_from_wrench_left_shank_mz
                 .articulated_left_shank_jyy
@@ -36563,13 +36302,13 @@ mod forward_dynamics_itself {
                     .minus_articulated_left_hip_cross_hxx_1
                     * forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
                         .wrench_outside_left_thigh_mx);
-        let articulated_left_hip_cross_jxy = inertias.inertia_left_hip_cross_xy
-            + (forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
-                .articulated_left_thigh_jxy
-                - forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
-                    .minus_articulated_left_hip_cross_hxx_1
-                    * forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
-                        .wrench_outside_left_thigh_my);
+        let articulated_left_hip_cross_jxy = forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
+            .articulated_left_thigh_jxy
+            - forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
+                .minus_articulated_left_hip_cross_hxx_1
+                * forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
+                    .wrench_outside_left_thigh_my
+            - inertias.minus_inertia_left_hip_cross_xy;
         let articulated_left_hip_cross_jxz = inertias.inertia_left_hip_cross_xz
             + (forward_dynamics_itself_from_minus_articulated_left_thigh_myz_1
                 .articulated_left_thigh_jxz
@@ -36918,10 +36657,9 @@ mod forward_dynamics_itself {
             + (articulated_left_hip_cross_jxx
                 - minus_articulated_left_hip_bracket_hxx_1
                     * wrench_outside_left_hip_cross_mx);
-        let articulated_left_hip_bracket_jxy = inertias.inertia_left_hip_bracket_xy
-            + (articulated_left_hip_cross_jxy
-                - minus_articulated_left_hip_bracket_hxx_1
-                    * wrench_outside_left_hip_cross_my);
+        let articulated_left_hip_bracket_jxy = articulated_left_hip_cross_jxy
+            - minus_articulated_left_hip_bracket_hxx_1 * wrench_outside_left_hip_cross_my
+            - inertias.minus_inertia_left_hip_bracket_xy;
         let articulated_left_hip_bracket_jxz = inertias.inertia_left_hip_bracket_xz
             + (articulated_left_hip_cross_jxz
                 - minus_articulated_left_hip_bracket_hxx_1
@@ -39821,7 +39559,7 @@ mod forward_dynamics_itself {
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×30, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (30×30, by columns; kg·m²)
 ///
-/// 12734 operations: 6022 + −, 6709 ×, 3 ÷; 30 sin cos; about 150.4 KiB of code.
+/// 12365 operations: 5923 + −, 6439 ×, 3 ÷; 30 sin cos; about 146.1 KiB of code.
 pub fn inertia(
     q: &[f64; 30],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -40148,7 +39886,7 @@ pub fn inertia(
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 4282 operations: 2089 + −, 2190 ×, 3 ÷; 30 sin cos; about 51.4 KiB of code.
+/// 3913 operations: 1990 + −, 1920 ×, 3 ÷; 30 sin cos; about 47.0 KiB of code.
 pub fn momentum(
     q: &[f64; 30],
     mu: &[f64; 6],
@@ -40201,7 +39939,7 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 4282 operations: 2089 + −, 2190 ×, 3 ÷; 30 sin cos; about 51.4 KiB of code.
+/// 3913 operations: 1990 + −, 1920 ×, 3 ÷; 30 sin cos; about 47.0 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 30], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -40243,7 +39981,7 @@ pub fn velocity_of_momentum(q: &[f64; 30], body_momentum: &[f64; 6], mu: &mut [f
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 6684 operations: 3166 + −, 3515 ×, 3 ÷; 30 sin cos; about 79.5 KiB of code.
+/// 6315 operations: 3067 + −, 3245 ×, 3 ÷; 30 sin cos; about 75.2 KiB of code.
 pub fn base_twist(
     q: &[f64; 30],
     qd: &[f64; 30],
@@ -40284,7 +40022,7 @@ pub fn base_twist(
 /// - `tau`: joint torques (30; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (36; rad/s², m/s²)
 ///
-/// 19782 operations: 9816 + −, 9927 ×, 39 ÷; 30 sin cos; about 233.0 KiB of code.
+/// 19413 operations: 9717 + −, 9657 ×, 39 ÷; 30 sin cos; about 228.7 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 30],
     qd: &[f64; 30],

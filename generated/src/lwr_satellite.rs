@@ -210,9 +210,6 @@ struct Poses {
     rotation_link_6_xz: f64,
     rotation_link_5_yy: f64,
     rotation_link_6_zz: f64,
-    rotation_link_6_xx: f64,
-    rotation_link_6_yx: f64,
-    rotation_link_6_zx: f64,
     minus_rotation_link_6_xy: f64,
     minus_rotation_link_6_yy: f64,
     rotation_link_6_zy: f64,
@@ -267,9 +264,18 @@ struct Poses {
 #[inline(never)]
 fn poses(q: &[f64; 7]) -> Poses {
     // link_1
-    let (sin_joint_1, cos_joint_1) = turn::sin_cos(q[0]);
+    let [(sin_joint_1, cos_joint_1), (sin_joint_2, cos_joint_2),
+    (sin_joint_3, cos_joint_3), (sin_joint_4, cos_joint_4), (sin_joint_5, cos_joint_5),
+    (sin_joint_6, cos_joint_6), (sin_joint_7, cos_joint_7)] = turn::sin_cos_each([
+        q[0],
+        q[1],
+        q[2],
+        q[3],
+        q[4],
+        q[5],
+        q[6],
+    ]);
     // link_2
-    let (sin_joint_2, cos_joint_2) = turn::sin_cos(q[1]);
     let rotation_link_2_xx = cos_joint_1 * cos_joint_2;
     let rotation_link_2_yx = sin_joint_1 * cos_joint_2;
     let minus_rotation_link_2_xy = cos_joint_1 * sin_joint_2;
@@ -278,7 +284,6 @@ fn poses(q: &[f64; 7]) -> Poses {
     let minus_origin_link_3_y_0 = minus_rotation_link_2_yy * 0.2;
     let origin_link_3_z_0_1 = cos_joint_2 * 0.2;
     let origin_link_3_z_0 = 0.31 + origin_link_3_z_0_1;
-    let (sin_joint_3, cos_joint_3) = turn::sin_cos(q[2]);
     // link_3
     let rotation_link_3_zx = sin_joint_2 * cos_joint_3;
     let rotation_link_3_xx = rotation_link_2_xx * cos_joint_3
@@ -293,7 +298,6 @@ fn poses(q: &[f64; 7]) -> Poses {
     let minus_origin_link_4_x_0 = minus_origin_link_3_x_0 + minus_origin_link_3_x_0;
     let minus_origin_link_4_y_0 = minus_origin_link_3_y_0 + minus_origin_link_3_y_0;
     let origin_link_4_z_0 = origin_link_3_z_0 + origin_link_3_z_0_1;
-    let (sin_joint_4, cos_joint_4) = turn::sin_cos(q[3]);
     // link_4
     let rotation_link_4_xx = rotation_link_3_xx * cos_joint_4
         + minus_rotation_link_2_xy * sin_joint_4;
@@ -311,7 +315,6 @@ fn poses(q: &[f64; 7]) -> Poses {
     let minus_origin_link_5_x_0 = minus_origin_link_4_x_0 + rotation_link_4_xy * 0.2;
     let minus_origin_link_5_y_0 = minus_origin_link_4_y_0 + rotation_link_4_yy * 0.2;
     let origin_link_5_z_0 = origin_link_4_z_0 + rotation_link_5_zz * 0.2;
-    let (sin_joint_5, cos_joint_5) = turn::sin_cos(q[4]);
     let rotation_link_5_xx = rotation_link_4_xx * cos_joint_5
         - minus_rotation_link_3_xy * sin_joint_5;
     let rotation_link_5_yx = rotation_link_4_yx * cos_joint_5
@@ -330,7 +333,6 @@ fn poses(q: &[f64; 7]) -> Poses {
     let com_x_10 = minus_origin_link_5_x_0 + rotation_link_4_xy * 0.19;
     let com_y_10 = minus_origin_link_5_y_0 + rotation_link_4_yy * 0.19;
     let com_z_9 = origin_link_5_z_0 + rotation_link_5_zz * 0.19;
-    let (sin_joint_6, cos_joint_6) = turn::sin_cos(q[5]);
     let rotation_link_6_xx = rotation_link_5_xx * cos_joint_6
         - rotation_link_4_xy * sin_joint_6;
     let rotation_link_6_yx = rotation_link_5_yx * cos_joint_6
@@ -346,7 +348,6 @@ fn poses(q: &[f64; 7]) -> Poses {
     let com_x_12 = com_x_10 + minus_rotation_link_6_xy * 0.078;
     let com_y_12 = com_y_10 + minus_rotation_link_6_yy * 0.078;
     let com_z_11 = com_z_9 + rotation_link_6_zy * 0.078;
-    let (sin_joint_7, cos_joint_7) = turn::sin_cos(q[6]);
     // link_7
     let rotation_link_7_xx = rotation_link_6_xx * cos_joint_7
         - rotation_link_6_xz * sin_joint_7;
@@ -475,9 +476,6 @@ fn poses(q: &[f64; 7]) -> Poses {
         rotation_link_6_xz,
         rotation_link_5_yy,
         rotation_link_6_zz,
-        rotation_link_6_xx,
-        rotation_link_6_yx,
-        rotation_link_6_zx,
         minus_rotation_link_6_xy,
         minus_rotation_link_6_yy,
         rotation_link_6_zy,
@@ -591,26 +589,26 @@ struct Inertias {
     minus_inertia_link_6_hx: f64,
     minus_inertia_link_6_hy: f64,
     inertia_link_6_hz: f64,
-    inertia_link_6_xx: f64,
-    inertia_link_6_xy: f64,
+    minus_inertia_link_6_xy: f64,
     inertia_link_6_xz: f64,
-    inertia_link_6_yy: f64,
     inertia_link_6_yz: f64,
+    inertia_link_6_xx: f64,
+    inertia_link_6_yy: f64,
     inertia_link_6_zz: f64,
     minus_inertia_link_7_hx: f64,
     minus_inertia_link_7_hy: f64,
     inertia_link_7_hz: f64,
-    inertia_link_7_xx: f64,
-    inertia_link_7_xy: f64,
+    minus_inertia_link_7_xy: f64,
     inertia_link_7_xz: f64,
-    inertia_link_7_yy: f64,
     inertia_link_7_yz: f64,
+    inertia_link_7_xx: f64,
+    inertia_link_7_yy: f64,
     inertia_link_7_zz: f64,
     minus_composite_link_6_hx: f64,
     minus_composite_link_6_hy: f64,
     composite_link_6_hz: f64,
     composite_link_6_xx: f64,
-    composite_link_6_xy: f64,
+    minus_composite_link_6_xy: f64,
     composite_link_6_xz: f64,
     composite_link_6_yy: f64,
     composite_link_6_yz: f64,
@@ -698,14 +696,14 @@ struct Inertias {
     inside_joint_5_mz_0_1_1: f64,
     inside_joint_6_mx_0_0_1: f64,
     inside_joint_6_mx_0_1: f64,
-    inside_joint_6_my_0_0_0: f64,
-    inside_joint_6_my_0_1: f64,
+    inside_joint_6_my_0_1_0: f64,
+    inside_joint_6_my_0_0: f64,
     inside_joint_6_mz_0_0_0: f64,
     inside_joint_6_mz_0_0_1: f64,
-    inside_joint_7_mx_0_1_1: f64,
-    inside_joint_7_mx_0_0: f64,
-    inside_joint_7_my_0_1_0: f64,
-    inside_joint_7_my_0_0: f64,
+    inside_joint_7_mx_0_0_0: f64,
+    inside_joint_7_mx_0_1: f64,
+    inside_joint_7_my_0_0_0: f64,
+    inside_joint_7_my_0_1: f64,
     inside_joint_7_mz_0_1_0: f64,
     inside_joint_7_mz_0_1_1: f64,
 }
@@ -732,43 +730,36 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_base_y_1;
     let inertia_link_1_hz_0 = poses.minus_origin_base_z_1_0
         - poses.minus_origin_base_z_1;
-    let inertia_link_1_xx_0 = 0.0136666667 * poses.cos_joint_1;
-    let inertia_link_1_xx_2_0 = 0.0118666667 * poses.sin_joint_1;
+    let inertia_link_1_xx_0 = 0.0106666667 * poses.cos_joint_1;
+    let inertia_link_1_xx_2_0 = 0.008866666700000001 * poses.sin_joint_1;
     let inertia_link_1_xx_2 = inertia_link_1_xx_2_0 * poses.sin_joint_1;
     let inertia_link_1_xy_2 = inertia_link_1_xx_2_0 * poses.cos_joint_1;
-    let inertia_link_1_yy_3 = 0.0118666667 * poses.cos_joint_1 * poses.cos_joint_1;
+    let inertia_link_1_yy_3 = 0.008866666700000001 * poses.cos_joint_1
+        * poses.cos_joint_1;
     // link_1
     let minus_inertia_link_1_hx = minus_inertia_link_1_hx_0 * 2.0;
     let inertia_link_1_hy = inertia_link_1_hy_0 * 2.0;
     let inertia_link_1_hz = inertia_link_1_hz_0 * 2.0;
-    let inertia_link_1_yy_4 = minus_inertia_link_1_hx * minus_inertia_link_1_hx_0;
-    let inertia_link_1_xx_3 = inertia_link_1_hy * inertia_link_1_hy_0;
-    let inertia_link_1_xx_4 = inertia_link_1_hz * inertia_link_1_hz_0;
+    let inertia_link_1_yy_5 = minus_inertia_link_1_hx * minus_inertia_link_1_hx_0;
+    let inertia_link_1_xx_4 = inertia_link_1_hy * inertia_link_1_hy_0;
+    let inertia_link_1_xx_5 = inertia_link_1_hz * inertia_link_1_hz_0;
     let inertia_link_1_xz = minus_inertia_link_1_hx * inertia_link_1_hz_0;
     let minus_inertia_link_1_yz = inertia_link_1_hy * inertia_link_1_hz_0;
     let inertia_link_1_xx = inertia_link_1_xx_0 * poses.cos_joint_1 + inertia_link_1_xx_2
-        + (inertia_link_1_xx_3 + inertia_link_1_xx_4);
+        + 0.003 + (inertia_link_1_xx_4 + inertia_link_1_xx_5);
     let inertia_link_1_xy = inertia_link_1_xx_0 * poses.sin_joint_1 - inertia_link_1_xy_2
         + minus_inertia_link_1_hx * inertia_link_1_hy_0;
-    let inertia_link_1_yy = 0.0136666667 * poses.sin_joint_1 * poses.sin_joint_1
-        + inertia_link_1_yy_3 + (inertia_link_1_yy_4 + inertia_link_1_xx_4);
-    let inertia_link_1_zz = 0.003 + (inertia_link_1_yy_4 + inertia_link_1_xx_3);
+    let inertia_link_1_yy = 0.0106666667 * poses.sin_joint_1 * poses.sin_joint_1
+        + inertia_link_1_yy_3 + 0.003 + (inertia_link_1_yy_5 + inertia_link_1_xx_5);
+    let inertia_link_1_zz = 0.003 + (inertia_link_1_yy_5 + inertia_link_1_xx_4);
     let inertia_link_2_hx_0 = poses.minus_origin_base_x_1_0
         - poses.minus_origin_base_x_1;
     let minus_inertia_link_2_hy_0 = poses.minus_origin_base_y_1_4
         + poses.minus_origin_base_y_1;
     let inertia_link_2_hz_0 = poses.minus_origin_base_z_1_4
         - poses.minus_origin_base_z_1;
-    let inertia_link_2_xx_0 = 0.0136666667 * poses.rotation_link_2_xx;
-    let inertia_link_2_xx_2_0 = 0.003 * poses.minus_rotation_link_2_xy;
-    let inertia_link_2_yy_0 = 0.0136666667 * poses.rotation_link_2_yx;
-    let inertia_link_2_yy_2_0 = 0.003 * poses.minus_rotation_link_2_yy;
-    let inertia_link_2_xx_2 = inertia_link_2_xx_2_0 * poses.minus_rotation_link_2_xy;
-    let inertia_link_2_xy_2 = inertia_link_2_xx_2_0 * poses.minus_rotation_link_2_yy;
-    let inertia_link_2_xz_2 = inertia_link_2_xx_2_0 * poses.cos_joint_2;
-    let inertia_link_2_yy_2 = inertia_link_2_yy_2_0 * poses.minus_rotation_link_2_yy;
-    let inertia_link_2_yz_2 = inertia_link_2_yy_2_0 * poses.cos_joint_2;
-    let inertia_link_2_zz_3 = 0.003 * poses.cos_joint_2 * poses.cos_joint_2;
+    let inertia_link_2_xx_0 = 0.0106666667 * poses.rotation_link_2_xx;
+    let inertia_link_2_yy_0 = 0.0106666667 * poses.rotation_link_2_yx;
     // link_2
     let inertia_link_2_hx = inertia_link_2_hx_0 * 2.0;
     let minus_inertia_link_2_hy = minus_inertia_link_2_hy_0 * 2.0;
@@ -777,36 +768,33 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_2_xx_4 = minus_inertia_link_2_hy * minus_inertia_link_2_hy_0;
     let inertia_link_2_xx_5 = inertia_link_2_hz * inertia_link_2_hz_0;
     let inertia_link_2_xx = inertia_link_2_xx_0 * poses.rotation_link_2_xx
-        + inertia_link_2_xx_2 + inertia_link_1_xx_2
-        + (inertia_link_2_xx_4 + inertia_link_2_xx_5);
+        + inertia_link_1_xx_2 + 0.003 + (inertia_link_2_xx_4 + inertia_link_2_xx_5);
     let inertia_link_2_xy = inertia_link_2_xx_0 * poses.rotation_link_2_yx
-        + inertia_link_2_xy_2 - inertia_link_1_xy_2
-        + inertia_link_2_hx * minus_inertia_link_2_hy_0;
-    let inertia_link_2_xz = inertia_link_2_xx_0 * poses.sin_joint_2 - inertia_link_2_xz_2
+        - inertia_link_1_xy_2 + inertia_link_2_hx * minus_inertia_link_2_hy_0;
+    let inertia_link_2_xz = inertia_link_2_xx_0 * poses.sin_joint_2
         - inertia_link_2_hx * inertia_link_2_hz_0;
     let inertia_link_2_yy = inertia_link_2_yy_0 * poses.rotation_link_2_yx
-        + inertia_link_2_yy_2 + inertia_link_1_yy_3
-        + (inertia_link_2_yy_4 + inertia_link_2_xx_5);
-    let inertia_link_2_yz = inertia_link_2_yy_0 * poses.sin_joint_2 - inertia_link_2_yz_2
+        + inertia_link_1_yy_3 + 0.003 + (inertia_link_2_yy_4 + inertia_link_2_xx_5);
+    let inertia_link_2_yz = inertia_link_2_yy_0 * poses.sin_joint_2
         + minus_inertia_link_2_hy * inertia_link_2_hz_0;
-    let inertia_link_2_zz = 0.0136666667 * poses.sin_joint_2 * poses.sin_joint_2
-        + inertia_link_2_zz_3 + (inertia_link_2_yy_4 + inertia_link_2_xx_4);
+    let inertia_link_2_zz = 0.0106666667 * poses.sin_joint_2 * poses.sin_joint_2 + 0.003
+        + (inertia_link_2_yy_4 + inertia_link_2_xx_4);
     let inertia_link_3_hx_0 = poses.minus_origin_base_x_1_6
         - poses.minus_origin_base_x_1;
     let minus_inertia_link_3_hy_0 = poses.minus_origin_base_y_1_6
         + poses.minus_origin_base_y_1;
     let inertia_link_3_hz_0 = poses.minus_origin_base_z_1_6
         - poses.minus_origin_base_z_1;
-    let inertia_link_3_xx_0 = 0.0136666667 * poses.rotation_link_3_xx;
-    let inertia_link_3_xx_2_0 = 0.0118666667 * poses.minus_rotation_link_3_xy;
-    let inertia_link_3_yy_0 = 0.0136666667 * poses.rotation_link_3_yx;
-    let inertia_link_3_yy_2_0 = 0.0118666667 * poses.rotation_link_3_yy;
+    let inertia_link_3_xx_0 = 0.0106666667 * poses.rotation_link_3_xx;
+    let inertia_link_3_xx_2_0 = 0.008866666700000001 * poses.minus_rotation_link_3_xy;
+    let inertia_link_3_yy_0 = 0.0106666667 * poses.rotation_link_3_yx;
+    let inertia_link_3_yy_2_0 = 0.008866666700000001 * poses.rotation_link_3_yy;
     let inertia_link_3_xx_2 = inertia_link_3_xx_2_0 * poses.minus_rotation_link_3_xy;
     let inertia_link_3_xy_2 = inertia_link_3_xx_2_0 * poses.rotation_link_3_yy;
     let inertia_link_3_xz_2 = inertia_link_3_xx_2_0 * poses.minus_rotation_link_3_zy;
     let inertia_link_3_yy_2 = inertia_link_3_yy_2_0 * poses.rotation_link_3_yy;
     let inertia_link_3_yz_2 = inertia_link_3_yy_2_0 * poses.minus_rotation_link_3_zy;
-    let inertia_link_3_zz_3 = 0.0118666667 * poses.minus_rotation_link_3_zy
+    let inertia_link_3_zz_3 = 0.008866666700000001 * poses.minus_rotation_link_3_zy
         * poses.minus_rotation_link_3_zy;
     // link_3
     let inertia_link_3_hx = inertia_link_3_hx_0 * 2.0;
@@ -816,22 +804,17 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_3_xx_4 = minus_inertia_link_3_hy * minus_inertia_link_3_hy_0;
     let inertia_link_3_xx_5 = inertia_link_3_hz * inertia_link_3_hz_0;
     let inertia_link_3_xx = inertia_link_3_xx_0 * poses.rotation_link_3_xx
-        + inertia_link_3_xx_2 + inertia_link_2_xx_2
-        + (inertia_link_3_xx_4 + inertia_link_3_xx_5);
+        + inertia_link_3_xx_2 + 0.003 + (inertia_link_3_xx_4 + inertia_link_3_xx_5);
     let inertia_link_3_xy = inertia_link_3_xx_0 * poses.rotation_link_3_yx
-        - inertia_link_3_xy_2 + inertia_link_2_xy_2
-        + inertia_link_3_hx * minus_inertia_link_3_hy_0;
+        - inertia_link_3_xy_2 + inertia_link_3_hx * minus_inertia_link_3_hy_0;
     let inertia_link_3_xz = inertia_link_3_xx_0 * poses.rotation_link_3_zx
-        + inertia_link_3_xz_2 - inertia_link_2_xz_2
-        - inertia_link_3_hx * inertia_link_3_hz_0;
+        + inertia_link_3_xz_2 - inertia_link_3_hx * inertia_link_3_hz_0;
     let inertia_link_3_yy = inertia_link_3_yy_0 * poses.rotation_link_3_yx
-        + inertia_link_3_yy_2 + inertia_link_2_yy_2
-        + (inertia_link_3_yy_4 + inertia_link_3_xx_5);
+        + inertia_link_3_yy_2 + 0.003 + (inertia_link_3_yy_4 + inertia_link_3_xx_5);
     let inertia_link_3_yz = inertia_link_3_yy_0 * poses.rotation_link_3_zx
-        - inertia_link_3_yz_2 - inertia_link_2_yz_2
-        + minus_inertia_link_3_hy * inertia_link_3_hz_0;
-    let inertia_link_3_zz = 0.0136666667 * poses.rotation_link_3_zx
-        * poses.rotation_link_3_zx + inertia_link_3_zz_3 + inertia_link_2_zz_3
+        - inertia_link_3_yz_2 + minus_inertia_link_3_hy * inertia_link_3_hz_0;
+    let inertia_link_3_zz = 0.0106666667 * poses.rotation_link_3_zx
+        * poses.rotation_link_3_zx + inertia_link_3_zz_3 + 0.003
         + (inertia_link_3_yy_4 + inertia_link_3_xx_4);
     let minus_inertia_link_4_hx_0 = poses.minus_origin_base_x_1_8
         + poses.minus_origin_base_x_1;
@@ -839,17 +822,8 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_base_y_1;
     let inertia_link_4_hz_0 = poses.minus_origin_base_z_1_8
         - poses.minus_origin_base_z_1;
-    let inertia_link_4_xx_0 = 0.0136666667 * poses.rotation_link_4_xx;
-    let inertia_link_4_xx_2_0 = 0.003 * poses.rotation_link_4_xy;
-    let inertia_link_4_yy_0 = 0.0136666667 * poses.rotation_link_4_yx;
-    let inertia_link_4_yy_2_0 = 0.003 * poses.rotation_link_4_yy;
-    let inertia_link_4_xx_2 = inertia_link_4_xx_2_0 * poses.rotation_link_4_xy;
-    let inertia_link_4_xy_2 = inertia_link_4_xx_2_0 * poses.rotation_link_4_yy;
-    let inertia_link_4_xz_2 = inertia_link_4_xx_2_0 * poses.rotation_link_5_zz;
-    let inertia_link_4_yy_2 = inertia_link_4_yy_2_0 * poses.rotation_link_4_yy;
-    let inertia_link_4_yz_2 = inertia_link_4_yy_2_0 * poses.rotation_link_5_zz;
-    let inertia_link_4_zz_3 = 0.003 * poses.rotation_link_5_zz
-        * poses.rotation_link_5_zz;
+    let inertia_link_4_xx_0 = 0.0106666667 * poses.rotation_link_4_xx;
+    let inertia_link_4_yy_0 = 0.0106666667 * poses.rotation_link_4_yx;
     // link_4
     let minus_inertia_link_4_hx = minus_inertia_link_4_hx_0 * 2.0;
     let inertia_link_4_hy = inertia_link_4_hy_0 * 2.0;
@@ -858,22 +832,17 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_4_xx_4 = inertia_link_4_hy * inertia_link_4_hy_0;
     let inertia_link_4_xx_5 = inertia_link_4_hz * inertia_link_4_hz_0;
     let inertia_link_4_xx = inertia_link_4_xx_0 * poses.rotation_link_4_xx
-        + inertia_link_4_xx_2 + inertia_link_3_xx_2
-        + (inertia_link_4_xx_4 + inertia_link_4_xx_5);
+        + inertia_link_3_xx_2 + 0.003 + (inertia_link_4_xx_4 + inertia_link_4_xx_5);
     let inertia_link_4_xy = inertia_link_4_xx_0 * poses.rotation_link_4_yx
-        + inertia_link_4_xy_2 - inertia_link_3_xy_2
-        + minus_inertia_link_4_hx * inertia_link_4_hy_0;
+        - inertia_link_3_xy_2 + minus_inertia_link_4_hx * inertia_link_4_hy_0;
     let inertia_link_4_xz = inertia_link_4_xx_0 * poses.rotation_link_4_zx
-        - inertia_link_4_xz_2 + inertia_link_3_xz_2
-        + minus_inertia_link_4_hx * inertia_link_4_hz_0;
+        + inertia_link_3_xz_2 + minus_inertia_link_4_hx * inertia_link_4_hz_0;
     let inertia_link_4_yy = inertia_link_4_yy_0 * poses.rotation_link_4_yx
-        + inertia_link_4_yy_2 + inertia_link_3_yy_2
-        + (inertia_link_4_yy_4 + inertia_link_4_xx_5);
+        + inertia_link_3_yy_2 + 0.003 + (inertia_link_4_yy_4 + inertia_link_4_xx_5);
     let inertia_link_4_yz = inertia_link_4_yy_0 * poses.rotation_link_4_zx
-        - inertia_link_4_yz_2 - inertia_link_3_yz_2
-        - inertia_link_4_hy * inertia_link_4_hz_0;
-    let inertia_link_4_zz = 0.0136666667 * poses.rotation_link_4_zx
-        * poses.rotation_link_4_zx + inertia_link_4_zz_3 + inertia_link_3_zz_3
+        - inertia_link_3_yz_2 - inertia_link_4_hy * inertia_link_4_hz_0;
+    let inertia_link_4_zz = 0.0106666667 * poses.rotation_link_4_zx
+        * poses.rotation_link_4_zx + inertia_link_3_zz_3 + 0.003
         + (inertia_link_4_yy_4 + inertia_link_4_xx_4);
     let minus_inertia_link_5_hx_0 = poses.minus_origin_base_x_1_10
         + poses.minus_origin_base_x_1;
@@ -881,10 +850,10 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_base_y_1;
     let inertia_link_5_hz_0 = poses.minus_origin_base_z_1_10
         - poses.minus_origin_base_z_1;
-    let inertia_link_5_xx_0 = 0.0126506667 * poses.rotation_link_5_xx;
-    let inertia_link_5_xx_2 = 0.0108506667 * poses.rotation_link_6_xz;
-    let inertia_link_5_yy_0 = 0.0126506667 * poses.rotation_link_5_yx;
-    let inertia_link_5_yy_2 = 0.0108506667 * poses.rotation_link_5_yy;
+    let inertia_link_5_xx_0 = 0.009650666700000001 * poses.rotation_link_5_xx;
+    let inertia_link_5_xx_2 = 0.007850666700000002 * poses.rotation_link_6_xz;
+    let inertia_link_5_yy_0 = 0.009650666700000001 * poses.rotation_link_5_yx;
+    let inertia_link_5_yy_2 = 0.007850666700000002 * poses.rotation_link_5_yy;
     // link_5
     let minus_inertia_link_5_hx = minus_inertia_link_5_hx_0 * 2.0;
     let inertia_link_5_hy = inertia_link_5_hy_0 * 2.0;
@@ -893,106 +862,56 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_5_xx_5 = inertia_link_5_hy * inertia_link_5_hy_0;
     let inertia_link_5_xx_6 = inertia_link_5_hz * inertia_link_5_hz_0;
     let inertia_link_5_xx = inertia_link_5_xx_0 * poses.rotation_link_5_xx
-        + inertia_link_5_xx_2 * poses.rotation_link_6_xz + inertia_link_4_xx_2
+        + inertia_link_5_xx_2 * poses.rotation_link_6_xz + 0.003
         + (inertia_link_5_xx_5 + inertia_link_5_xx_6);
     let inertia_link_5_xy = inertia_link_5_xx_0 * poses.rotation_link_5_yx
-        - inertia_link_5_xx_2 * poses.rotation_link_5_yy + inertia_link_4_xy_2
+        - inertia_link_5_xx_2 * poses.rotation_link_5_yy
         + minus_inertia_link_5_hx * inertia_link_5_hy_0;
     let inertia_link_5_xz = inertia_link_5_xx_0 * poses.rotation_link_5_zx
-        + inertia_link_5_xx_2 * poses.rotation_link_6_zz - inertia_link_4_xz_2
+        + inertia_link_5_xx_2 * poses.rotation_link_6_zz
         + minus_inertia_link_5_hx * inertia_link_5_hz_0;
     let inertia_link_5_yy = inertia_link_5_yy_0 * poses.rotation_link_5_yx
-        + inertia_link_5_yy_2 * poses.rotation_link_5_yy + inertia_link_4_yy_2
+        + inertia_link_5_yy_2 * poses.rotation_link_5_yy + 0.003
         + (inertia_link_5_yy_5 + inertia_link_5_xx_6);
     let inertia_link_5_yz = inertia_link_5_yy_0 * poses.rotation_link_5_zx
-        - inertia_link_5_yy_2 * poses.rotation_link_6_zz - inertia_link_4_yz_2
+        - inertia_link_5_yy_2 * poses.rotation_link_6_zz
         - inertia_link_5_hy * inertia_link_5_hz_0;
-    let inertia_link_5_zz = 0.0126506667 * poses.rotation_link_5_zx
+    let inertia_link_5_zz = 0.009650666700000001 * poses.rotation_link_5_zx
         * poses.rotation_link_5_zx
-        + 0.0108506667 * poses.rotation_link_6_zz * poses.rotation_link_6_zz
-        + inertia_link_4_zz_3 + (inertia_link_5_yy_5 + inertia_link_5_xx_5);
-    let inertia_link_6_xx_0 = 0.0052083333 * poses.rotation_link_6_xx;
-    let inertia_link_6_xx_2 = 0.0052083333 * poses.minus_rotation_link_6_xy;
-    let inertia_link_6_xx_4 = 0.0052083333 * poses.rotation_link_6_xz;
-    let inertia_link_6_yy_0 = 0.0052083333 * poses.rotation_link_6_yx;
-    let inertia_link_6_yy_2 = 0.0052083333 * poses.minus_rotation_link_6_yy;
-    let inertia_link_6_yy_4 = 0.0052083333 * poses.rotation_link_5_yy;
+        + 0.007850666700000002 * poses.rotation_link_6_zz * poses.rotation_link_6_zz
+        + 0.003 + (inertia_link_5_yy_5 + inertia_link_5_xx_5);
     // link_6
     let minus_inertia_link_6_hx = poses.minus_origin_link_6_x * 2.0;
     let minus_inertia_link_6_hy = poses.minus_origin_link_6_y * 2.0;
     let inertia_link_6_hz = poses.origin_link_6_z * 2.0;
-    let inertia_link_6_yy_6 = minus_inertia_link_6_hx * poses.minus_origin_link_6_x;
-    let inertia_link_6_xx_6 = minus_inertia_link_6_hy * poses.minus_origin_link_6_y;
-    let inertia_link_6_xx_7 = inertia_link_6_hz * poses.origin_link_6_z;
-    let inertia_link_6_xx = inertia_link_6_xx_0 * poses.rotation_link_6_xx
-        + inertia_link_6_xx_2 * poses.minus_rotation_link_6_xy
-        + inertia_link_6_xx_4 * poses.rotation_link_6_xz
-        + (inertia_link_6_xx_6 + inertia_link_6_xx_7);
-    let inertia_link_6_xy = inertia_link_6_xx_0 * poses.rotation_link_6_yx
-        + inertia_link_6_xx_2 * poses.minus_rotation_link_6_yy
-        - inertia_link_6_xx_4 * poses.rotation_link_5_yy
-        - minus_inertia_link_6_hx * poses.minus_origin_link_6_y;
-    let inertia_link_6_xz = inertia_link_6_xx_0 * poses.rotation_link_6_zx
-        - inertia_link_6_xx_2 * poses.rotation_link_6_zy
-        + inertia_link_6_xx_4 * poses.rotation_link_6_zz
-        + minus_inertia_link_6_hx * poses.origin_link_6_z;
-    let inertia_link_6_yy = inertia_link_6_yy_0 * poses.rotation_link_6_yx
-        + inertia_link_6_yy_2 * poses.minus_rotation_link_6_yy
-        + inertia_link_6_yy_4 * poses.rotation_link_5_yy
-        + (inertia_link_6_yy_6 + inertia_link_6_xx_7);
-    let inertia_link_6_yz = inertia_link_6_yy_0 * poses.rotation_link_6_zx
-        - inertia_link_6_yy_2 * poses.rotation_link_6_zy
-        - inertia_link_6_yy_4 * poses.rotation_link_6_zz
-        + minus_inertia_link_6_hy * poses.origin_link_6_z;
-    let inertia_link_6_zz = 0.0052083333 * poses.rotation_link_6_zx
-        * poses.rotation_link_6_zx
-        + 0.0052083333 * poses.rotation_link_6_zy * poses.rotation_link_6_zy
-        + 0.0052083333 * poses.rotation_link_6_zz * poses.rotation_link_6_zz
-        + (inertia_link_6_yy_6 + inertia_link_6_xx_6);
-    let inertia_link_7_xx_0 = 0.0008333333 * poses.rotation_link_7_xx;
-    let inertia_link_7_xx_2 = 0.0008333333 * poses.minus_rotation_link_7_xy;
-    let inertia_link_7_xx_4 = 0.0008333333 * poses.minus_rotation_link_6_xy;
-    let inertia_link_7_yy_0 = 0.0008333333 * poses.rotation_link_7_yx;
-    let inertia_link_7_yy_2 = 0.0008333333 * poses.rotation_link_7_yy;
-    let inertia_link_7_yy_4 = 0.0008333333 * poses.minus_rotation_link_6_yy;
+    let inertia_link_6_yy_1 = minus_inertia_link_6_hx * poses.minus_origin_link_6_x;
+    let inertia_link_6_xx_1 = minus_inertia_link_6_hy * poses.minus_origin_link_6_y;
+    let inertia_link_6_xx_2 = inertia_link_6_hz * poses.origin_link_6_z;
+    let minus_inertia_link_6_xy = minus_inertia_link_6_hx * poses.minus_origin_link_6_y;
+    let inertia_link_6_xz = minus_inertia_link_6_hx * poses.origin_link_6_z;
+    let inertia_link_6_yz = minus_inertia_link_6_hy * poses.origin_link_6_z;
+    let inertia_link_6_xx = 0.0052083333 + (inertia_link_6_xx_1 + inertia_link_6_xx_2);
+    let inertia_link_6_yy = 0.0052083333 + (inertia_link_6_yy_1 + inertia_link_6_xx_2);
+    let inertia_link_6_zz = 0.0052083333 + (inertia_link_6_yy_1 + inertia_link_6_xx_1);
     // link_7
     let minus_inertia_link_7_hx = poses.minus_origin_link_7_x * 2.0;
     let minus_inertia_link_7_hy = poses.minus_origin_link_7_y * 2.0;
     let inertia_link_7_hz = poses.origin_link_7_z * 2.0;
-    let inertia_link_7_yy_6 = minus_inertia_link_7_hx * poses.minus_origin_link_7_x;
-    let inertia_link_7_xx_6 = minus_inertia_link_7_hy * poses.minus_origin_link_7_y;
-    let inertia_link_7_xx_7 = inertia_link_7_hz * poses.origin_link_7_z;
-    let inertia_link_7_xx = inertia_link_7_xx_0 * poses.rotation_link_7_xx
-        + inertia_link_7_xx_2 * poses.minus_rotation_link_7_xy
-        + inertia_link_7_xx_4 * poses.minus_rotation_link_6_xy
-        + (inertia_link_7_xx_6 + inertia_link_7_xx_7);
-    let inertia_link_7_xy = inertia_link_7_xx_0 * poses.rotation_link_7_yx
-        - inertia_link_7_xx_2 * poses.rotation_link_7_yy
-        + inertia_link_7_xx_4 * poses.minus_rotation_link_6_yy
-        - minus_inertia_link_7_hx * poses.minus_origin_link_7_y;
-    let inertia_link_7_xz = inertia_link_7_xx_0 * poses.rotation_link_7_zx
-        + inertia_link_7_xx_2 * poses.minus_rotation_link_7_zy
-        - inertia_link_7_xx_4 * poses.rotation_link_6_zy
-        + minus_inertia_link_7_hx * poses.origin_link_7_z;
-    let inertia_link_7_yy = inertia_link_7_yy_0 * poses.rotation_link_7_yx
-        + inertia_link_7_yy_2 * poses.rotation_link_7_yy
-        + inertia_link_7_yy_4 * poses.minus_rotation_link_6_yy
-        + (inertia_link_7_yy_6 + inertia_link_7_xx_7);
-    let inertia_link_7_yz = inertia_link_7_yy_0 * poses.rotation_link_7_zx
-        - inertia_link_7_yy_2 * poses.minus_rotation_link_7_zy
-        - inertia_link_7_yy_4 * poses.rotation_link_6_zy
-        + minus_inertia_link_7_hy * poses.origin_link_7_z;
-    let inertia_link_7_zz = 0.0008333333 * poses.rotation_link_7_zx
-        * poses.rotation_link_7_zx
-        + 0.0008333333 * poses.minus_rotation_link_7_zy * poses.minus_rotation_link_7_zy
-        + 0.0008333333 * poses.rotation_link_6_zy * poses.rotation_link_6_zy
-        + (inertia_link_7_yy_6 + inertia_link_7_xx_6);
+    let inertia_link_7_yy_1 = minus_inertia_link_7_hx * poses.minus_origin_link_7_x;
+    let inertia_link_7_xx_1 = minus_inertia_link_7_hy * poses.minus_origin_link_7_y;
+    let inertia_link_7_xx_2 = inertia_link_7_hz * poses.origin_link_7_z;
+    let minus_inertia_link_7_xy = minus_inertia_link_7_hx * poses.minus_origin_link_7_y;
+    let inertia_link_7_xz = minus_inertia_link_7_hx * poses.origin_link_7_z;
+    let inertia_link_7_yz = minus_inertia_link_7_hy * poses.origin_link_7_z;
+    let inertia_link_7_xx = 0.0008333333 + (inertia_link_7_xx_1 + inertia_link_7_xx_2);
+    let inertia_link_7_yy = 0.0008333333 + (inertia_link_7_yy_1 + inertia_link_7_xx_2);
+    let inertia_link_7_zz = 0.0008333333 + (inertia_link_7_yy_1 + inertia_link_7_xx_1);
     // link_6
     let minus_composite_link_6_hx = minus_inertia_link_6_hx + minus_inertia_link_7_hx;
     let minus_composite_link_6_hy = minus_inertia_link_6_hy + minus_inertia_link_7_hy;
     let composite_link_6_hz = inertia_link_6_hz + inertia_link_7_hz;
     let composite_link_6_xx = inertia_link_6_xx + inertia_link_7_xx;
-    let composite_link_6_xy = inertia_link_6_xy + inertia_link_7_xy;
+    let minus_composite_link_6_xy = minus_inertia_link_6_xy + minus_inertia_link_7_xy;
     let composite_link_6_xz = inertia_link_6_xz + inertia_link_7_xz;
     let composite_link_6_yy = inertia_link_6_yy + inertia_link_7_yy;
     let composite_link_6_yz = inertia_link_6_yz + inertia_link_7_yz;
@@ -1002,7 +921,7 @@ fn inertias(poses: &Poses) -> Inertias {
     let composite_link_5_hy = inertia_link_5_hy - minus_composite_link_6_hy;
     let composite_link_5_hz = inertia_link_5_hz + composite_link_6_hz;
     let composite_link_5_xx = inertia_link_5_xx + composite_link_6_xx;
-    let composite_link_5_xy = inertia_link_5_xy + composite_link_6_xy;
+    let composite_link_5_xy = inertia_link_5_xy - minus_composite_link_6_xy;
     let composite_link_5_xz = inertia_link_5_xz + composite_link_6_xz;
     let composite_link_5_yy = inertia_link_5_yy + composite_link_6_yy;
     let composite_link_5_yz = inertia_link_5_yz + composite_link_6_yz;
@@ -1089,16 +1008,18 @@ fn inertias(poses: &Poses) -> Inertias {
     let inside_joint_5_my_0_0 = composite_link_5_yz * poses.rotation_link_5_zz;
     let inside_joint_5_mz_0_1_0 = composite_link_5_xz * poses.rotation_link_4_xy;
     let inside_joint_5_mz_0_1_1 = composite_link_5_yz * poses.rotation_link_4_yy;
-    let inside_joint_6_mx_0_0_1 = composite_link_6_xy * poses.rotation_link_5_yy;
+    let inside_joint_6_mx_0_0_1 = minus_composite_link_6_xy * poses.rotation_link_5_yy;
     let inside_joint_6_mx_0_1 = composite_link_6_xz * poses.rotation_link_6_zz;
-    let inside_joint_6_my_0_0_0 = composite_link_6_xy * poses.rotation_link_6_xz;
-    let inside_joint_6_my_0_1 = composite_link_6_yz * poses.rotation_link_6_zz;
+    let inside_joint_6_my_0_1_0 = minus_composite_link_6_xy * poses.rotation_link_6_xz;
+    let inside_joint_6_my_0_0 = composite_link_6_yz * poses.rotation_link_6_zz;
     let inside_joint_6_mz_0_0_0 = composite_link_6_xz * poses.rotation_link_6_xz;
     let inside_joint_6_mz_0_0_1 = composite_link_6_yz * poses.rotation_link_5_yy;
-    let inside_joint_7_mx_0_1_1 = inertia_link_7_xy * poses.minus_rotation_link_6_yy;
-    let inside_joint_7_mx_0_0 = inertia_link_7_xz * poses.rotation_link_6_zy;
-    let inside_joint_7_my_0_1_0 = inertia_link_7_xy * poses.minus_rotation_link_6_xy;
-    let inside_joint_7_my_0_0 = inertia_link_7_yz * poses.rotation_link_6_zy;
+    let inside_joint_7_mx_0_0_0 = minus_inertia_link_7_xy
+        * poses.minus_rotation_link_6_yy;
+    let inside_joint_7_mx_0_1 = inertia_link_7_xz * poses.rotation_link_6_zy;
+    let inside_joint_7_my_0_0_0 = minus_inertia_link_7_xy
+        * poses.minus_rotation_link_6_xy;
+    let inside_joint_7_my_0_1 = inertia_link_7_yz * poses.rotation_link_6_zy;
     let inside_joint_7_mz_0_1_0 = inertia_link_7_xz * poses.minus_rotation_link_6_xy;
     let inside_joint_7_mz_0_1_1 = inertia_link_7_yz * poses.minus_rotation_link_6_yy;
     Inertias {
@@ -1162,26 +1083,26 @@ fn inertias(poses: &Poses) -> Inertias {
         minus_inertia_link_6_hx,
         minus_inertia_link_6_hy,
         inertia_link_6_hz,
-        inertia_link_6_xx,
-        inertia_link_6_xy,
+        minus_inertia_link_6_xy,
         inertia_link_6_xz,
-        inertia_link_6_yy,
         inertia_link_6_yz,
+        inertia_link_6_xx,
+        inertia_link_6_yy,
         inertia_link_6_zz,
         minus_inertia_link_7_hx,
         minus_inertia_link_7_hy,
         inertia_link_7_hz,
-        inertia_link_7_xx,
-        inertia_link_7_xy,
+        minus_inertia_link_7_xy,
         inertia_link_7_xz,
-        inertia_link_7_yy,
         inertia_link_7_yz,
+        inertia_link_7_xx,
+        inertia_link_7_yy,
         inertia_link_7_zz,
         minus_composite_link_6_hx,
         minus_composite_link_6_hy,
         composite_link_6_hz,
         composite_link_6_xx,
-        composite_link_6_xy,
+        minus_composite_link_6_xy,
         composite_link_6_xz,
         composite_link_6_yy,
         composite_link_6_yz,
@@ -1269,14 +1190,14 @@ fn inertias(poses: &Poses) -> Inertias {
         inside_joint_5_mz_0_1_1,
         inside_joint_6_mx_0_0_1,
         inside_joint_6_mx_0_1,
-        inside_joint_6_my_0_0_0,
-        inside_joint_6_my_0_1,
+        inside_joint_6_my_0_1_0,
+        inside_joint_6_my_0_0,
         inside_joint_6_mz_0_0_0,
         inside_joint_6_mz_0_0_1,
-        inside_joint_7_mx_0_1_1,
-        inside_joint_7_mx_0_0,
-        inside_joint_7_my_0_1_0,
-        inside_joint_7_my_0_0,
+        inside_joint_7_mx_0_0_0,
+        inside_joint_7_mx_0_1,
+        inside_joint_7_my_0_0_0,
+        inside_joint_7_my_0_1,
         inside_joint_7_mz_0_1_0,
         inside_joint_7_mz_0_1_1,
     }
@@ -1430,7 +1351,7 @@ fn complements(poses: &Poses, inertias: &Inertias) -> Complements {
     let complement_link_7_hy = complement_link_6_hy - inertias.minus_inertia_link_6_hy;
     let complement_link_7_hz = inertias.inertia_link_6_hz + complement_link_6_hz;
     let complement_link_7_xx = inertias.inertia_link_6_xx + complement_link_6_xx;
-    let complement_link_7_xy = inertias.inertia_link_6_xy + complement_link_6_xy;
+    let complement_link_7_xy = complement_link_6_xy - inertias.minus_inertia_link_6_xy;
     let complement_link_7_xz = inertias.inertia_link_6_xz + complement_link_6_xz;
     let complement_link_7_yy = inertias.inertia_link_6_yy + complement_link_6_yy;
     let complement_link_7_yz = inertias.inertia_link_6_yz + complement_link_6_yz;
@@ -1954,11 +1875,12 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
     let inside_joint_6_mz_5 = inertias.minus_composite_link_6_hx * screw_joint_6_vy;
     let inside_joint_6_mz_4 = inertias.minus_composite_link_6_hy * screw_joint_6_vx;
     let inside_joint_6_mx = inertias.composite_link_6_xx * poses.rotation_link_6_xz
-        - inertias.inside_joint_6_mx_0_0_1 + inertias.inside_joint_6_mx_0_1
+        + inertias.inside_joint_6_mx_0_0_1 + inertias.inside_joint_6_mx_0_1
         - (inside_joint_6_mx_4 + inside_joint_6_mx_5);
-    let inside_joint_6_my = inertias.inside_joint_6_my_0_0_0
-        - inertias.composite_link_6_yy * poses.rotation_link_5_yy
-        + inertias.inside_joint_6_my_0_1 + (inside_joint_6_my_4 + inside_joint_6_my_5);
+    let inside_joint_6_my = inertias.inside_joint_6_my_0_0
+        - (inertias.inside_joint_6_my_0_1_0
+            + inertias.composite_link_6_yy * poses.rotation_link_5_yy)
+        + (inside_joint_6_my_4 + inside_joint_6_my_5);
     let inside_joint_6_mz = inertias.inside_joint_6_mz_0_0_0
         - inertias.inside_joint_6_mz_0_0_1
         + inertias.composite_link_6_zz * poses.rotation_link_6_zz
@@ -2005,14 +1927,12 @@ fn screws(poses: &Poses, inertias: &Inertias, complements: &Complements) -> Scre
     let inside_joint_7_my_5 = inertias.minus_inertia_link_7_hx * screw_joint_7_vz;
     let inside_joint_7_mz_5 = inertias.minus_inertia_link_7_hx * screw_joint_7_vy;
     let inside_joint_7_mz_4 = inertias.minus_inertia_link_7_hy * screw_joint_7_vx;
-    let inside_joint_7_mx = inertias.inside_joint_7_mx_0_0
-        - (inertias.inertia_link_7_xx * poses.minus_rotation_link_6_xy
-            + inertias.inside_joint_7_mx_0_1_1)
-        - (inside_joint_7_mx_4 + inside_joint_7_mx_5);
-    let inside_joint_7_my = inertias.inside_joint_7_my_0_0
-        - (inertias.inside_joint_7_my_0_1_0
-            + inertias.inertia_link_7_yy * poses.minus_rotation_link_6_yy)
-        + (inside_joint_7_my_4 + inside_joint_7_my_5);
+    let inside_joint_7_mx = inertias.inside_joint_7_mx_0_0_0
+        - inertias.inertia_link_7_xx * poses.minus_rotation_link_6_xy
+        + inertias.inside_joint_7_mx_0_1 - (inside_joint_7_mx_4 + inside_joint_7_mx_5);
+    let inside_joint_7_my = inertias.inside_joint_7_my_0_0_0
+        - inertias.inertia_link_7_yy * poses.minus_rotation_link_6_yy
+        + inertias.inside_joint_7_my_0_1 + (inside_joint_7_my_4 + inside_joint_7_my_5);
     let inside_joint_7_mz = inertias.inertia_link_7_zz * poses.rotation_link_6_zy
         - (inertias.inside_joint_7_mz_0_1_0 + inertias.inside_joint_7_mz_0_1_1)
         + (inside_joint_7_mz_4 - inside_joint_7_mz_5);
@@ -3004,100 +2924,100 @@ fn common_d_mu_and_7_more(
         - (screws.inside_joint_5_mx_4 + screws.inside_joint_5_mx_5);
     let d_mu_10_6_0_0_0_1_1_1_0 = d_mu_10_6_0_0_0_1_1_1_0_1 + d_mu_10_6_0_0_0_1_1_1_0_1
         + (d_mu_10_6_0_0_0_0_0_1_0_0_0_0 - d_mu_10_6_0_0_0_0_1_1_0_1_0_3);
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3_0 = poses.rotation_link_5_yy
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1 = poses.rotation_link_5_yy
         * inertias.composite_link_6_xz;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1 = poses.rotation_link_6_zz
-        * inertias.composite_link_6_xy;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3 = d_mu_11_6_0_0_0_0_0_1_0_0_0_3_0
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1 = poses.rotation_link_6_xz
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1_0 = poses.rotation_link_6_zz
+        * inertias.minus_composite_link_6_xy;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1_0
+        - d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1 = poses.rotation_link_6_xz
         * inertias.composite_link_6_yz;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1 = d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1
-        - d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1;
-    let d_mu_11_6_0_0_0_1_1_1_0_1 = d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_3_0;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1 = inertias.minus_composite_link_6_hx
-        * screws.screw_joint_6_vx;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.minus_composite_link_6_hy
-        * screws.screw_joint_6_vy;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_6_hz
-        * screws.screw_joint_6_vz;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_0_1
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_0_1;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3 = d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1_0
         + d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_0
-        - d_mu_11_6_0_0_0_0_0_1_0_0_0_1
-        - (d_mu_11_6_0_0_0_0_0_1_0_0_0_3 + d_mu_11_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_11_6_0_0_0_1_1_1_0_1 = d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1 = inertias.minus_composite_link_6_hx
+        * screws.screw_joint_6_vx;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1 = inertias.minus_composite_link_6_hy
+        * screws.screw_joint_6_vy;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_2_1 = inertias.composite_link_6_hz
+        * screws.screw_joint_6_vz;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3 = d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0_2 = d_mu_11_6_0_0_0_0_0_1_0_0_0_2_1
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_2_1;
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1 = d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1
+        + d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_11_6_0_0_0_0_0_1_0_0_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1
+        + d_mu_11_6_0_0_0_0_0_1_0_0_0_1
+        + (d_mu_11_6_0_0_0_0_0_1_0_0_0_2 - d_mu_11_6_0_0_0_0_0_1_0_0_0_3);
     let d_mu_11_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_6_zz
         * inertias.composite_link_6_xx - inertias.inside_joint_6_mz_0_0_0
         - (inertias.inside_joint_6_mz_0_0_1
             + poses.rotation_link_6_zz * inertias.composite_link_6_yy)
         + (screws.inside_joint_6_mz_5 + screws.inside_joint_6_mz_4);
-    let d_mu_11_6_0_0_0_0_0_1_1_0 = inertias.inside_joint_6_my_0_0_0
-        + poses.rotation_link_5_yy * inertias.composite_link_6_xx
+    let d_mu_11_6_0_0_0_0_0_1_1_0 = poses.rotation_link_5_yy
+        * inertias.composite_link_6_xx - inertias.inside_joint_6_my_0_1_0
         - (poses.rotation_link_5_yy * inertias.composite_link_6_zz
-            + inertias.inside_joint_6_my_0_1)
+            + inertias.inside_joint_6_my_0_0)
         - (screws.inside_joint_6_my_4 - screws.inside_joint_6_my_5);
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0 = d_mu_11_6_0_0_0_0_1_1_0_1_0_1
-        + d_mu_11_6_0_0_0_0_1_1_0_1_0_1
-        + (d_mu_11_6_0_0_0_0_0_1_0_0_0_0 - d_mu_11_6_0_0_0_0_1_1_0_1_0_3);
+    let d_mu_11_6_0_0_0_0_1_1_0_1_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_2
+        - d_mu_11_6_0_0_0_0_1_1_0_1_0_1
+        - (d_mu_11_6_0_0_0_0_1_1_0_1_0_3 + d_mu_11_6_0_0_0_0_1_1_0_1_0_3);
     let d_mu_11_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_6_mx_0_1
         - poses.rotation_link_6_xz * inertias.composite_link_6_zz
         + (poses.rotation_link_6_xz * inertias.composite_link_6_yy
-            + inertias.inside_joint_6_mx_0_0_1)
+            - inertias.inside_joint_6_mx_0_0_1)
         - (screws.inside_joint_6_mx_5 - screws.inside_joint_6_mx_4);
     let d_mu_11_6_0_0_0_1_1_1_0 = d_mu_11_6_0_0_0_1_1_1_0_1 + d_mu_11_6_0_0_0_1_1_1_0_1
-        - (d_mu_11_6_0_0_0_0_1_1_0_1_0_3 + d_mu_11_6_0_0_0_0_0_1_0_0_0_1);
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3_0 = poses.minus_rotation_link_6_yy
+        - (d_mu_11_6_0_0_0_0_1_1_0_1_0_1 + d_mu_11_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1 = poses.minus_rotation_link_6_yy
         * inertias.inertia_link_7_xz;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1 = poses.rotation_link_6_zy
-        * inertias.inertia_link_7_xy;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_0
-        + d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1;
-    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1_1 = poses.minus_rotation_link_6_xy
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1_0 = poses.rotation_link_6_zy
+        * inertias.minus_inertia_link_7_xy;
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1_0
+        - d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1;
+    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1_0 = poses.minus_rotation_link_6_xy
         * inertias.inertia_link_7_yz;
-    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1
-        + d_mu_12_6_0_0_0_0_1_1_0_1_0_1_1;
-    let d_mu_12_6_0_0_0_1_1_1_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_0
-        - d_mu_12_6_0_0_0_0_1_1_0_1_0_1_1;
+    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1 = d_mu_12_6_0_0_0_0_1_1_0_1_0_1_0
+        - d_mu_12_6_0_0_0_0_0_1_0_0_0_1_0;
+    let d_mu_12_6_0_0_0_1_1_1_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1
+        - d_mu_12_6_0_0_0_0_1_1_0_1_0_1_0;
     let d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1 = inertias.minus_inertia_link_7_hx
         * screws.screw_joint_7_vx;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.minus_inertia_link_7_hy
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1 = inertias.minus_inertia_link_7_hy
         * screws.screw_joint_7_vy;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.inertia_link_7_hz
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_2_1 = inertias.inertia_link_7_hz
         * screws.screw_joint_7_vz;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1
-        + d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_0 = d_mu_12_6_0_0_0_0_0_1_0_0_0_0_1
-        + d_mu_12_6_0_0_0_0_0_1_0_0_0_0_1;
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1
+        + d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1;
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0_2 = d_mu_12_6_0_0_0_0_0_1_0_0_0_2_1
+        + d_mu_12_6_0_0_0_0_0_1_0_0_0_2_1;
     let d_mu_12_6_0_0_0_0_1_1_0_1_0_3 = d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1
         + d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0 = d_mu_12_6_0_0_0_0_0_1_0_0_0_0
-        - d_mu_12_6_0_0_0_0_0_1_0_0_0_1
-        - (d_mu_12_6_0_0_0_0_0_1_0_0_0_3 + d_mu_12_6_0_0_0_0_0_1_0_0_0_3);
+    let d_mu_12_6_0_0_0_0_0_1_0_0_0 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1
+        + d_mu_12_6_0_0_0_0_0_1_0_0_0_1
+        + (d_mu_12_6_0_0_0_0_0_1_0_0_0_2 - d_mu_12_6_0_0_0_0_0_1_0_0_0_3);
     let d_mu_12_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_6_zy
         * inertias.inertia_link_7_xx + inertias.inside_joint_7_mz_0_1_0
         - (inertias.inside_joint_7_mz_0_1_1
             + poses.rotation_link_6_zy * inertias.inertia_link_7_yy)
         + (screws.inside_joint_7_mz_5 + screws.inside_joint_7_mz_4);
-    let d_mu_12_6_0_0_0_0_0_1_1_0 = poses.minus_rotation_link_6_yy
-        * inertias.inertia_link_7_xx - inertias.inside_joint_7_my_0_1_0
+    let d_mu_12_6_0_0_0_0_0_1_1_0 = inertias.inside_joint_7_my_0_0_0
+        + poses.minus_rotation_link_6_yy * inertias.inertia_link_7_xx
         - (poses.minus_rotation_link_6_yy * inertias.inertia_link_7_zz
-            + inertias.inside_joint_7_my_0_0)
+            + inertias.inside_joint_7_my_0_1)
         - (screws.inside_joint_7_my_4 - screws.inside_joint_7_my_5);
     let d_mu_12_6_0_0_0_0_1_1_0_1_0 = d_mu_12_6_0_0_0_0_1_1_0_1_0_1
         + d_mu_12_6_0_0_0_0_1_1_0_1_0_1
-        + (d_mu_12_6_0_0_0_0_0_1_0_0_0_0 - d_mu_12_6_0_0_0_0_1_1_0_1_0_3);
-    let d_mu_12_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_7_mx_0_0
+        + (d_mu_12_6_0_0_0_0_0_1_0_0_0_2 - d_mu_12_6_0_0_0_0_1_1_0_1_0_3);
+    let d_mu_12_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_7_mx_0_1
         + poses.minus_rotation_link_6_xy * inertias.inertia_link_7_zz
-        + (inertias.inside_joint_7_mx_0_1_1
-            - poses.minus_rotation_link_6_xy * inertias.inertia_link_7_yy)
+        - (poses.minus_rotation_link_6_xy * inertias.inertia_link_7_yy
+            + inertias.inside_joint_7_mx_0_0_0)
         - (screws.inside_joint_7_mx_5 - screws.inside_joint_7_mx_4);
     let d_mu_12_6_0_0_0_1_1_1_0 = d_mu_12_6_0_0_0_1_1_1_0_1 + d_mu_12_6_0_0_0_1_1_1_0_1
-        - (d_mu_12_6_0_0_0_0_1_1_0_1_0_3 + d_mu_12_6_0_0_0_0_0_1_0_0_0_1);
+        - (d_mu_12_6_0_0_0_0_1_1_0_1_0_3 + d_mu_12_6_0_0_0_0_0_1_0_0_0_3);
     CommonDMuAnd7More {
         d_mu_7_6_0_0_0_0_0_1_0_0_0,
         d_mu_7_6_0_0_0_0_0_1_0_1_0,
@@ -4125,9 +4045,11 @@ fn common_coupling_torque_d_mu_xi(
             + screws.connection_joint_5_vz
                 * (coupling_torque_4_56 * mu[1] - coupling_torque_4_58 * mu[0]));
     let coupling_torque_5_11 = inertias.composite_link_6_xx * mu[0]
-        + inertias.composite_link_6_xy * mu[1] + inertias.composite_link_6_xz * mu[2];
-    let coupling_torque_5_13 = inertias.composite_link_6_xy * mu[0]
-        + inertias.composite_link_6_yy * mu[1] + inertias.composite_link_6_yz * mu[2];
+        - inertias.minus_composite_link_6_xy * mu[1]
+        + inertias.composite_link_6_xz * mu[2];
+    let coupling_torque_5_13 = inertias.composite_link_6_yy * mu[1]
+        - inertias.minus_composite_link_6_xy * mu[0]
+        + inertias.composite_link_6_yz * mu[2];
     let coupling_torque_5_6 = inertias.composite_link_6_xz * mu[0]
         + inertias.composite_link_6_yz * mu[1] + inertias.composite_link_6_zz * mu[2];
     let coupling_torque_5_26 = mu[1] * inertias.composite_link_6_hz
@@ -4176,9 +4098,9 @@ fn common_coupling_torque_d_mu_xi(
             + screws.connection_joint_6_vz
                 * (coupling_torque_5_56 * mu[1] - coupling_torque_5_58 * mu[0]));
     let coupling_torque_6_11 = inertias.inertia_link_7_xx * mu[0]
-        + inertias.inertia_link_7_xy * mu[1] + inertias.inertia_link_7_xz * mu[2];
-    let coupling_torque_6_13 = inertias.inertia_link_7_xy * mu[0]
-        + inertias.inertia_link_7_yy * mu[1] + inertias.inertia_link_7_yz * mu[2];
+        - inertias.minus_inertia_link_7_xy * mu[1] + inertias.inertia_link_7_xz * mu[2];
+    let coupling_torque_6_13 = inertias.inertia_link_7_yy * mu[1]
+        - inertias.minus_inertia_link_7_xy * mu[0] + inertias.inertia_link_7_yz * mu[2];
     let coupling_torque_6_6 = inertias.inertia_link_7_xz * mu[0]
         + inertias.inertia_link_7_yz * mu[1] + inertias.inertia_link_7_zz * mu[2];
     let coupling_torque_6_26 = mu[1] * inertias.inertia_link_7_hz
@@ -4615,12 +4537,12 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_link_6_my_1_2_3 = velocities.velocity_link_6_wy + mu[1];
     let wrench_link_6_my_1_2_5 = velocities.velocity_link_6_wz + mu[2];
     let wrench_link_6_my_1_2 = inertias.inertia_link_6_xx * wrench_link_6_my_1_2_1
-        + inertias.inertia_link_6_xy * wrench_link_6_my_1_2_3
+        - inertias.minus_inertia_link_6_xy * wrench_link_6_my_1_2_3
         + inertias.inertia_link_6_xz * wrench_link_6_my_1_2_5
         - (velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
             + velocities.velocity_link_6_vy * inertias.inertia_link_6_hz);
-    let wrench_link_6_mx_1_0 = inertias.inertia_link_6_xy * wrench_link_6_my_1_2_1
-        + inertias.inertia_link_6_yy * wrench_link_6_my_1_2_3
+    let wrench_link_6_mx_1_0 = inertias.inertia_link_6_yy * wrench_link_6_my_1_2_3
+        - inertias.minus_inertia_link_6_xy * wrench_link_6_my_1_2_1
         + inertias.inertia_link_6_yz * wrench_link_6_my_1_2_5
         + (velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
             + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hx);
@@ -4660,12 +4582,12 @@ fn common_forward_dynamics_inverse_dynamics(
     let minus_wrench_link_7_mx_3 = velocities.velocity_link_7_wy + mu[1];
     let minus_wrench_link_7_mx_1 = velocities.velocity_link_7_wz + mu[2];
     let minus_wrench_link_7_my_2 = inertias.inertia_link_7_xx * minus_wrench_link_7_my_1
-        + inertias.inertia_link_7_xy * minus_wrench_link_7_mx_3
+        - inertias.minus_inertia_link_7_xy * minus_wrench_link_7_mx_3
         + inertias.inertia_link_7_xz * minus_wrench_link_7_mx_1
         - (velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
             + velocities.velocity_link_7_vy * inertias.inertia_link_7_hz);
-    let minus_wrench_link_7_mx_0 = inertias.inertia_link_7_xy * minus_wrench_link_7_my_1
-        + inertias.inertia_link_7_yy * minus_wrench_link_7_mx_3
+    let minus_wrench_link_7_mx_0 = inertias.inertia_link_7_yy * minus_wrench_link_7_mx_3
+        - inertias.minus_inertia_link_7_xy * minus_wrench_link_7_my_1
         + inertias.inertia_link_7_yz * minus_wrench_link_7_mx_1
         + (velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
             + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hx);
@@ -6754,13 +6676,13 @@ mod d_qdot_itself {
             - factor_link_5_xx_0_3_2 + factor_link_5_xx_0_3;
         let factor_link_6_yz_0_5_1 = (inertias.inertia_link_6_xx
             + inertias.inertia_link_6_yy + inertias.inertia_link_6_zz) * 0.5;
-        let factor_link_6_yz_0_5_4 = inertias.inertia_link_6_xy
+        let factor_link_6_yz_0_5_4 = inertias.minus_inertia_link_6_xy
             * velocities.velocity_link_6_wy;
         let factor_link_6_yz_0_5_5 = inertias.inertia_link_6_xz
             * velocities.velocity_link_6_wz;
-        let factor_link_6_xz_0_5_2 = inertias.inertia_link_6_xy
+        let factor_link_6_xz_0_0_4 = inertias.minus_inertia_link_6_xy
             * velocities.velocity_link_6_wx;
-        let factor_link_6_xz_0_5_5 = inertias.inertia_link_6_yz
+        let factor_link_6_xz_0_0_5 = inertias.inertia_link_6_yz
             * velocities.velocity_link_6_wz;
         let factor_link_6_xy_0_5_2 = inertias.inertia_link_6_xz
             * velocities.velocity_link_6_wx;
@@ -6768,11 +6690,10 @@ mod d_qdot_itself {
             * velocities.velocity_link_6_wy;
         let factor_link_6_yz_0_5 = velocities.velocity_link_6_wx * factor_link_6_yz_0_5_1
             - (inertias.inertia_link_6_xx * velocities.velocity_link_6_wx
-                + factor_link_6_yz_0_5_4 + factor_link_6_yz_0_5_5);
-        let factor_link_6_xz_0_5 = velocities.velocity_link_6_wy * factor_link_6_yz_0_5_1
-            - (factor_link_6_xz_0_5_2
-                + inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
-                + factor_link_6_xz_0_5_5);
+                - factor_link_6_yz_0_5_4 + factor_link_6_yz_0_5_5);
+        let factor_link_6_xz_0_0 = velocities.velocity_link_6_wy * factor_link_6_yz_0_5_1
+            - (inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
+                - factor_link_6_xz_0_0_4 + factor_link_6_xz_0_0_5);
         let factor_link_6_xy_0_5 = velocities.velocity_link_6_wz * factor_link_6_yz_0_5_1
             - (factor_link_6_xy_0_5_2 + factor_link_6_xy_0_5_3
                 + inertias.inertia_link_6_zz * velocities.velocity_link_6_wz);
@@ -6787,46 +6708,46 @@ mod d_qdot_itself {
         let factor_link_6_xx_0_0 = velocities.velocity_link_6_wy
             * inertias.inertia_link_6_xz;
         let factor_link_6_xx_0_1 = velocities.velocity_link_6_wz
-            * inertias.inertia_link_6_xy;
-        let factor_link_6_xx_0 = factor_link_6_xx_0_0 - factor_link_6_xx_0_1
+            * inertias.minus_inertia_link_6_xy;
+        let factor_link_6_xx_0 = factor_link_6_xx_0_0 + factor_link_6_xx_0_1
             + factor_link_6_xx_0_3_1 + factor_link_6_xx_0_3;
         let factor_link_6_xy_0 = velocities.velocity_link_6_wz
             * inertias.inertia_link_6_xx - factor_link_6_xy_0_5_2
             + velocities.velocity_link_6_vx * inertias.minus_inertia_link_6_hy
             - factor_link_6_xy_0_5;
-        let factor_link_6_xz_0 = factor_link_6_xz_0_5_2
-            - velocities.velocity_link_6_wy * inertias.inertia_link_6_xx
-            - velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
-            + factor_link_6_xz_0_5;
+        let factor_link_6_xz_0 = factor_link_6_xz_0_0
+            - (factor_link_6_xz_0_0_4
+                + velocities.velocity_link_6_wy * inertias.inertia_link_6_xx
+                + velocities.velocity_link_6_vx * inertias.inertia_link_6_hz);
         let factor_link_6_yx_0 = factor_link_6_xy_0_5_3
             - velocities.velocity_link_6_wz * inertias.inertia_link_6_yy
             + velocities.velocity_link_6_vy * inertias.minus_inertia_link_6_hx
             + factor_link_6_xy_0_5;
-        let factor_link_6_yy_0_1 = velocities.velocity_link_6_wx
+        let factor_link_6_yy_0_2 = velocities.velocity_link_6_wx
             * inertias.inertia_link_6_yz;
-        let factor_link_6_yy_0 = factor_link_6_xx_0_1 - factor_link_6_yy_0_1
-            + factor_link_6_xx_0_3_2 + factor_link_6_xx_0_3;
+        let factor_link_6_yy_0 = factor_link_6_xx_0_3_2
+            - (factor_link_6_xx_0_1 + factor_link_6_yy_0_2) + factor_link_6_xx_0_3;
         let factor_link_6_yz_0 = velocities.velocity_link_6_wx
-            * inertias.inertia_link_6_yy - factor_link_6_yz_0_5_4
+            * inertias.inertia_link_6_yy + factor_link_6_yz_0_5_4
             - velocities.velocity_link_6_vy * inertias.inertia_link_6_hz
             - factor_link_6_yz_0_5;
         let factor_link_6_zx_0 = velocities.velocity_link_6_wy
-            * inertias.inertia_link_6_zz - factor_link_6_xz_0_5_5
+            * inertias.inertia_link_6_zz - factor_link_6_xz_0_0_5
             + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hx
-            - factor_link_6_xz_0_5;
+            - factor_link_6_xz_0_0;
         let factor_link_6_zy_0 = factor_link_6_yz_0_5_5
             - velocities.velocity_link_6_wx * inertias.inertia_link_6_zz
             + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
             + factor_link_6_yz_0_5;
-        let factor_link_6_zz_0 = factor_link_6_yy_0_1 - factor_link_6_xx_0_0
+        let factor_link_6_zz_0 = factor_link_6_yy_0_2 - factor_link_6_xx_0_0
             - factor_link_6_xx_0_3_0 + factor_link_6_xx_0_3;
         let factor_link_7_yz_5_1 = (inertias.inertia_link_7_xx
             + inertias.inertia_link_7_yy + inertias.inertia_link_7_zz) * 0.5;
-        let factor_link_7_yz_2 = inertias.inertia_link_7_xy
+        let factor_link_7_yz_2 = inertias.minus_inertia_link_7_xy
             * velocities.velocity_link_7_wy;
         let factor_link_7_zy_0 = inertias.inertia_link_7_xz
             * velocities.velocity_link_7_wz;
-        let factor_link_7_xz_0 = inertias.inertia_link_7_xy
+        let factor_link_7_xz_1 = inertias.minus_inertia_link_7_xy
             * velocities.velocity_link_7_wx;
         let factor_link_7_zx_2 = inertias.inertia_link_7_yz
             * velocities.velocity_link_7_wz;
@@ -6836,57 +6757,56 @@ mod d_qdot_itself {
             * velocities.velocity_link_7_wy;
         let factor_link_7_yz_5 = velocities.velocity_link_7_wx * factor_link_7_yz_5_1
             - (inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
-                + factor_link_7_yz_2 + factor_link_7_zy_0);
-        let factor_link_7_xz_5 = velocities.velocity_link_7_wy * factor_link_7_yz_5_1
-            - (factor_link_7_xz_0
-                + inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
-                + factor_link_7_zx_2);
+                - factor_link_7_yz_2 + factor_link_7_zy_0);
+        let factor_link_7_xz_0 = velocities.velocity_link_7_wy * factor_link_7_yz_5_1
+            - (inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+                - factor_link_7_xz_1 + factor_link_7_zx_2);
         let factor_link_7_xy_5 = velocities.velocity_link_7_wz * factor_link_7_yz_5_1
             - (factor_link_7_xy_2 + factor_link_7_yx_0
                 + inertias.inertia_link_7_zz * velocities.velocity_link_7_wz);
         let factor_link_7_xx_2 = inertias.minus_inertia_link_7_hx
             * velocities.velocity_link_7_vx;
-        let factor_link_7_yy_2 = inertias.minus_inertia_link_7_hy
+        let factor_link_7_yy_0 = inertias.minus_inertia_link_7_hy
             * velocities.velocity_link_7_vy;
         let factor_link_7_zz_2 = inertias.inertia_link_7_hz
             * velocities.velocity_link_7_vz;
         let factor_link_7_xx_3 = factor_link_7_zz_2
-            - (factor_link_7_xx_2 + factor_link_7_yy_2);
+            - (factor_link_7_xx_2 + factor_link_7_yy_0);
         let factor_link_7_xx_0 = velocities.velocity_link_7_wy
             * inertias.inertia_link_7_xz;
         let factor_link_7_xx_1 = velocities.velocity_link_7_wz
-            * inertias.inertia_link_7_xy;
-        let factor_link_7_xx = factor_link_7_xx_0 - factor_link_7_xx_1
+            * inertias.minus_inertia_link_7_xy;
+        let factor_link_7_xx = factor_link_7_xx_0 + factor_link_7_xx_1
             + factor_link_7_xx_2 + factor_link_7_xx_3;
         let factor_link_7_xy = velocities.velocity_link_7_wz * inertias.inertia_link_7_xx
             - factor_link_7_xy_2
             + velocities.velocity_link_7_vx * inertias.minus_inertia_link_7_hy
             - factor_link_7_xy_5;
         let factor_link_7_xz = factor_link_7_xz_0
-            - velocities.velocity_link_7_wy * inertias.inertia_link_7_xx
-            - velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
-            + factor_link_7_xz_5;
+            - (factor_link_7_xz_1
+                + velocities.velocity_link_7_wy * inertias.inertia_link_7_xx
+                + velocities.velocity_link_7_vx * inertias.inertia_link_7_hz);
         let factor_link_7_yx = factor_link_7_yx_0
             - velocities.velocity_link_7_wz * inertias.inertia_link_7_yy
             + velocities.velocity_link_7_vy * inertias.minus_inertia_link_7_hx
             + factor_link_7_xy_5;
-        let factor_link_7_yy_1 = velocities.velocity_link_7_wx
+        let factor_link_7_yy_2 = velocities.velocity_link_7_wx
             * inertias.inertia_link_7_yz;
-        let factor_link_7_yy = factor_link_7_xx_1 - factor_link_7_yy_1
-            + factor_link_7_yy_2 + factor_link_7_xx_3;
+        let factor_link_7_yy = factor_link_7_yy_0
+            - (factor_link_7_xx_1 + factor_link_7_yy_2) + factor_link_7_xx_3;
         let factor_link_7_yz = velocities.velocity_link_7_wx * inertias.inertia_link_7_yy
-            - factor_link_7_yz_2
+            + factor_link_7_yz_2
             - velocities.velocity_link_7_vy * inertias.inertia_link_7_hz
             - factor_link_7_yz_5;
         let factor_link_7_zx = velocities.velocity_link_7_wy * inertias.inertia_link_7_zz
             - factor_link_7_zx_2
             + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hx
-            - factor_link_7_xz_5;
+            - factor_link_7_xz_0;
         let factor_link_7_zy = factor_link_7_zy_0
             - velocities.velocity_link_7_wx * inertias.inertia_link_7_zz
             + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
             + factor_link_7_yz_5;
-        let factor_link_7_zz = factor_link_7_yy_1 - factor_link_7_xx_0
+        let factor_link_7_zz = factor_link_7_yy_2 - factor_link_7_xx_0
             - factor_link_7_zz_2 + factor_link_7_xx_3;
         let factor_link_6_xx = factor_link_6_xx_0 + factor_link_7_xx;
         let factor_link_6_yx = factor_link_6_yx_0 + factor_link_7_yx;
@@ -9456,7 +9376,7 @@ mod d_qdot_itself {
                 - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
                     * poses.rotation_link_5_yy)
             + (inertias.composite_link_6_xx * wrench_link_5_mx_6
-                + inertias.composite_link_6_xy * wrench_link_5_mx_8
+                - inertias.minus_composite_link_6_xy * wrench_link_5_mx_8
                 - inertias.composite_link_6_xz * wrench_link_5_mx_10
                 - (inertias.minus_composite_link_6_hy * wrench_link_5_mx_12
                     + inertias.composite_link_6_hz * wrench_link_5_mx_14));
@@ -9465,8 +9385,8 @@ mod d_qdot_itself {
             + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
                 * poses.rotation_link_6_xz
                 - d_qdot_itself_from_three_joint_3_y.three_joint_6_y_2)
-            + (inertias.composite_link_6_xy * wrench_link_5_mx_6
-                + inertias.composite_link_6_yy * wrench_link_5_mx_8
+            + (inertias.composite_link_6_yy * wrench_link_5_mx_8
+                - inertias.minus_composite_link_6_xy * wrench_link_5_mx_6
                 - inertias.composite_link_6_yz * wrench_link_5_mx_10
                 + (inertias.composite_link_6_hz * wrench_link_5_my_12
                     + inertias.minus_composite_link_6_hx * wrench_link_5_mx_12));
@@ -9858,7 +9778,7 @@ mod d_qdot_itself {
                 * poses.minus_rotation_link_6_yy
                 + d_qdot_itself_from_three_joint_3_y.three_joint_7_x_2)
             + (inertias.inertia_link_7_xx * wrench_link_6_mx_6
-                - inertias.inertia_link_7_xy * wrench_link_6_mx_8
+                + inertias.minus_inertia_link_7_xy * wrench_link_6_mx_8
                 + inertias.inertia_link_7_xz * wrench_link_6_mx_10
                 - (inertias.minus_inertia_link_7_hy * wrench_link_6_mx_12
                     + inertias.inertia_link_7_hz * wrench_link_6_mx_14));
@@ -9867,9 +9787,9 @@ mod d_qdot_itself {
             - (d_qdot_itself_from_three_joint_3_y.three_joint_7_y_4
                 + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yx
                     * poses.minus_rotation_link_6_xy)
-            + (inertias.inertia_link_7_xy * wrench_link_6_mx_6
-                - inertias.inertia_link_7_yy * wrench_link_6_mx_8
-                + inertias.inertia_link_7_yz * wrench_link_6_mx_10
+            + (inertias.inertia_link_7_yz * wrench_link_6_mx_10
+                - (inertias.minus_inertia_link_7_xy * wrench_link_6_mx_6
+                    + inertias.inertia_link_7_yy * wrench_link_6_mx_8)
                 + (inertias.inertia_link_7_hz * wrench_link_6_my_12
                     + inertias.minus_inertia_link_7_hx * wrench_link_6_mx_12));
         let wrench_link_6_mz = d_qdot_itself_from_three_joint_3_y.three_joint_7_z_0
@@ -10137,7 +10057,7 @@ mod d_qdot_itself {
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×7, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (7×7, by columns; kg·m²)
 ///
-/// 1828 operations: 865 + −, 960 ×, 3 ÷; 7 sin cos; about 21.7 KiB of code.
+/// 1716 operations: 825 + −, 888 ×, 3 ÷; 7 sin cos; about 20.4 KiB of code.
 pub fn inertia(
     q: &[f64; 7],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -10165,7 +10085,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (13×13, by columns; Λ's · 1/s)
 ///
-/// 3349 operations: 1651 + −, 1695 ×, 3 ÷; 7 sin cos; about 39.5 KiB of code.
+/// 3237 operations: 1611 + −, 1623 ×, 3 ÷; 7 sin cos; about 38.2 KiB of code.
 pub fn d_mu(q: &[f64; 7], mu: &[f64; 6], d_mu: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -10205,7 +10125,7 @@ pub fn d_mu(q: &[f64; 7], mu: &[f64; 6], d_mu: &mut [[f64; 13]; 13]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (7×7, by columns; kg·m²/s)
 ///
-/// 2690 operations: 1340 + −, 1347 ×, 3 ÷; 7 sin cos; about 31.8 KiB of code.
+/// 2578 operations: 1300 + −, 1275 ×, 3 ÷; 7 sin cos; about 30.5 KiB of code.
 pub fn b2(q: &[f64; 7], mu: &[f64; 6], b2: &mut [[f64; 7]; 7]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -10241,7 +10161,7 @@ pub fn b2(q: &[f64; 7], mu: &[f64; 6], b2: &mut [[f64; 7]; 7]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (13×13, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (7×7, by columns; kg·m²/s)
 ///
-/// 3737 operations: 1820 + −, 1914 ×, 3 ÷; 7 sin cos; about 44.1 KiB of code.
+/// 3625 operations: 1780 + −, 1842 ×, 3 ÷; 7 sin cos; about 42.8 KiB of code.
 pub fn matrices(
     q: &[f64; 7],
     mu: &[f64; 6],
@@ -10299,7 +10219,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (7; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (13×13, by columns; Λ's · 1/s)
 ///
-/// 5468 operations: 2757 + −, 2708 ×, 3 ÷; 7 sin cos; about 64.4 KiB of code.
+/// 5356 operations: 2717 + −, 2636 ×, 3 ÷; 7 sin cos; about 63.0 KiB of code.
 pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -10459,7 +10379,7 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (7; N·m, N)
 ///
-/// 2304 operations: 1014 + −, 1287 ×, 3 ÷; 7 sin cos; about 27.3 KiB of code.
+/// 2192 operations: 974 + −, 1215 ×, 3 ÷; 7 sin cos; about 26.0 KiB of code.
 pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 7]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -10490,7 +10410,7 @@ pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (13; N·m, N)
 ///
-/// 3775 operations: 1777 + −, 1995 ×, 3 ÷; 7 sin cos; about 44.5 KiB of code.
+/// 3663 operations: 1737 + −, 1923 ×, 3 ÷; 7 sin cos; about 43.2 KiB of code.
 pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -10814,10 +10734,10 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let wrench_link_6_mx_0_5 = mu[0] * velocities.velocity_link_6_vy
         - mu[1] * velocities.velocity_link_6_vx;
     let wrench_link_6_my_0_2 = mu[0] * wrench_link_6_my_0_2_1
-        - (inertias.inertia_link_6_xx * mu[0] + inertias.inertia_link_6_xy * mu[1]
+        - (inertias.inertia_link_6_xx * mu[0] - inertias.minus_inertia_link_6_xy * mu[1]
             + inertias.inertia_link_6_xz * mu[2]);
     let wrench_link_6_mx_0_0 = mu[1] * wrench_link_6_my_0_2_1
-        - (inertias.inertia_link_6_xy * mu[0] + inertias.inertia_link_6_yy * mu[1]
+        - (inertias.inertia_link_6_yy * mu[1] - inertias.minus_inertia_link_6_xy * mu[0]
             + inertias.inertia_link_6_yz * mu[2]);
     let wrench_link_6_mx_0_2 = mu[2] * wrench_link_6_my_0_2_1
         - (inertias.inertia_link_6_xz * mu[0] + inertias.inertia_link_6_yz * mu[1]
@@ -11128,7 +11048,7 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (13; N·m, N)
 ///
-/// 3549 operations: 1725 + −, 1821 ×, 3 ÷; 7 sin cos; about 41.9 KiB of code.
+/// 3437 operations: 1685 + −, 1749 ×, 3 ÷; 7 sin cos; about 40.6 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -11686,13 +11606,13 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
                 + velocities.velocity_link_6_vy * poses.rotation_link_6_xz)) * qd[5];
     let wrench_link_6_my_0_12 = inertias.inertia_link_6_xx
         * velocities.velocity_link_6_wx
-        + inertias.inertia_link_6_xy * velocities.velocity_link_6_wy
+        - inertias.minus_inertia_link_6_xy * velocities.velocity_link_6_wy
         + inertias.inertia_link_6_xz * velocities.velocity_link_6_wz
         - (velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
             + velocities.velocity_link_6_vy * inertias.inertia_link_6_hz);
-    let wrench_link_6_mx_0_10 = inertias.inertia_link_6_xy
-        * velocities.velocity_link_6_wx
-        + inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
+    let wrench_link_6_mx_0_10 = inertias.inertia_link_6_yy
+        * velocities.velocity_link_6_wy
+        - inertias.minus_inertia_link_6_xy * velocities.velocity_link_6_wx
         + inertias.inertia_link_6_yz * velocities.velocity_link_6_wz
         + (velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
             + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hx);
@@ -11703,7 +11623,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
         + (velocities.velocity_link_6_vx * inertias.minus_inertia_link_6_hy
             - velocities.velocity_link_6_vy * inertias.minus_inertia_link_6_hx);
     let wrench_link_6_mx_0 = inertias.inertia_link_6_xx * twist_link_6_wx
-        + inertias.inertia_link_6_xy * twist_link_6_wy
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wy
         + inertias.inertia_link_6_xz * twist_link_6_wz
         - (inertias.minus_inertia_link_6_hy * twist_link_6_vz
             + inertias.inertia_link_6_hz * twist_link_6_vy)
@@ -11711,8 +11631,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_6_mx_0_12 * velocities.velocity_link_6_wy
             + (wrench_link_6_mx_0_14 * velocities.velocity_link_6_vz
                 - wrench_link_6_mx_0_16 * velocities.velocity_link_6_vy));
-    let wrench_link_6_my_0 = inertias.inertia_link_6_xy * twist_link_6_wx
-        + inertias.inertia_link_6_yy * twist_link_6_wy
+    let wrench_link_6_my_0 = inertias.inertia_link_6_yy * twist_link_6_wy
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wx
         + inertias.inertia_link_6_yz * twist_link_6_wz
         + (inertias.inertia_link_6_hz * twist_link_6_vx
             + inertias.minus_inertia_link_6_hx * twist_link_6_vz)
@@ -11756,12 +11676,12 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
                 - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy))
             * qd[6];
     let wrench_link_7_my_12 = inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
-        + inertias.inertia_link_7_xy * velocities.velocity_link_7_wy
+        - inertias.minus_inertia_link_7_xy * velocities.velocity_link_7_wy
         + inertias.inertia_link_7_xz * velocities.velocity_link_7_wz
         - (velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
             + velocities.velocity_link_7_vy * inertias.inertia_link_7_hz);
-    let wrench_link_7_mx_10 = inertias.inertia_link_7_xy * velocities.velocity_link_7_wx
-        + inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+    let wrench_link_7_mx_10 = inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+        - inertias.minus_inertia_link_7_xy * velocities.velocity_link_7_wx
         + inertias.inertia_link_7_yz * velocities.velocity_link_7_wz
         + (velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
             + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hx);
@@ -11771,7 +11691,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
         + (velocities.velocity_link_7_vx * inertias.minus_inertia_link_7_hy
             - velocities.velocity_link_7_vy * inertias.minus_inertia_link_7_hx);
     let wrench_link_7_mx = inertias.inertia_link_7_xx * twist_link_7_wx
-        + inertias.inertia_link_7_xy * twist_link_7_wy
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wy
         + inertias.inertia_link_7_xz * twist_link_7_wz
         - (inertias.minus_inertia_link_7_hy * twist_link_7_vz
             + inertias.inertia_link_7_hz * twist_link_7_vy)
@@ -11779,8 +11699,8 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_7_mx_12 * velocities.velocity_link_7_wy
             + (wrench_link_7_mx_14 * velocities.velocity_link_7_vz
                 - wrench_link_7_mx_16 * velocities.velocity_link_7_vy));
-    let wrench_link_7_my = inertias.inertia_link_7_xy * twist_link_7_wx
-        + inertias.inertia_link_7_yy * twist_link_7_wy
+    let wrench_link_7_my = inertias.inertia_link_7_yy * twist_link_7_wy
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wx
         + inertias.inertia_link_7_yz * twist_link_7_wz
         + (inertias.inertia_link_7_hz * twist_link_7_vx
             + inertias.minus_inertia_link_7_hx * twist_link_7_vz)
@@ -12060,7 +11980,7 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (13; N·m, N)
 ///
-/// 2764 operations: 1307 + −, 1454 ×, 3 ÷; 7 sin cos; about 32.7 KiB of code.
+/// 2652 operations: 1267 + −, 1382 ×, 3 ÷; 7 sin cos; about 31.4 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -12481,8 +12401,8 @@ pub fn hamel_bias(
             - twist_link_6_wx_1 * screws.screw_joint_6_vx
             - (twist_link_6_vy_7 * poses.rotation_link_5_yy
                 + twist_link_6_vz_7 * poses.rotation_link_6_xz)) * qd[5];
-    let wrench_outside_link_7_mx_10 = inertias.inertia_link_6_xy * twist_link_6_wy_3
-        + inertias.inertia_link_6_yy * twist_link_6_wx_1
+    let wrench_outside_link_7_mx_10 = inertias.inertia_link_6_yy * twist_link_6_wx_1
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wy_3
         + inertias.inertia_link_6_yz * twist_link_6_wx_3
         + (inertias.inertia_link_6_hz * twist_link_6_vy_7
             + inertias.minus_inertia_link_6_hx * twist_link_6_vy_5);
@@ -12501,7 +12421,7 @@ pub fn hamel_bias(
         + (twist_link_6_wx_1 * inertias.minus_inertia_link_6_hx
             - twist_link_6_wy_3 * inertias.minus_inertia_link_6_hy);
     let wrench_outside_link_7_mx = inertias.inertia_link_6_xx * twist_link_6_wx
-        + inertias.inertia_link_6_xy * twist_link_6_wy
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wy
         + inertias.inertia_link_6_xz * twist_link_6_wz
         - (inertias.minus_inertia_link_6_hy * twist_link_6_vz
             + inertias.inertia_link_6_hz * twist_link_6_vy)
@@ -12550,8 +12470,8 @@ pub fn hamel_bias(
             - twist_link_7_wx_1 * screws.screw_joint_7_vx
             + (twist_link_7_vz_5 * poses.minus_rotation_link_6_xy
                 - twist_link_7_vy_7 * poses.minus_rotation_link_6_yy)) * qd[6];
-    let wrench_link_7_mx_10 = inertias.inertia_link_7_xy * twist_link_7_wy_3
-        + inertias.inertia_link_7_yy * twist_link_7_wx_1
+    let wrench_link_7_mx_10 = inertias.inertia_link_7_yy * twist_link_7_wx_1
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wy_3
         + inertias.inertia_link_7_yz * twist_link_7_wx_3
         + (inertias.inertia_link_7_hz * twist_link_7_vy_7
             + inertias.minus_inertia_link_7_hx * twist_link_7_vy_5);
@@ -12570,7 +12490,7 @@ pub fn hamel_bias(
         + (twist_link_7_wx_1 * inertias.minus_inertia_link_7_hx
             - twist_link_7_wy_3 * inertias.minus_inertia_link_7_hy);
     let wrench_link_7_mx = inertias.inertia_link_7_xx * twist_link_7_wx
-        + inertias.inertia_link_7_xy * twist_link_7_wy
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wy
         + inertias.inertia_link_7_xz * twist_link_7_wz
         - (inertias.minus_inertia_link_7_hy * twist_link_7_vz
             + inertias.inertia_link_7_hz * twist_link_7_vy)
@@ -12747,12 +12667,12 @@ pub fn hamel_bias(
             + (twist_link_6_vz_7 * poses.rotation_link_6_zz
                 + twist_link_6_vy_5 * poses.rotation_link_5_yy)) * qd[5];
     let wrench_outside_link_7_my_12 = inertias.inertia_link_6_xx * twist_link_6_wy_3
-        + inertias.inertia_link_6_xy * twist_link_6_wx_1
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wx_1
         + inertias.inertia_link_6_xz * twist_link_6_wx_3
         - (inertias.minus_inertia_link_6_hy * twist_link_6_vy_5
             + inertias.inertia_link_6_hz * twist_link_6_vz_7);
-    let wrench_outside_link_7_my = inertias.inertia_link_6_xy * twist_link_6_wx
-        + inertias.inertia_link_6_yy * twist_link_6_wy
+    let wrench_outside_link_7_my = inertias.inertia_link_6_yy * twist_link_6_wy
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wx
         + inertias.inertia_link_6_yz * twist_link_6_wz
         + (inertias.inertia_link_6_hz * twist_link_6_vx
             + inertias.minus_inertia_link_6_hx * twist_link_6_vz)
@@ -12771,12 +12691,12 @@ pub fn hamel_bias(
             + (twist_link_7_vz_5 * poses.rotation_link_6_zy
                 + twist_link_7_vy_5 * poses.minus_rotation_link_6_yy)) * qd[6];
     let wrench_link_7_my_12 = inertias.inertia_link_7_xx * twist_link_7_wy_3
-        + inertias.inertia_link_7_xy * twist_link_7_wx_1
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wx_1
         + inertias.inertia_link_7_xz * twist_link_7_wx_3
         - (inertias.minus_inertia_link_7_hy * twist_link_7_vy_5
             + inertias.inertia_link_7_hz * twist_link_7_vz_5);
-    let wrench_link_7_my = inertias.inertia_link_7_xy * twist_link_7_wx
-        + inertias.inertia_link_7_yy * twist_link_7_wy
+    let wrench_link_7_my = inertias.inertia_link_7_yy * twist_link_7_wy
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wx
         + inertias.inertia_link_7_yz * twist_link_7_wz
         + (inertias.inertia_link_7_hz * twist_link_7_vx
             + inertias.minus_inertia_link_7_hx * twist_link_7_vz)
@@ -12928,7 +12848,7 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 7×7, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 3713 operations: 1813 + −, 1897 ×, 3 ÷; 7 sin cos; about 43.8 KiB of code.
+/// 3601 operations: 1773 + −, 1825 ×, 3 ÷; 7 sin cos; about 42.5 KiB of code.
 pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f64; 3]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -14235,7 +14155,7 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 809 operations: 387 + −, 419 ×, 3 ÷; 7 sin cos; about 9.8 KiB of code.
+/// 697 operations: 347 + −, 347 ×, 3 ÷; 7 sin cos; about 8.4 KiB of code.
 pub fn momentum(
     q: &[f64; 7],
     mu: &[f64; 6],
@@ -14277,7 +14197,7 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 809 operations: 387 + −, 419 ×, 3 ÷; 7 sin cos; about 9.8 KiB of code.
+/// 697 operations: 347 + −, 347 ×, 3 ÷; 7 sin cos; about 8.4 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 7], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -14314,7 +14234,7 @@ pub fn velocity_of_momentum(q: &[f64; 7], body_momentum: &[f64; 6], mu: &mut [f6
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 1441 operations: 675 + −, 763 ×, 3 ÷; 7 sin cos; about 17.2 KiB of code.
+/// 1329 operations: 635 + −, 691 ×, 3 ÷; 7 sin cos; about 15.8 KiB of code.
 pub fn base_twist(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -14350,7 +14270,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 1897 operations: 872 + −, 1022 ×, 3 ÷; 7 sin cos; about 22.5 KiB of code.
+/// 1785 operations: 832 + −, 950 ×, 3 ÷; 7 sin cos; about 21.2 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -14583,13 +14503,13 @@ pub fn kinetic_energy(
     let kinetic_energy_0 = (kinetic_energy_0_0
         + (velocities.velocity_link_6_wx
             * (inertias.inertia_link_6_xx * velocities.velocity_link_6_wx
-                + inertias.inertia_link_6_xy * velocities.velocity_link_6_wy
+                - inertias.minus_inertia_link_6_xy * velocities.velocity_link_6_wy
                 + inertias.inertia_link_6_xz * velocities.velocity_link_6_wz
                 - (velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
                     + velocities.velocity_link_6_vy * inertias.inertia_link_6_hz))
             + velocities.velocity_link_6_wy
-                * (inertias.inertia_link_6_xy * velocities.velocity_link_6_wx
-                    + inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
+                * (inertias.inertia_link_6_yy * velocities.velocity_link_6_wy
+                    - inertias.minus_inertia_link_6_xy * velocities.velocity_link_6_wx
                     + inertias.inertia_link_6_yz * velocities.velocity_link_6_wz
                     + (velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
                         + velocities.velocity_link_6_vz
@@ -14617,13 +14537,13 @@ pub fn kinetic_energy(
                             * inertias.minus_inertia_link_6_hy)))
         + (velocities.velocity_link_7_wx
             * (inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
-                + inertias.inertia_link_7_xy * velocities.velocity_link_7_wy
+                - inertias.minus_inertia_link_7_xy * velocities.velocity_link_7_wy
                 + inertias.inertia_link_7_xz * velocities.velocity_link_7_wz
                 - (velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
                     + velocities.velocity_link_7_vy * inertias.inertia_link_7_hz))
             + velocities.velocity_link_7_wy
-                * (inertias.inertia_link_7_xy * velocities.velocity_link_7_wx
-                    + inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+                * (inertias.inertia_link_7_yy * velocities.velocity_link_7_wy
+                    - inertias.minus_inertia_link_7_xy * velocities.velocity_link_7_wx
                     + inertias.inertia_link_7_yz * velocities.velocity_link_7_wz
                     + (velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
                         + velocities.velocity_link_7_vz
@@ -14662,7 +14582,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (7; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (13; rad/s², m/s²)
 ///
-/// 4766 operations: 2337 + −, 2413 ×, 16 ÷; 7 sin cos; about 56.1 KiB of code.
+/// 4654 operations: 2297 + −, 2341 ×, 16 ÷; 7 sin cos; about 54.8 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -14858,7 +14778,7 @@ pub fn forward_dynamics(
                 * screws.inside_joint_7_fz)) * inverse_pivot_joint_7_d;
     let wrench_link_6_mx = inertias.inertia_link_7_xx
         * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-        - inertias.inertia_link_7_xy
+        + inertias.minus_inertia_link_7_xy
             * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_1_1
         + inertias.inertia_link_7_xz
             * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
@@ -14869,12 +14789,13 @@ pub fn forward_dynamics(
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mx
         + screws.inside_joint_7_mx * wrench_link_6_mx_12
         - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_1;
-    let wrench_link_6_my = inertias.inertia_link_7_xy
-        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-        - inertias.inertia_link_7_yy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_1_1
-        + inertias.inertia_link_7_yz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
+    let wrench_link_6_my = inertias.inertia_link_7_yz
+        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
+        - (inertias.minus_inertia_link_7_xy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
+            + inertias.inertia_link_7_yy
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_6_mx_0_0_0_0_0_1_1)
         + (inertias.minus_inertia_link_7_hx
             * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1
             + inertias.inertia_link_7_hz
@@ -14947,9 +14868,9 @@ pub fn forward_dynamics(
     let articulated_link_6_jxx = inertias.inertia_link_6_xx
         + (inertias.inertia_link_7_xx
             - minus_articulated_link_6_hxx_0 * screws.inside_joint_7_mx);
-    let articulated_link_6_jxy = inertias.inertia_link_6_xy
-        + (inertias.inertia_link_7_xy
-            - minus_articulated_link_6_hxx_0 * screws.inside_joint_7_my);
+    let minus_articulated_link_6_jxy = inertias.minus_inertia_link_6_xy
+        + (inertias.minus_inertia_link_7_xy
+            + minus_articulated_link_6_hxx_0 * screws.inside_joint_7_my);
     let articulated_link_6_jxz = inertias.inertia_link_6_xz
         + (inertias.inertia_link_7_xz
             - minus_articulated_link_6_hxx_0 * screws.inside_joint_7_mz);
@@ -14989,14 +14910,14 @@ pub fn forward_dynamics(
             - screws.inside_joint_7_fz * inverse_pivot_joint_7_d
                 * screws.inside_joint_7_fz);
     let wrench_outside_link_6_mx = articulated_link_6_jxx * poses.rotation_link_6_xz
-        - articulated_link_6_jxy * poses.rotation_link_5_yy
+        + minus_articulated_link_6_jxy * poses.rotation_link_5_yy
         + articulated_link_6_jxz * poses.rotation_link_6_zz
         - (minus_articulated_link_6_hxz * screws.screw_joint_6_vz
             + (minus_articulated_link_6_hxy * screws.screw_joint_6_vy
                 + minus_articulated_link_6_hxx * screws.screw_joint_6_vx));
-    let wrench_outside_link_6_my = articulated_link_6_jxy * poses.rotation_link_6_xz
-        - articulated_link_6_jyy * poses.rotation_link_5_yy
-        + articulated_link_6_jyz * poses.rotation_link_6_zz
+    let wrench_outside_link_6_my = articulated_link_6_jyz * poses.rotation_link_6_zz
+        - (minus_articulated_link_6_jxy * poses.rotation_link_6_xz
+            + articulated_link_6_jyy * poses.rotation_link_5_yy)
         + (articulated_link_6_hyz * screws.screw_joint_6_vz
             + (articulated_link_6_hyx * screws.screw_joint_6_vx
                 - minus_articulated_link_6_hyy * screws.screw_joint_6_vy));
@@ -15055,7 +14976,7 @@ pub fn forward_dynamics(
     let wrench_link_5_mx = wrench_link_6_mx
         + (articulated_link_6_jxx
             * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            + articulated_link_6_jxy
+            - minus_articulated_link_6_jxy
                 * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
             - articulated_link_6_jxz
                 * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
@@ -15070,10 +14991,10 @@ pub fn forward_dynamics(
         + wrench_outside_link_6_mx * wrench_link_5_mx_14
         - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_1;
     let wrench_link_5_my = wrench_link_6_my
-        + (articulated_link_6_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            + articulated_link_6_jyy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
+        + (articulated_link_6_jyy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
+            - minus_articulated_link_6_jxy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
             - articulated_link_6_jyz
                 * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
             + (articulated_link_6_hyz
@@ -15181,8 +15102,8 @@ pub fn forward_dynamics(
         + (articulated_link_6_jxx
             - minus_articulated_link_5_hxx_1 * wrench_outside_link_6_mx);
     let articulated_link_5_jxy = inertias.inertia_link_5_xy
-        + (articulated_link_6_jxy
-            - minus_articulated_link_5_hxx_1 * wrench_outside_link_6_my);
+        - (minus_articulated_link_6_jxy
+            + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_my);
     let articulated_link_5_jxz = inertias.inertia_link_5_xz
         + (articulated_link_6_jxz
             - minus_articulated_link_5_hxx_1 * wrench_outside_link_6_mz);
@@ -16680,7 +16601,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (7; N·m, N)
 ///
-/// 3957 operations: 1943 + −, 2011 ×, 3 ÷; 7 sin cos; about 46.6 KiB of code.
+/// 3845 operations: 1903 + −, 1939 ×, 3 ÷; 7 sin cos; about 45.3 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -17095,13 +17016,13 @@ pub fn inverse_dynamics(
         + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_0_1
         + screws.screw_joint_6_vz * xi_dot[11];
     let wrench_link_6_mx_0 = inertias.inertia_link_6_xx * twist_link_6_wx
-        + inertias.inertia_link_6_xy * twist_link_6_wy
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wy
         + inertias.inertia_link_6_xz * twist_link_6_wz
         - (inertias.minus_inertia_link_6_hy * twist_link_6_vz
             + inertias.inertia_link_6_hz * twist_link_6_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_1;
-    let wrench_link_6_my_0 = inertias.inertia_link_6_xy * twist_link_6_wx
-        + inertias.inertia_link_6_yy * twist_link_6_wy
+    let wrench_link_6_my_0 = inertias.inertia_link_6_yy * twist_link_6_wy
+        - inertias.minus_inertia_link_6_xy * twist_link_6_wx
         + inertias.inertia_link_6_yz * twist_link_6_wz
         + (inertias.inertia_link_6_hz * twist_link_6_vx
             + inertias.minus_inertia_link_6_hx * twist_link_6_vz)
@@ -17131,13 +17052,13 @@ pub fn inverse_dynamics(
         + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1
         + screws.screw_joint_7_vz * xi_dot[12];
     let wrench_link_7_mx = inertias.inertia_link_7_xx * twist_link_7_wx
-        + inertias.inertia_link_7_xy * twist_link_7_wy
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wy
         + inertias.inertia_link_7_xz * twist_link_7_wz
         - (inertias.minus_inertia_link_7_hy * twist_link_7_vz
             + inertias.inertia_link_7_hz * twist_link_7_vy)
         - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mx;
-    let wrench_link_7_my = inertias.inertia_link_7_xy * twist_link_7_wx
-        + inertias.inertia_link_7_yy * twist_link_7_wy
+    let wrench_link_7_my = inertias.inertia_link_7_yy * twist_link_7_wy
+        - inertias.minus_inertia_link_7_xy * twist_link_7_wx
         + inertias.inertia_link_7_yz * twist_link_7_wz
         + (inertias.inertia_link_7_hz * twist_link_7_vx
             + inertias.minus_inertia_link_7_hx * twist_link_7_vz)
@@ -17434,7 +17355,7 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×7, by columns; rad, m)
 ///
-/// 1878 operations: 864 + −, 1011 ×, 3 ÷; 7 sin cos; about 22.3 KiB of code.
+/// 1766 operations: 824 + −, 939 ×, 3 ÷; 7 sin cos; about 21.0 KiB of code.
 pub fn kinematics_link_7(
     q: &[f64; 7],
     pose: &mut [[f64; 3]; 4],

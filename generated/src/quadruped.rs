@@ -213,54 +213,42 @@ impl FloatingBase<f64> for Quadruped {
 struct Poses {
     sin_front_left_hip_roll: f64,
     cos_front_left_hip_roll: f64,
-    sin_front_left_hip_pitch: f64,
     cos_front_left_hip_pitch: f64,
+    sin_front_right_hip_roll: f64,
+    cos_front_right_hip_roll: f64,
+    cos_front_right_hip_pitch: f64,
+    sin_hind_left_hip_roll: f64,
+    cos_hind_left_hip_roll: f64,
+    cos_hind_left_hip_pitch: f64,
+    sin_hind_right_hip_roll: f64,
+    cos_hind_right_hip_roll: f64,
+    cos_hind_right_hip_pitch: f64,
     rotation_front_left_thigh_yx: f64,
     minus_rotation_front_left_thigh_zx: f64,
-    rotation_front_left_thigh_yy: f64,
-    minus_rotation_front_left_thigh_zy: f64,
     rotation_front_left_shank_xx: f64,
     rotation_front_left_shank_yx: f64,
     minus_rotation_front_left_shank_zx: f64,
     minus_rotation_front_left_shank_xy: f64,
     rotation_front_left_shank_yy: f64,
     rotation_front_left_shank_zy: f64,
-    sin_front_right_hip_roll: f64,
-    cos_front_right_hip_roll: f64,
-    sin_front_right_hip_pitch: f64,
-    cos_front_right_hip_pitch: f64,
     rotation_front_right_thigh_yx: f64,
     minus_rotation_front_right_thigh_zx: f64,
-    rotation_front_right_thigh_yy: f64,
-    minus_rotation_front_right_thigh_zy: f64,
     rotation_front_right_shank_xx: f64,
     rotation_front_right_shank_yx: f64,
     minus_rotation_front_right_shank_zx: f64,
     minus_rotation_front_right_shank_xy: f64,
     rotation_front_right_shank_yy: f64,
     rotation_front_right_shank_zy: f64,
-    sin_hind_left_hip_roll: f64,
-    cos_hind_left_hip_roll: f64,
-    sin_hind_left_hip_pitch: f64,
-    cos_hind_left_hip_pitch: f64,
     rotation_hind_left_thigh_yx: f64,
     minus_rotation_hind_left_thigh_zx: f64,
-    rotation_hind_left_thigh_yy: f64,
-    minus_rotation_hind_left_thigh_zy: f64,
     rotation_hind_left_shank_xx: f64,
     rotation_hind_left_shank_yx: f64,
     minus_rotation_hind_left_shank_zx: f64,
     minus_rotation_hind_left_shank_xy: f64,
     rotation_hind_left_shank_yy: f64,
     rotation_hind_left_shank_zy: f64,
-    sin_hind_right_hip_roll: f64,
-    cos_hind_right_hip_roll: f64,
-    sin_hind_right_hip_pitch: f64,
-    cos_hind_right_hip_pitch: f64,
     rotation_hind_right_thigh_yx: f64,
     minus_rotation_hind_right_thigh_zx: f64,
-    rotation_hind_right_thigh_yy: f64,
-    minus_rotation_hind_right_thigh_zy: f64,
     rotation_hind_right_shank_xx: f64,
     rotation_hind_right_shank_yx: f64,
     minus_rotation_hind_right_shank_zx: f64,
@@ -340,13 +328,43 @@ struct Poses {
 #[inline(never)]
 fn poses(q: &[f64; 12]) -> Poses {
     // front_left_hip
-    let (sin_front_left_hip_roll, cos_front_left_hip_roll) = turn::sin_cos(q[0]);
+    let [(sin_front_left_hip_roll, cos_front_left_hip_roll),
+    (sin_front_left_hip_pitch, cos_front_left_hip_pitch),
+    (sin_front_left_knee, cos_front_left_knee),
+    (sin_front_right_hip_roll, cos_front_right_hip_roll),
+    (sin_front_right_hip_pitch, cos_front_right_hip_pitch),
+    (sin_front_right_knee, cos_front_right_knee),
+    (sin_hind_left_hip_roll, cos_hind_left_hip_roll),
+    (sin_hind_left_hip_pitch, cos_hind_left_hip_pitch),
+    (sin_hind_left_knee, cos_hind_left_knee),
+    (sin_hind_right_hip_roll, cos_hind_right_hip_roll),
+    (sin_hind_right_hip_pitch, cos_hind_right_hip_pitch),
+    (sin_hind_right_knee, cos_hind_right_knee)] = turn::sin_cos_each([
+        q[0],
+        q[1],
+        q[2],
+        q[3],
+        q[4],
+        q[5],
+        q[6],
+        q[7],
+        q[8],
+        q[9],
+        q[10],
+        q[11],
+    ]);
+    // front_left_thigh
+    // front_right_hip
+    // front_right_thigh
+    // hind_left_hip
+    // hind_left_thigh
+    // hind_right_hip
+    // hind_right_thigh
     let origin_front_left_thigh_y_0 = 0.068
         + (cos_front_left_hip_roll * 0.078 + sin_front_left_hip_roll * 0.006);
     let origin_front_left_thigh_z_0 = sin_front_left_hip_roll * 0.078
         - cos_front_left_hip_roll * 0.006 - 0.016;
     // front_left_thigh
-    let (sin_front_left_hip_pitch, cos_front_left_hip_pitch) = turn::sin_cos(q[1]);
     let rotation_front_left_thigh_yx = sin_front_left_hip_roll
         * sin_front_left_hip_pitch;
     let minus_rotation_front_left_thigh_zx = cos_front_left_hip_roll
@@ -365,7 +383,6 @@ fn poses(q: &[f64; 12]) -> Poses {
         + (sin_front_left_hip_roll * 0.015
             + (minus_rotation_front_left_thigh_zx * 0.008
                 - minus_rotation_front_left_thigh_zy * 0.21));
-    let (sin_front_left_knee, cos_front_left_knee) = turn::sin_cos(q[2]);
     // front_left_shank
     let rotation_front_left_shank_xx = cos_front_left_hip_pitch * cos_front_left_knee
         - sin_front_left_hip_pitch * sin_front_left_knee;
@@ -379,14 +396,11 @@ fn poses(q: &[f64; 12]) -> Poses {
         - rotation_front_left_thigh_yx * sin_front_left_knee;
     let rotation_front_left_shank_zy = minus_rotation_front_left_thigh_zx
         * sin_front_left_knee - minus_rotation_front_left_thigh_zy * cos_front_left_knee;
-    // front_right_hip
-    let (sin_front_right_hip_roll, cos_front_right_hip_roll) = turn::sin_cos(q[3]);
     let origin_front_right_thigh_y_0 = sin_front_right_hip_roll * 0.006
         - cos_front_right_hip_roll * 0.078 - 0.062;
     let minus_origin_front_right_thigh_z_0 = 0.016
         + (sin_front_right_hip_roll * 0.078 + cos_front_right_hip_roll * 0.006);
     // front_right_thigh
-    let (sin_front_right_hip_pitch, cos_front_right_hip_pitch) = turn::sin_cos(q[4]);
     let rotation_front_right_thigh_yx = sin_front_right_hip_roll
         * sin_front_right_hip_pitch;
     let minus_rotation_front_right_thigh_zx = cos_front_right_hip_roll
@@ -403,7 +417,6 @@ fn poses(q: &[f64; 12]) -> Poses {
     let origin_front_right_shank_z_0 = minus_rotation_front_right_thigh_zx * 0.008
         - minus_rotation_front_right_thigh_zy * 0.21 - sin_front_right_hip_roll * 0.015
         - minus_origin_front_right_thigh_z_0;
-    let (sin_front_right_knee, cos_front_right_knee) = turn::sin_cos(q[5]);
     // front_right_shank
     let rotation_front_right_shank_xx = cos_front_right_hip_pitch * cos_front_right_knee
         - sin_front_right_hip_pitch * sin_front_right_knee;
@@ -419,14 +432,11 @@ fn poses(q: &[f64; 12]) -> Poses {
     let rotation_front_right_shank_zy = minus_rotation_front_right_thigh_zx
         * sin_front_right_knee
         - minus_rotation_front_right_thigh_zy * cos_front_right_knee;
-    // hind_left_hip
-    let (sin_hind_left_hip_roll, cos_hind_left_hip_roll) = turn::sin_cos(q[6]);
     let origin_hind_left_thigh_y_0 = 0.068
         + (cos_hind_left_hip_roll * 0.078 + sin_hind_left_hip_roll * 0.006);
     let origin_hind_left_thigh_z_0 = sin_hind_left_hip_roll * 0.078
         - cos_hind_left_hip_roll * 0.006 - 0.016;
     // hind_left_thigh
-    let (sin_hind_left_hip_pitch, cos_hind_left_hip_pitch) = turn::sin_cos(q[7]);
     let rotation_hind_left_thigh_yx = sin_hind_left_hip_roll * sin_hind_left_hip_pitch;
     let minus_rotation_hind_left_thigh_zx = cos_hind_left_hip_roll
         * sin_hind_left_hip_pitch;
@@ -443,7 +453,6 @@ fn poses(q: &[f64; 12]) -> Poses {
         + (sin_hind_left_hip_roll * 0.015
             + (minus_rotation_hind_left_thigh_zx * 0.008
                 - minus_rotation_hind_left_thigh_zy * 0.21));
-    let (sin_hind_left_knee, cos_hind_left_knee) = turn::sin_cos(q[8]);
     // hind_left_shank
     let rotation_hind_left_shank_xx = cos_hind_left_hip_pitch * cos_hind_left_knee
         - sin_hind_left_hip_pitch * sin_hind_left_knee;
@@ -457,14 +466,11 @@ fn poses(q: &[f64; 12]) -> Poses {
         - rotation_hind_left_thigh_yx * sin_hind_left_knee;
     let rotation_hind_left_shank_zy = minus_rotation_hind_left_thigh_zx
         * sin_hind_left_knee - minus_rotation_hind_left_thigh_zy * cos_hind_left_knee;
-    // hind_right_hip
-    let (sin_hind_right_hip_roll, cos_hind_right_hip_roll) = turn::sin_cos(q[9]);
     let origin_hind_right_thigh_y_0 = sin_hind_right_hip_roll * 0.006
         - cos_hind_right_hip_roll * 0.078 - 0.062;
     let minus_origin_hind_right_thigh_z_0 = 0.016
         + (sin_hind_right_hip_roll * 0.078 + cos_hind_right_hip_roll * 0.006);
     // hind_right_thigh
-    let (sin_hind_right_hip_pitch, cos_hind_right_hip_pitch) = turn::sin_cos(q[10]);
     let rotation_hind_right_thigh_yx = sin_hind_right_hip_roll
         * sin_hind_right_hip_pitch;
     let minus_rotation_hind_right_thigh_zx = cos_hind_right_hip_roll
@@ -481,7 +487,6 @@ fn poses(q: &[f64; 12]) -> Poses {
     let origin_hind_right_shank_z_0 = minus_rotation_hind_right_thigh_zx * 0.008
         - minus_rotation_hind_right_thigh_zy * 0.21 - sin_hind_right_hip_roll * 0.015
         - minus_origin_hind_right_thigh_z_0;
-    let (sin_hind_right_knee, cos_hind_right_knee) = turn::sin_cos(q[11]);
     // hind_right_shank
     let rotation_hind_right_shank_xx = cos_hind_right_hip_pitch * cos_hind_right_knee
         - sin_hind_right_hip_pitch * sin_hind_right_knee;
@@ -727,54 +732,42 @@ fn poses(q: &[f64; 12]) -> Poses {
     Poses {
         sin_front_left_hip_roll,
         cos_front_left_hip_roll,
-        sin_front_left_hip_pitch,
         cos_front_left_hip_pitch,
+        sin_front_right_hip_roll,
+        cos_front_right_hip_roll,
+        cos_front_right_hip_pitch,
+        sin_hind_left_hip_roll,
+        cos_hind_left_hip_roll,
+        cos_hind_left_hip_pitch,
+        sin_hind_right_hip_roll,
+        cos_hind_right_hip_roll,
+        cos_hind_right_hip_pitch,
         rotation_front_left_thigh_yx,
         minus_rotation_front_left_thigh_zx,
-        rotation_front_left_thigh_yy,
-        minus_rotation_front_left_thigh_zy,
         rotation_front_left_shank_xx,
         rotation_front_left_shank_yx,
         minus_rotation_front_left_shank_zx,
         minus_rotation_front_left_shank_xy,
         rotation_front_left_shank_yy,
         rotation_front_left_shank_zy,
-        sin_front_right_hip_roll,
-        cos_front_right_hip_roll,
-        sin_front_right_hip_pitch,
-        cos_front_right_hip_pitch,
         rotation_front_right_thigh_yx,
         minus_rotation_front_right_thigh_zx,
-        rotation_front_right_thigh_yy,
-        minus_rotation_front_right_thigh_zy,
         rotation_front_right_shank_xx,
         rotation_front_right_shank_yx,
         minus_rotation_front_right_shank_zx,
         minus_rotation_front_right_shank_xy,
         rotation_front_right_shank_yy,
         rotation_front_right_shank_zy,
-        sin_hind_left_hip_roll,
-        cos_hind_left_hip_roll,
-        sin_hind_left_hip_pitch,
-        cos_hind_left_hip_pitch,
         rotation_hind_left_thigh_yx,
         minus_rotation_hind_left_thigh_zx,
-        rotation_hind_left_thigh_yy,
-        minus_rotation_hind_left_thigh_zy,
         rotation_hind_left_shank_xx,
         rotation_hind_left_shank_yx,
         minus_rotation_hind_left_shank_zx,
         minus_rotation_hind_left_shank_xy,
         rotation_hind_left_shank_yy,
         rotation_hind_left_shank_zy,
-        sin_hind_right_hip_roll,
-        cos_hind_right_hip_roll,
-        sin_hind_right_hip_pitch,
-        cos_hind_right_hip_pitch,
         rotation_hind_right_thigh_yx,
         minus_rotation_hind_right_thigh_zx,
-        rotation_hind_right_thigh_yy,
-        minus_rotation_hind_right_thigh_zy,
         rotation_hind_right_shank_xx,
         rotation_hind_right_shank_yx,
         minus_rotation_hind_right_shank_zx,
@@ -876,7 +869,7 @@ struct Inertias {
     inertia_front_left_thigh_hz: f64,
     inertia_front_left_thigh_xx: f64,
     inertia_front_left_thigh_xy: f64,
-    inertia_front_left_thigh_xz: f64,
+    minus_inertia_front_left_thigh_xz: f64,
     inertia_front_left_thigh_yy: f64,
     inertia_front_left_thigh_yz: f64,
     inertia_front_left_thigh_zz: f64,
@@ -929,7 +922,7 @@ struct Inertias {
     inertia_hind_left_thigh_hz: f64,
     inertia_hind_left_thigh_xx: f64,
     inertia_hind_left_thigh_xy: f64,
-    inertia_hind_left_thigh_xz: f64,
+    minus_inertia_hind_left_thigh_xz: f64,
     inertia_hind_left_thigh_yy: f64,
     inertia_hind_left_thigh_yz: f64,
     inertia_hind_left_thigh_zz: f64,
@@ -1133,13 +1126,13 @@ fn inertias(poses: &Poses) -> Inertias {
         - poses.minus_origin_trunk_y_1;
     let inertia_front_left_hip_hz_0 = poses.minus_origin_trunk_z_1_0_0
         - poses.minus_origin_trunk_z_1;
-    let inertia_front_left_hip_yy_0 = 0.00062175 * poses.sin_front_left_hip_roll;
-    let inertia_front_left_hip_yy_2 = 0.0007935 * poses.cos_front_left_hip_roll;
+    let inertia_front_left_hip_yy_0 = 0.00017175000000000003
+        * poses.cos_front_left_hip_roll;
     // front_left_hip
     let inertia_front_left_hip_hx = inertia_front_left_hip_hx_0 * 0.75;
     let inertia_front_left_hip_hy = inertia_front_left_hip_hy_0 * 0.75;
     let inertia_front_left_hip_hz = inertia_front_left_hip_hz_0 * 0.75;
-    let inertia_front_left_hip_yy_4 = inertia_front_left_hip_hx
+    let inertia_front_left_hip_yy_3 = inertia_front_left_hip_hx
         * inertia_front_left_hip_hx_0;
     let inertia_front_left_hip_xx_1 = inertia_front_left_hip_hy
         * inertia_front_left_hip_hy_0;
@@ -1152,109 +1145,96 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_front_left_hip_xx = 0.00062175
         + (inertia_front_left_hip_xx_1 + inertia_front_left_hip_xx_2);
     let inertia_front_left_hip_yy = inertia_front_left_hip_yy_0
+        * poses.cos_front_left_hip_roll + 0.00062175
+        + (inertia_front_left_hip_yy_3 + inertia_front_left_hip_xx_2);
+    let inertia_front_left_hip_yz = inertia_front_left_hip_yy_0
         * poses.sin_front_left_hip_roll
-        + inertia_front_left_hip_yy_2 * poses.cos_front_left_hip_roll
-        + (inertia_front_left_hip_yy_4 + inertia_front_left_hip_xx_2);
-    let inertia_front_left_hip_yz = inertia_front_left_hip_yy_2
-        * poses.sin_front_left_hip_roll
-        - inertia_front_left_hip_yy_0 * poses.cos_front_left_hip_roll
         - inertia_front_left_hip_hy * inertia_front_left_hip_hz_0;
-    let inertia_front_left_hip_zz = 0.00062175 * poses.cos_front_left_hip_roll
-        * poses.cos_front_left_hip_roll
-        + 0.0007935 * poses.sin_front_left_hip_roll * poses.sin_front_left_hip_roll
-        + (inertia_front_left_hip_yy_4 + inertia_front_left_hip_xx_1);
+    let inertia_front_left_hip_zz = 0.00017175000000000003
+        * poses.sin_front_left_hip_roll * poses.sin_front_left_hip_roll + 0.00062175
+        + (inertia_front_left_hip_yy_3 + inertia_front_left_hip_xx_1);
     let inertia_front_left_thigh_hx_0 = poses.minus_origin_trunk_x_1_0_3
         - poses.minus_origin_trunk_x_1;
     let inertia_front_left_thigh_hy_0 = poses.minus_origin_trunk_y_1_0_4
         - poses.minus_origin_trunk_y_1;
     let inertia_front_left_thigh_hz_0 = poses.minus_origin_trunk_z_1_0_4
         - poses.minus_origin_trunk_z_1;
-    let inertia_front_left_thigh_xx_0 = 0.0049679667 * poses.cos_front_left_hip_pitch;
-    let inertia_front_left_thigh_xx_2 = 0.000304425 * poses.sin_front_left_hip_pitch;
-    let inertia_front_left_thigh_yy_0 = 0.0049679667
+    let inertia_front_left_thigh_xx_0 = 0.0046635417 * poses.cos_front_left_hip_pitch;
+    let inertia_front_left_thigh_yy_0 = 0.0046635417
         * poses.rotation_front_left_thigh_yx;
-    let inertia_front_left_thigh_yy_2 = 0.000304425 * poses.rotation_front_left_thigh_yy;
-    let inertia_front_left_thigh_yy_4 = 0.0050347917 * poses.cos_front_left_hip_roll;
+    let inertia_front_left_thigh_yy_2 = 0.0047303667 * poses.cos_front_left_hip_roll;
     // front_left_thigh
     let inertia_front_left_thigh_hx = inertia_front_left_thigh_hx_0 * 1.1;
     let inertia_front_left_thigh_hy = inertia_front_left_thigh_hy_0 * 1.1;
     let inertia_front_left_thigh_hz = inertia_front_left_thigh_hz_0 * 1.1;
-    let inertia_front_left_thigh_yy_6 = inertia_front_left_thigh_hx
+    let inertia_front_left_thigh_yy_5 = inertia_front_left_thigh_hx
         * inertia_front_left_thigh_hx_0;
-    let inertia_front_left_thigh_xx_4 = inertia_front_left_thigh_hy
+    let inertia_front_left_thigh_xx_3 = inertia_front_left_thigh_hy
         * inertia_front_left_thigh_hy_0;
-    let inertia_front_left_thigh_xx_5 = inertia_front_left_thigh_hz
+    let inertia_front_left_thigh_xx_4 = inertia_front_left_thigh_hz
         * inertia_front_left_thigh_hz_0;
     let inertia_front_left_thigh_xx = inertia_front_left_thigh_xx_0
-        * poses.cos_front_left_hip_pitch
-        + inertia_front_left_thigh_xx_2 * poses.sin_front_left_hip_pitch
-        + (inertia_front_left_thigh_xx_4 + inertia_front_left_thigh_xx_5);
+        * poses.cos_front_left_hip_pitch + 0.000304425
+        + (inertia_front_left_thigh_xx_3 + inertia_front_left_thigh_xx_4);
     let inertia_front_left_thigh_xy = inertia_front_left_thigh_xx_0
         * poses.rotation_front_left_thigh_yx
-        - inertia_front_left_thigh_xx_2 * poses.rotation_front_left_thigh_yy
         - inertia_front_left_thigh_hx * inertia_front_left_thigh_hy_0;
-    let inertia_front_left_thigh_xz = inertia_front_left_thigh_xx_2
-        * poses.minus_rotation_front_left_thigh_zy
-        - inertia_front_left_thigh_xx_0 * poses.minus_rotation_front_left_thigh_zx
-        - inertia_front_left_thigh_hx * inertia_front_left_thigh_hz_0;
+    let minus_inertia_front_left_thigh_xz = inertia_front_left_thigh_xx_0
+        * poses.minus_rotation_front_left_thigh_zx
+        + inertia_front_left_thigh_hx * inertia_front_left_thigh_hz_0;
     let inertia_front_left_thigh_yy = inertia_front_left_thigh_yy_0
         * poses.rotation_front_left_thigh_yx
-        + inertia_front_left_thigh_yy_2 * poses.rotation_front_left_thigh_yy
-        + inertia_front_left_thigh_yy_4 * poses.cos_front_left_hip_roll
-        + (inertia_front_left_thigh_yy_6 + inertia_front_left_thigh_xx_5);
-    let inertia_front_left_thigh_yz = inertia_front_left_thigh_yy_4
+        + inertia_front_left_thigh_yy_2 * poses.cos_front_left_hip_roll + 0.000304425
+        + (inertia_front_left_thigh_yy_5 + inertia_front_left_thigh_xx_4);
+    let inertia_front_left_thigh_yz = inertia_front_left_thigh_yy_2
         * poses.sin_front_left_hip_roll
-        - (inertia_front_left_thigh_yy_0 * poses.minus_rotation_front_left_thigh_zx
-            + inertia_front_left_thigh_yy_2 * poses.minus_rotation_front_left_thigh_zy)
+        - inertia_front_left_thigh_yy_0 * poses.minus_rotation_front_left_thigh_zx
         - inertia_front_left_thigh_hy * inertia_front_left_thigh_hz_0;
-    let inertia_front_left_thigh_zz = 0.0049679667
+    let inertia_front_left_thigh_zz = 0.0046635417
         * poses.minus_rotation_front_left_thigh_zx
         * poses.minus_rotation_front_left_thigh_zx
-        + 0.000304425 * poses.minus_rotation_front_left_thigh_zy
-            * poses.minus_rotation_front_left_thigh_zy
-        + 0.0050347917 * poses.sin_front_left_hip_roll * poses.sin_front_left_hip_roll
-        + (inertia_front_left_thigh_yy_6 + inertia_front_left_thigh_xx_4);
+        + 0.0047303667 * poses.sin_front_left_hip_roll * poses.sin_front_left_hip_roll
+        + 0.000304425 + (inertia_front_left_thigh_yy_5 + inertia_front_left_thigh_xx_3);
     let inertia_front_left_shank_hx_0 = poses.minus_origin_trunk_x_1_0_5
         - poses.minus_origin_trunk_x_1;
     let inertia_front_left_shank_hy_0 = poses.minus_origin_trunk_y_1_0_6
         - poses.minus_origin_trunk_y_1;
     let inertia_front_left_shank_hz_0 = poses.minus_origin_trunk_z_1_0_6
         - poses.minus_origin_trunk_z_1;
-    let inertia_front_left_shank_xx_0 = 0.0013669600442857142
+    let inertia_front_left_shank_xx_0 = 0.0013343969014285714
         * poses.rotation_front_left_shank_xx
         + 0.00003761999999999999 * poses.minus_rotation_front_left_shank_xy;
     let inertia_front_left_shank_xx_2 = 0.00003761999999999999
-        * poses.rotation_front_left_shank_xx
-        + 0.000032563142857142856 * poses.minus_rotation_front_left_shank_xy;
+        * poses.rotation_front_left_shank_xx;
     let inertia_front_left_shank_xy_4 = 0.0000003299999999999999
         * poses.rotation_front_left_shank_xx
         - 0.0000053742857142857135 * poses.minus_rotation_front_left_shank_xy;
-    let inertia_front_left_shank_yy_0 = 0.0013669600442857142
+    let inertia_front_left_shank_yy_0 = 0.0013343969014285714
         * poses.rotation_front_left_shank_yx
         - 0.00003761999999999999 * poses.rotation_front_left_shank_yy
         + 0.0000003299999999999999 * poses.cos_front_left_hip_roll;
-    let inertia_front_left_shank_yy_2 = 0.000032563142857142856
-        * poses.rotation_front_left_shank_yy
-        - 0.00003761999999999999 * poses.rotation_front_left_shank_yx
-        + 0.0000053742857142857135 * poses.cos_front_left_hip_roll;
+    let inertia_front_left_shank_yy_2 = 0.0000053742857142857135
+        * poses.cos_front_left_hip_roll
+        - 0.00003761999999999999 * poses.rotation_front_left_shank_yx;
     let inertia_front_left_shank_yy_4 = 0.0000003299999999999999
         * poses.rotation_front_left_shank_yx
         + 0.0000053742857142857135 * poses.rotation_front_left_shank_yy
-        + 0.0013692229014285713 * poses.cos_front_left_hip_roll;
+        + 0.0013366597585714286 * poses.cos_front_left_hip_roll;
     // front_left_shank
     let inertia_front_left_shank_hx = inertia_front_left_shank_hx_0 * 0.28;
     let inertia_front_left_shank_hy = inertia_front_left_shank_hy_0 * 0.28;
     let inertia_front_left_shank_hz = inertia_front_left_shank_hz_0 * 0.28;
-    let inertia_front_left_shank_yy_6 = inertia_front_left_shank_hx
+    let inertia_front_left_shank_yy_7 = inertia_front_left_shank_hx
         * inertia_front_left_shank_hx_0;
-    let inertia_front_left_shank_xx_4 = inertia_front_left_shank_hy
+    let inertia_front_left_shank_xx_5 = inertia_front_left_shank_hy
         * inertia_front_left_shank_hy_0;
-    let inertia_front_left_shank_xx_5 = inertia_front_left_shank_hz
+    let inertia_front_left_shank_xx_6 = inertia_front_left_shank_hz
         * inertia_front_left_shank_hz_0;
     let inertia_front_left_shank_xx = inertia_front_left_shank_xx_0
         * poses.rotation_front_left_shank_xx
         + inertia_front_left_shank_xx_2 * poses.minus_rotation_front_left_shank_xy
-        + (inertia_front_left_shank_xx_4 + inertia_front_left_shank_xx_5);
+        + 0.000032563142857142856
+        + (inertia_front_left_shank_xx_5 + inertia_front_left_shank_xx_6);
     let inertia_front_left_shank_xy = inertia_front_left_shank_xx_0
         * poses.rotation_front_left_shank_yx
         - inertia_front_left_shank_xx_2 * poses.rotation_front_left_shank_yy
@@ -1269,7 +1249,8 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_front_left_shank_yx
         + inertia_front_left_shank_yy_2 * poses.rotation_front_left_shank_yy
         + inertia_front_left_shank_yy_4 * poses.cos_front_left_hip_roll
-        + (inertia_front_left_shank_yy_6 + inertia_front_left_shank_xx_5);
+        + 0.000032563142857142856
+        + (inertia_front_left_shank_yy_7 + inertia_front_left_shank_xx_6);
     let inertia_front_left_shank_yz = inertia_front_left_shank_yy_2
         * poses.rotation_front_left_shank_zy
         - inertia_front_left_shank_yy_0 * poses.minus_rotation_front_left_shank_zx
@@ -1277,24 +1258,23 @@ fn inertias(poses: &Poses) -> Inertias {
         - inertia_front_left_shank_hy * inertia_front_left_shank_hz_0;
     let inertia_front_left_shank_zz = (0.00003761999999999999
         * poses.minus_rotation_front_left_shank_zx
-        + 0.000032563142857142856 * poses.rotation_front_left_shank_zy
         + 0.0000053742857142857135 * poses.sin_front_left_hip_roll)
         * poses.rotation_front_left_shank_zy
         - (0.0000003299999999999999 * poses.sin_front_left_hip_roll
-            - (0.0013669600442857142 * poses.minus_rotation_front_left_shank_zx
+            - (0.0013343969014285714 * poses.minus_rotation_front_left_shank_zx
                 + 0.00003761999999999999 * poses.rotation_front_left_shank_zy))
             * poses.minus_rotation_front_left_shank_zx
         + (0.0000053742857142857135 * poses.rotation_front_left_shank_zy
             - 0.0000003299999999999999 * poses.minus_rotation_front_left_shank_zx
-            + 0.0013692229014285713 * poses.sin_front_left_hip_roll)
-            * poses.sin_front_left_hip_roll
-        + (inertia_front_left_shank_yy_6 + inertia_front_left_shank_xx_4);
+            + 0.0013366597585714286 * poses.sin_front_left_hip_roll)
+            * poses.sin_front_left_hip_roll + 0.000032563142857142856
+        + (inertia_front_left_shank_yy_7 + inertia_front_left_shank_xx_5);
     let minus_inertia_front_right_hip_hy_0 = poses.minus_origin_trunk_y_1_0_8
         + poses.minus_origin_trunk_y_1;
     let inertia_front_right_hip_hz_0 = poses.minus_origin_trunk_z_1_0_8
         - poses.minus_origin_trunk_z_1;
-    let inertia_front_right_hip_yy_0 = 0.00062175 * poses.sin_front_right_hip_roll;
-    let inertia_front_right_hip_yy_2 = 0.0007935 * poses.cos_front_right_hip_roll;
+    let inertia_front_right_hip_yy_0 = 0.00017175000000000003
+        * poses.cos_front_right_hip_roll;
     // front_right_hip
     let minus_inertia_front_right_hip_hy = minus_inertia_front_right_hip_hy_0 * 0.75;
     let inertia_front_right_hip_hz = inertia_front_right_hip_hz_0 * 0.75;
@@ -1309,93 +1289,79 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_front_right_hip_xx = 0.00062175
         + (inertia_front_right_hip_xx_1 + inertia_front_right_hip_xx_2);
     let inertia_front_right_hip_yy = inertia_front_right_hip_yy_0
+        * poses.cos_front_right_hip_roll + 0.00062175
+        + (inertia_front_left_hip_yy_3 + inertia_front_right_hip_xx_2);
+    let inertia_front_right_hip_yz = inertia_front_right_hip_yy_0
         * poses.sin_front_right_hip_roll
-        + inertia_front_right_hip_yy_2 * poses.cos_front_right_hip_roll
-        + (inertia_front_left_hip_yy_4 + inertia_front_right_hip_xx_2);
-    let inertia_front_right_hip_yz = inertia_front_right_hip_yy_2
-        * poses.sin_front_right_hip_roll
-        - inertia_front_right_hip_yy_0 * poses.cos_front_right_hip_roll
         + minus_inertia_front_right_hip_hy * inertia_front_right_hip_hz_0;
-    let inertia_front_right_hip_zz = 0.00062175 * poses.cos_front_right_hip_roll
-        * poses.cos_front_right_hip_roll
-        + 0.0007935 * poses.sin_front_right_hip_roll * poses.sin_front_right_hip_roll
-        + (inertia_front_left_hip_yy_4 + inertia_front_right_hip_xx_1);
+    let inertia_front_right_hip_zz = 0.00017175000000000003
+        * poses.sin_front_right_hip_roll * poses.sin_front_right_hip_roll + 0.00062175
+        + (inertia_front_left_hip_yy_3 + inertia_front_right_hip_xx_1);
     let inertia_front_right_thigh_hx_0 = poses.minus_origin_trunk_x_1_0_8
         - poses.minus_origin_trunk_x_1;
     let inertia_front_right_thigh_hy_0 = poses.minus_origin_trunk_y_1_0_10
         - poses.minus_origin_trunk_y_1;
     let minus_inertia_front_right_thigh_hz_0 = poses.minus_origin_trunk_z_1_0_10
         + poses.minus_origin_trunk_z_1;
-    let inertia_front_right_thigh_xx_0 = 0.0049679667 * poses.cos_front_right_hip_pitch;
-    let inertia_front_right_thigh_xx_2 = 0.000304425 * poses.sin_front_right_hip_pitch;
-    let inertia_front_right_thigh_yy_0 = 0.0049679667
+    let inertia_front_right_thigh_xx_0 = 0.0046635417 * poses.cos_front_right_hip_pitch;
+    let inertia_front_right_thigh_yy_0 = 0.0046635417
         * poses.rotation_front_right_thigh_yx;
-    let inertia_front_right_thigh_yy_2 = 0.000304425
-        * poses.rotation_front_right_thigh_yy;
-    let inertia_front_right_thigh_yy_4 = 0.0050347917 * poses.cos_front_right_hip_roll;
+    let inertia_front_right_thigh_yy_2 = 0.0047303667 * poses.cos_front_right_hip_roll;
     // front_right_thigh
     let inertia_front_right_thigh_hx = inertia_front_right_thigh_hx_0 * 1.1;
     let inertia_front_right_thigh_hy = inertia_front_right_thigh_hy_0 * 1.1;
     let minus_inertia_front_right_thigh_hz = minus_inertia_front_right_thigh_hz_0 * 1.1;
-    let inertia_front_right_thigh_yy_6 = inertia_front_right_thigh_hx
+    let inertia_front_right_thigh_yy_5 = inertia_front_right_thigh_hx
         * inertia_front_right_thigh_hx_0;
-    let inertia_front_right_thigh_xx_4 = inertia_front_right_thigh_hy
+    let inertia_front_right_thigh_xx_3 = inertia_front_right_thigh_hy
         * inertia_front_right_thigh_hy_0;
-    let inertia_front_right_thigh_xx_5 = minus_inertia_front_right_thigh_hz
+    let inertia_front_right_thigh_xx_4 = minus_inertia_front_right_thigh_hz
         * minus_inertia_front_right_thigh_hz_0;
     let inertia_front_right_thigh_xx = inertia_front_right_thigh_xx_0
-        * poses.cos_front_right_hip_pitch
-        + inertia_front_right_thigh_xx_2 * poses.sin_front_right_hip_pitch
-        + (inertia_front_right_thigh_xx_4 + inertia_front_right_thigh_xx_5);
+        * poses.cos_front_right_hip_pitch + 0.000304425
+        + (inertia_front_right_thigh_xx_3 + inertia_front_right_thigh_xx_4);
     let inertia_front_right_thigh_xy = inertia_front_right_thigh_xx_0
         * poses.rotation_front_right_thigh_yx
-        - inertia_front_right_thigh_xx_2 * poses.rotation_front_right_thigh_yy
         - inertia_front_right_thigh_hx * inertia_front_right_thigh_hy_0;
-    let inertia_front_right_thigh_xz = inertia_front_right_thigh_xx_2
-        * poses.minus_rotation_front_right_thigh_zy
-        - inertia_front_right_thigh_xx_0 * poses.minus_rotation_front_right_thigh_zx
-        + inertia_front_right_thigh_hx * minus_inertia_front_right_thigh_hz_0;
+    let inertia_front_right_thigh_xz = inertia_front_right_thigh_hx
+        * minus_inertia_front_right_thigh_hz_0
+        - inertia_front_right_thigh_xx_0 * poses.minus_rotation_front_right_thigh_zx;
     let inertia_front_right_thigh_yy = inertia_front_right_thigh_yy_0
         * poses.rotation_front_right_thigh_yx
-        + inertia_front_right_thigh_yy_2 * poses.rotation_front_right_thigh_yy
-        + inertia_front_right_thigh_yy_4 * poses.cos_front_right_hip_roll
-        + (inertia_front_right_thigh_yy_6 + inertia_front_right_thigh_xx_5);
-    let inertia_front_right_thigh_yz = inertia_front_right_thigh_yy_4
+        + inertia_front_right_thigh_yy_2 * poses.cos_front_right_hip_roll + 0.000304425
+        + (inertia_front_right_thigh_yy_5 + inertia_front_right_thigh_xx_4);
+    let inertia_front_right_thigh_yz = inertia_front_right_thigh_yy_2
         * poses.sin_front_right_hip_roll
-        - (inertia_front_right_thigh_yy_0 * poses.minus_rotation_front_right_thigh_zx
-            + inertia_front_right_thigh_yy_2 * poses.minus_rotation_front_right_thigh_zy)
+        - inertia_front_right_thigh_yy_0 * poses.minus_rotation_front_right_thigh_zx
         + inertia_front_right_thigh_hy * minus_inertia_front_right_thigh_hz_0;
-    let inertia_front_right_thigh_zz = 0.0049679667
+    let inertia_front_right_thigh_zz = 0.0046635417
         * poses.minus_rotation_front_right_thigh_zx
         * poses.minus_rotation_front_right_thigh_zx
-        + 0.000304425 * poses.minus_rotation_front_right_thigh_zy
-            * poses.minus_rotation_front_right_thigh_zy
-        + 0.0050347917 * poses.sin_front_right_hip_roll * poses.sin_front_right_hip_roll
-        + (inertia_front_right_thigh_yy_6 + inertia_front_right_thigh_xx_4);
+        + 0.0047303667 * poses.sin_front_right_hip_roll * poses.sin_front_right_hip_roll
+        + 0.000304425
+        + (inertia_front_right_thigh_yy_5 + inertia_front_right_thigh_xx_3);
     let inertia_front_right_shank_hx_0 = poses.minus_origin_trunk_x_1_0_10
         - poses.minus_origin_trunk_x_1;
     let inertia_front_right_shank_hy_0 = poses.minus_origin_trunk_y_1_0_12
         - poses.minus_origin_trunk_y_1;
     let inertia_front_right_shank_hz_0 = poses.minus_origin_trunk_z_1_0_12
         - poses.minus_origin_trunk_z_1;
-    let inertia_front_right_shank_xx_0 = 0.0013669600442857142
+    let inertia_front_right_shank_xx_0 = 0.0013343969014285714
         * poses.rotation_front_right_shank_xx
         + 0.00003761999999999999 * poses.minus_rotation_front_right_shank_xy;
     let inertia_front_right_shank_xx_2 = 0.00003761999999999999
-        * poses.rotation_front_right_shank_xx
-        + 0.000032563142857142856 * poses.minus_rotation_front_right_shank_xy;
+        * poses.rotation_front_right_shank_xx;
     let inertia_front_right_shank_xy_4 = 0.0000053742857142857135
         * poses.minus_rotation_front_right_shank_xy
         - 0.0000003299999999999999 * poses.rotation_front_right_shank_xx;
-    let inertia_front_right_shank_yy_0 = 0.0013669600442857142
+    let inertia_front_right_shank_yy_0 = 0.0013343969014285714
         * poses.rotation_front_right_shank_yx
         - 0.00003761999999999999 * poses.rotation_front_right_shank_yy
         - 0.0000003299999999999999 * poses.cos_front_right_hip_roll;
-    let inertia_front_right_shank_yy_2 = 0.000032563142857142856
-        * poses.rotation_front_right_shank_yy
-        - 0.00003761999999999999 * poses.rotation_front_right_shank_yx
-        - 0.0000053742857142857135 * poses.cos_front_right_hip_roll;
-    let inertia_front_right_shank_yy_4 = 0.0013692229014285713
+    let inertia_front_right_shank_yy_2 = 0.00003761999999999999
+        * poses.rotation_front_right_shank_yx
+        + 0.0000053742857142857135 * poses.cos_front_right_hip_roll;
+    let inertia_front_right_shank_yy_4 = 0.0013366597585714286
         * poses.cos_front_right_hip_roll
         - (0.0000003299999999999999 * poses.rotation_front_right_shank_yx
             + 0.0000053742857142857135 * poses.rotation_front_right_shank_yy);
@@ -1403,16 +1369,17 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_front_right_shank_hx = inertia_front_right_shank_hx_0 * 0.28;
     let inertia_front_right_shank_hy = inertia_front_right_shank_hy_0 * 0.28;
     let inertia_front_right_shank_hz = inertia_front_right_shank_hz_0 * 0.28;
-    let inertia_front_right_shank_yy_6 = inertia_front_right_shank_hx
+    let inertia_front_right_shank_yy_7 = inertia_front_right_shank_hx
         * inertia_front_right_shank_hx_0;
-    let inertia_front_right_shank_xx_4 = inertia_front_right_shank_hy
+    let inertia_front_right_shank_xx_5 = inertia_front_right_shank_hy
         * inertia_front_right_shank_hy_0;
-    let inertia_front_right_shank_xx_5 = inertia_front_right_shank_hz
+    let inertia_front_right_shank_xx_6 = inertia_front_right_shank_hz
         * inertia_front_right_shank_hz_0;
     let inertia_front_right_shank_xx = inertia_front_right_shank_xx_0
         * poses.rotation_front_right_shank_xx
         + inertia_front_right_shank_xx_2 * poses.minus_rotation_front_right_shank_xy
-        + (inertia_front_right_shank_xx_4 + inertia_front_right_shank_xx_5);
+        + 0.000032563142857142856
+        + (inertia_front_right_shank_xx_5 + inertia_front_right_shank_xx_6);
     let inertia_front_right_shank_xy = inertia_front_right_shank_xx_0
         * poses.rotation_front_right_shank_yx
         - inertia_front_right_shank_xx_2 * poses.rotation_front_right_shank_yy
@@ -1425,41 +1392,41 @@ fn inertias(poses: &Poses) -> Inertias {
         - inertia_front_right_shank_hx * inertia_front_right_shank_hz_0;
     let inertia_front_right_shank_yy = inertia_front_right_shank_yy_0
         * poses.rotation_front_right_shank_yx
-        + inertia_front_right_shank_yy_2 * poses.rotation_front_right_shank_yy
+        - inertia_front_right_shank_yy_2 * poses.rotation_front_right_shank_yy
         + inertia_front_right_shank_yy_4 * poses.cos_front_right_hip_roll
-        + (inertia_front_right_shank_yy_6 + inertia_front_right_shank_xx_5);
-    let inertia_front_right_shank_yz = inertia_front_right_shank_yy_2
-        * poses.rotation_front_right_shank_zy
-        - inertia_front_right_shank_yy_0 * poses.minus_rotation_front_right_shank_zx
-        + inertia_front_right_shank_yy_4 * poses.sin_front_right_hip_roll
+        + 0.000032563142857142856
+        + (inertia_front_right_shank_yy_7 + inertia_front_right_shank_xx_6);
+    let inertia_front_right_shank_yz = inertia_front_right_shank_yy_4
+        * poses.sin_front_right_hip_roll
+        - (inertia_front_right_shank_yy_0 * poses.minus_rotation_front_right_shank_zx
+            + inertia_front_right_shank_yy_2 * poses.rotation_front_right_shank_zy)
         - inertia_front_right_shank_hy * inertia_front_right_shank_hz_0;
-    let inertia_front_right_shank_zz = (0.0013669600442857142
+    let inertia_front_right_shank_zz = (0.0013343969014285714
         * poses.minus_rotation_front_right_shank_zx
         + 0.00003761999999999999 * poses.rotation_front_right_shank_zy
         + 0.0000003299999999999999 * poses.sin_front_right_hip_roll)
         * poses.minus_rotation_front_right_shank_zx
         + (0.00003761999999999999 * poses.minus_rotation_front_right_shank_zx
-            + 0.000032563142857142856 * poses.rotation_front_right_shank_zy
             - 0.0000053742857142857135 * poses.sin_front_right_hip_roll)
             * poses.rotation_front_right_shank_zy
         + (0.0000003299999999999999 * poses.minus_rotation_front_right_shank_zx
             - 0.0000053742857142857135 * poses.rotation_front_right_shank_zy
-            + 0.0013692229014285713 * poses.sin_front_right_hip_roll)
-            * poses.sin_front_right_hip_roll
-        + (inertia_front_right_shank_yy_6 + inertia_front_right_shank_xx_4);
+            + 0.0013366597585714286 * poses.sin_front_right_hip_roll)
+            * poses.sin_front_right_hip_roll + 0.000032563142857142856
+        + (inertia_front_right_shank_yy_7 + inertia_front_right_shank_xx_5);
     let minus_inertia_hind_left_hip_hx_0 = poses.minus_origin_trunk_x_1_0_17_0
         + poses.minus_origin_trunk_x_1;
     let inertia_hind_left_hip_hy_0 = poses.minus_origin_trunk_y_1_0_14
         - poses.minus_origin_trunk_y_1;
     let inertia_hind_left_hip_hz_0 = poses.minus_origin_trunk_z_1_0_14
         - poses.minus_origin_trunk_z_1;
-    let inertia_hind_left_hip_yy_0 = 0.00062175 * poses.sin_hind_left_hip_roll;
-    let inertia_hind_left_hip_yy_2 = 0.0007935 * poses.cos_hind_left_hip_roll;
+    let inertia_hind_left_hip_yy_0 = 0.00017175000000000003
+        * poses.cos_hind_left_hip_roll;
     // hind_left_hip
     let minus_inertia_hind_left_hip_hx = minus_inertia_hind_left_hip_hx_0 * 0.75;
     let inertia_hind_left_hip_hy = inertia_hind_left_hip_hy_0 * 0.75;
     let inertia_hind_left_hip_hz = inertia_hind_left_hip_hz_0 * 0.75;
-    let inertia_hind_left_hip_yy_4 = minus_inertia_hind_left_hip_hx
+    let inertia_hind_left_hip_yy_3 = minus_inertia_hind_left_hip_hx
         * minus_inertia_hind_left_hip_hx_0;
     let inertia_hind_left_hip_xx_1 = inertia_hind_left_hip_hy
         * inertia_hind_left_hip_hy_0;
@@ -1472,108 +1439,95 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_hind_left_hip_xx = 0.00062175
         + (inertia_hind_left_hip_xx_1 + inertia_hind_left_hip_xx_2);
     let inertia_hind_left_hip_yy = inertia_hind_left_hip_yy_0
+        * poses.cos_hind_left_hip_roll + 0.00062175
+        + (inertia_hind_left_hip_yy_3 + inertia_hind_left_hip_xx_2);
+    let inertia_hind_left_hip_yz = inertia_hind_left_hip_yy_0
         * poses.sin_hind_left_hip_roll
-        + inertia_hind_left_hip_yy_2 * poses.cos_hind_left_hip_roll
-        + (inertia_hind_left_hip_yy_4 + inertia_hind_left_hip_xx_2);
-    let inertia_hind_left_hip_yz = inertia_hind_left_hip_yy_2
-        * poses.sin_hind_left_hip_roll
-        - inertia_hind_left_hip_yy_0 * poses.cos_hind_left_hip_roll
         - inertia_hind_left_hip_hy * inertia_hind_left_hip_hz_0;
-    let inertia_hind_left_hip_zz = 0.00062175 * poses.cos_hind_left_hip_roll
-        * poses.cos_hind_left_hip_roll
-        + 0.0007935 * poses.sin_hind_left_hip_roll * poses.sin_hind_left_hip_roll
-        + (inertia_hind_left_hip_yy_4 + inertia_hind_left_hip_xx_1);
+    let inertia_hind_left_hip_zz = 0.00017175000000000003 * poses.sin_hind_left_hip_roll
+        * poses.sin_hind_left_hip_roll + 0.00062175
+        + (inertia_hind_left_hip_yy_3 + inertia_hind_left_hip_xx_1);
     let inertia_hind_left_thigh_hx_0 = poses.minus_origin_trunk_x_1_0_13
         - poses.minus_origin_trunk_x_1;
     let inertia_hind_left_thigh_hy_0 = poses.minus_origin_trunk_y_1_0_16
         - poses.minus_origin_trunk_y_1;
     let inertia_hind_left_thigh_hz_0 = poses.minus_origin_trunk_z_1_0_16
         - poses.minus_origin_trunk_z_1;
-    let inertia_hind_left_thigh_xx_0 = 0.0049679667 * poses.cos_hind_left_hip_pitch;
-    let inertia_hind_left_thigh_xx_2 = 0.000304425 * poses.sin_hind_left_hip_pitch;
-    let inertia_hind_left_thigh_yy_0 = 0.0049679667 * poses.rotation_hind_left_thigh_yx;
-    let inertia_hind_left_thigh_yy_2 = 0.000304425 * poses.rotation_hind_left_thigh_yy;
-    let inertia_hind_left_thigh_yy_4 = 0.0050347917 * poses.cos_hind_left_hip_roll;
+    let inertia_hind_left_thigh_xx_0 = 0.0046635417 * poses.cos_hind_left_hip_pitch;
+    let inertia_hind_left_thigh_yy_0 = 0.0046635417 * poses.rotation_hind_left_thigh_yx;
+    let inertia_hind_left_thigh_yy_2 = 0.0047303667 * poses.cos_hind_left_hip_roll;
     // hind_left_thigh
     let inertia_hind_left_thigh_hx = inertia_hind_left_thigh_hx_0 * 1.1;
     let inertia_hind_left_thigh_hy = inertia_hind_left_thigh_hy_0 * 1.1;
     let inertia_hind_left_thigh_hz = inertia_hind_left_thigh_hz_0 * 1.1;
-    let inertia_hind_left_thigh_yy_6 = inertia_hind_left_thigh_hx
+    let inertia_hind_left_thigh_yy_5 = inertia_hind_left_thigh_hx
         * inertia_hind_left_thigh_hx_0;
-    let inertia_hind_left_thigh_xx_4 = inertia_hind_left_thigh_hy
+    let inertia_hind_left_thigh_xx_3 = inertia_hind_left_thigh_hy
         * inertia_hind_left_thigh_hy_0;
-    let inertia_hind_left_thigh_xx_5 = inertia_hind_left_thigh_hz
+    let inertia_hind_left_thigh_xx_4 = inertia_hind_left_thigh_hz
         * inertia_hind_left_thigh_hz_0;
     let inertia_hind_left_thigh_xx = inertia_hind_left_thigh_xx_0
-        * poses.cos_hind_left_hip_pitch
-        + inertia_hind_left_thigh_xx_2 * poses.sin_hind_left_hip_pitch
-        + (inertia_hind_left_thigh_xx_4 + inertia_hind_left_thigh_xx_5);
+        * poses.cos_hind_left_hip_pitch + 0.000304425
+        + (inertia_hind_left_thigh_xx_3 + inertia_hind_left_thigh_xx_4);
     let inertia_hind_left_thigh_xy = inertia_hind_left_thigh_xx_0
         * poses.rotation_hind_left_thigh_yx
-        - inertia_hind_left_thigh_xx_2 * poses.rotation_hind_left_thigh_yy
         - inertia_hind_left_thigh_hx * inertia_hind_left_thigh_hy_0;
-    let inertia_hind_left_thigh_xz = inertia_hind_left_thigh_xx_2
-        * poses.minus_rotation_hind_left_thigh_zy
-        - inertia_hind_left_thigh_xx_0 * poses.minus_rotation_hind_left_thigh_zx
-        - inertia_hind_left_thigh_hx * inertia_hind_left_thigh_hz_0;
+    let minus_inertia_hind_left_thigh_xz = inertia_hind_left_thigh_xx_0
+        * poses.minus_rotation_hind_left_thigh_zx
+        + inertia_hind_left_thigh_hx * inertia_hind_left_thigh_hz_0;
     let inertia_hind_left_thigh_yy = inertia_hind_left_thigh_yy_0
         * poses.rotation_hind_left_thigh_yx
-        + inertia_hind_left_thigh_yy_2 * poses.rotation_hind_left_thigh_yy
-        + inertia_hind_left_thigh_yy_4 * poses.cos_hind_left_hip_roll
-        + (inertia_hind_left_thigh_yy_6 + inertia_hind_left_thigh_xx_5);
-    let inertia_hind_left_thigh_yz = inertia_hind_left_thigh_yy_4
+        + inertia_hind_left_thigh_yy_2 * poses.cos_hind_left_hip_roll + 0.000304425
+        + (inertia_hind_left_thigh_yy_5 + inertia_hind_left_thigh_xx_4);
+    let inertia_hind_left_thigh_yz = inertia_hind_left_thigh_yy_2
         * poses.sin_hind_left_hip_roll
-        - (inertia_hind_left_thigh_yy_0 * poses.minus_rotation_hind_left_thigh_zx
-            + inertia_hind_left_thigh_yy_2 * poses.minus_rotation_hind_left_thigh_zy)
+        - inertia_hind_left_thigh_yy_0 * poses.minus_rotation_hind_left_thigh_zx
         - inertia_hind_left_thigh_hy * inertia_hind_left_thigh_hz_0;
-    let inertia_hind_left_thigh_zz = 0.0049679667
+    let inertia_hind_left_thigh_zz = 0.0046635417
         * poses.minus_rotation_hind_left_thigh_zx
         * poses.minus_rotation_hind_left_thigh_zx
-        + 0.000304425 * poses.minus_rotation_hind_left_thigh_zy
-            * poses.minus_rotation_hind_left_thigh_zy
-        + 0.0050347917 * poses.sin_hind_left_hip_roll * poses.sin_hind_left_hip_roll
-        + (inertia_hind_left_thigh_yy_6 + inertia_hind_left_thigh_xx_4);
+        + 0.0047303667 * poses.sin_hind_left_hip_roll * poses.sin_hind_left_hip_roll
+        + 0.000304425 + (inertia_hind_left_thigh_yy_5 + inertia_hind_left_thigh_xx_3);
     let inertia_hind_left_shank_hx_0 = poses.minus_origin_trunk_x_1_0_15
         - poses.minus_origin_trunk_x_1;
     let inertia_hind_left_shank_hy_0 = poses.minus_origin_trunk_y_1_0_18
         - poses.minus_origin_trunk_y_1;
     let inertia_hind_left_shank_hz_0 = poses.minus_origin_trunk_z_1_0_18
         - poses.minus_origin_trunk_z_1;
-    let inertia_hind_left_shank_xx_0 = 0.0013669600442857142
+    let inertia_hind_left_shank_xx_0 = 0.0013343969014285714
         * poses.rotation_hind_left_shank_xx
         + 0.00003761999999999999 * poses.minus_rotation_hind_left_shank_xy;
     let inertia_hind_left_shank_xx_2 = 0.00003761999999999999
-        * poses.rotation_hind_left_shank_xx
-        + 0.000032563142857142856 * poses.minus_rotation_hind_left_shank_xy;
+        * poses.rotation_hind_left_shank_xx;
     let inertia_hind_left_shank_xy_4 = 0.0000003299999999999999
         * poses.rotation_hind_left_shank_xx
         - 0.0000053742857142857135 * poses.minus_rotation_hind_left_shank_xy;
-    let inertia_hind_left_shank_yy_0 = 0.0013669600442857142
+    let inertia_hind_left_shank_yy_0 = 0.0013343969014285714
         * poses.rotation_hind_left_shank_yx
         - 0.00003761999999999999 * poses.rotation_hind_left_shank_yy
         + 0.0000003299999999999999 * poses.cos_hind_left_hip_roll;
-    let inertia_hind_left_shank_yy_2 = 0.000032563142857142856
-        * poses.rotation_hind_left_shank_yy
-        - 0.00003761999999999999 * poses.rotation_hind_left_shank_yx
-        + 0.0000053742857142857135 * poses.cos_hind_left_hip_roll;
+    let inertia_hind_left_shank_yy_2 = 0.0000053742857142857135
+        * poses.cos_hind_left_hip_roll
+        - 0.00003761999999999999 * poses.rotation_hind_left_shank_yx;
     let inertia_hind_left_shank_yy_4 = 0.0000003299999999999999
         * poses.rotation_hind_left_shank_yx
         + 0.0000053742857142857135 * poses.rotation_hind_left_shank_yy
-        + 0.0013692229014285713 * poses.cos_hind_left_hip_roll;
+        + 0.0013366597585714286 * poses.cos_hind_left_hip_roll;
     // hind_left_shank
     let inertia_hind_left_shank_hx = inertia_hind_left_shank_hx_0 * 0.28;
     let inertia_hind_left_shank_hy = inertia_hind_left_shank_hy_0 * 0.28;
     let inertia_hind_left_shank_hz = inertia_hind_left_shank_hz_0 * 0.28;
-    let inertia_hind_left_shank_yy_6 = inertia_hind_left_shank_hx
+    let inertia_hind_left_shank_yy_7 = inertia_hind_left_shank_hx
         * inertia_hind_left_shank_hx_0;
-    let inertia_hind_left_shank_xx_4 = inertia_hind_left_shank_hy
+    let inertia_hind_left_shank_xx_5 = inertia_hind_left_shank_hy
         * inertia_hind_left_shank_hy_0;
-    let inertia_hind_left_shank_xx_5 = inertia_hind_left_shank_hz
+    let inertia_hind_left_shank_xx_6 = inertia_hind_left_shank_hz
         * inertia_hind_left_shank_hz_0;
     let inertia_hind_left_shank_xx = inertia_hind_left_shank_xx_0
         * poses.rotation_hind_left_shank_xx
         + inertia_hind_left_shank_xx_2 * poses.minus_rotation_hind_left_shank_xy
-        + (inertia_hind_left_shank_xx_4 + inertia_hind_left_shank_xx_5);
+        + 0.000032563142857142856
+        + (inertia_hind_left_shank_xx_5 + inertia_hind_left_shank_xx_6);
     let inertia_hind_left_shank_xy = inertia_hind_left_shank_xx_0
         * poses.rotation_hind_left_shank_yx
         - inertia_hind_left_shank_xx_2 * poses.rotation_hind_left_shank_yy
@@ -1588,7 +1542,8 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_hind_left_shank_yx
         + inertia_hind_left_shank_yy_2 * poses.rotation_hind_left_shank_yy
         + inertia_hind_left_shank_yy_4 * poses.cos_hind_left_hip_roll
-        + (inertia_hind_left_shank_yy_6 + inertia_hind_left_shank_xx_5);
+        + 0.000032563142857142856
+        + (inertia_hind_left_shank_yy_7 + inertia_hind_left_shank_xx_6);
     let inertia_hind_left_shank_yz = inertia_hind_left_shank_yy_2
         * poses.rotation_hind_left_shank_zy
         - inertia_hind_left_shank_yy_0 * poses.minus_rotation_hind_left_shank_zx
@@ -1596,24 +1551,23 @@ fn inertias(poses: &Poses) -> Inertias {
         - inertia_hind_left_shank_hy * inertia_hind_left_shank_hz_0;
     let inertia_hind_left_shank_zz = (0.00003761999999999999
         * poses.minus_rotation_hind_left_shank_zx
-        + 0.000032563142857142856 * poses.rotation_hind_left_shank_zy
         + 0.0000053742857142857135 * poses.sin_hind_left_hip_roll)
         * poses.rotation_hind_left_shank_zy
         - (0.0000003299999999999999 * poses.sin_hind_left_hip_roll
-            - (0.0013669600442857142 * poses.minus_rotation_hind_left_shank_zx
+            - (0.0013343969014285714 * poses.minus_rotation_hind_left_shank_zx
                 + 0.00003761999999999999 * poses.rotation_hind_left_shank_zy))
             * poses.minus_rotation_hind_left_shank_zx
         + (0.0000053742857142857135 * poses.rotation_hind_left_shank_zy
             - 0.0000003299999999999999 * poses.minus_rotation_hind_left_shank_zx
-            + 0.0013692229014285713 * poses.sin_hind_left_hip_roll)
-            * poses.sin_hind_left_hip_roll
-        + (inertia_hind_left_shank_yy_6 + inertia_hind_left_shank_xx_4);
+            + 0.0013366597585714286 * poses.sin_hind_left_hip_roll)
+            * poses.sin_hind_left_hip_roll + 0.000032563142857142856
+        + (inertia_hind_left_shank_yy_7 + inertia_hind_left_shank_xx_5);
     let minus_inertia_hind_right_hip_hy_0 = poses.minus_origin_trunk_y_1_0_20
         + poses.minus_origin_trunk_y_1;
     let inertia_hind_right_hip_hz_0 = poses.minus_origin_trunk_z_1_0_20
         - poses.minus_origin_trunk_z_1;
-    let inertia_hind_right_hip_yy_0 = 0.00062175 * poses.sin_hind_right_hip_roll;
-    let inertia_hind_right_hip_yy_2 = 0.0007935 * poses.cos_hind_right_hip_roll;
+    let inertia_hind_right_hip_yy_0 = 0.00017175000000000003
+        * poses.cos_hind_right_hip_roll;
     // hind_right_hip
     let minus_inertia_hind_right_hip_hy = minus_inertia_hind_right_hip_hy_0 * 0.75;
     let inertia_hind_right_hip_hz = inertia_hind_right_hip_hz_0 * 0.75;
@@ -1628,92 +1582,78 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_hind_right_hip_xx = 0.00062175
         + (inertia_hind_right_hip_xx_1 + inertia_hind_right_hip_xx_2);
     let inertia_hind_right_hip_yy = inertia_hind_right_hip_yy_0
+        * poses.cos_hind_right_hip_roll + 0.00062175
+        + (inertia_hind_left_hip_yy_3 + inertia_hind_right_hip_xx_2);
+    let inertia_hind_right_hip_yz = inertia_hind_right_hip_yy_0
         * poses.sin_hind_right_hip_roll
-        + inertia_hind_right_hip_yy_2 * poses.cos_hind_right_hip_roll
-        + (inertia_hind_left_hip_yy_4 + inertia_hind_right_hip_xx_2);
-    let inertia_hind_right_hip_yz = inertia_hind_right_hip_yy_2
-        * poses.sin_hind_right_hip_roll
-        - inertia_hind_right_hip_yy_0 * poses.cos_hind_right_hip_roll
         + minus_inertia_hind_right_hip_hy * inertia_hind_right_hip_hz_0;
-    let inertia_hind_right_hip_zz = 0.00062175 * poses.cos_hind_right_hip_roll
-        * poses.cos_hind_right_hip_roll
-        + 0.0007935 * poses.sin_hind_right_hip_roll * poses.sin_hind_right_hip_roll
-        + (inertia_hind_left_hip_yy_4 + inertia_hind_right_hip_xx_1);
+    let inertia_hind_right_hip_zz = 0.00017175000000000003
+        * poses.sin_hind_right_hip_roll * poses.sin_hind_right_hip_roll + 0.00062175
+        + (inertia_hind_left_hip_yy_3 + inertia_hind_right_hip_xx_1);
     let inertia_hind_right_thigh_hx_0 = poses.minus_origin_trunk_x_1_0_18
         - poses.minus_origin_trunk_x_1;
     let inertia_hind_right_thigh_hy_0 = poses.minus_origin_trunk_y_1_0_22
         - poses.minus_origin_trunk_y_1;
     let minus_inertia_hind_right_thigh_hz_0 = poses.minus_origin_trunk_z_1_0_22
         + poses.minus_origin_trunk_z_1;
-    let inertia_hind_right_thigh_xx_0 = 0.0049679667 * poses.cos_hind_right_hip_pitch;
-    let inertia_hind_right_thigh_xx_2 = 0.000304425 * poses.sin_hind_right_hip_pitch;
-    let inertia_hind_right_thigh_yy_0 = 0.0049679667
+    let inertia_hind_right_thigh_xx_0 = 0.0046635417 * poses.cos_hind_right_hip_pitch;
+    let inertia_hind_right_thigh_yy_0 = 0.0046635417
         * poses.rotation_hind_right_thigh_yx;
-    let inertia_hind_right_thigh_yy_2 = 0.000304425 * poses.rotation_hind_right_thigh_yy;
-    let inertia_hind_right_thigh_yy_4 = 0.0050347917 * poses.cos_hind_right_hip_roll;
+    let inertia_hind_right_thigh_yy_2 = 0.0047303667 * poses.cos_hind_right_hip_roll;
     // hind_right_thigh
     let inertia_hind_right_thigh_hx = inertia_hind_right_thigh_hx_0 * 1.1;
     let inertia_hind_right_thigh_hy = inertia_hind_right_thigh_hy_0 * 1.1;
     let minus_inertia_hind_right_thigh_hz = minus_inertia_hind_right_thigh_hz_0 * 1.1;
-    let inertia_hind_right_thigh_yy_6 = inertia_hind_right_thigh_hx
+    let inertia_hind_right_thigh_yy_5 = inertia_hind_right_thigh_hx
         * inertia_hind_right_thigh_hx_0;
-    let inertia_hind_right_thigh_xx_4 = inertia_hind_right_thigh_hy
+    let inertia_hind_right_thigh_xx_3 = inertia_hind_right_thigh_hy
         * inertia_hind_right_thigh_hy_0;
-    let inertia_hind_right_thigh_xx_5 = minus_inertia_hind_right_thigh_hz
+    let inertia_hind_right_thigh_xx_4 = minus_inertia_hind_right_thigh_hz
         * minus_inertia_hind_right_thigh_hz_0;
     let inertia_hind_right_thigh_xx = inertia_hind_right_thigh_xx_0
-        * poses.cos_hind_right_hip_pitch
-        + inertia_hind_right_thigh_xx_2 * poses.sin_hind_right_hip_pitch
-        + (inertia_hind_right_thigh_xx_4 + inertia_hind_right_thigh_xx_5);
+        * poses.cos_hind_right_hip_pitch + 0.000304425
+        + (inertia_hind_right_thigh_xx_3 + inertia_hind_right_thigh_xx_4);
     let inertia_hind_right_thigh_xy = inertia_hind_right_thigh_xx_0
         * poses.rotation_hind_right_thigh_yx
-        - inertia_hind_right_thigh_xx_2 * poses.rotation_hind_right_thigh_yy
         - inertia_hind_right_thigh_hx * inertia_hind_right_thigh_hy_0;
-    let inertia_hind_right_thigh_xz = inertia_hind_right_thigh_xx_2
-        * poses.minus_rotation_hind_right_thigh_zy
-        - inertia_hind_right_thigh_xx_0 * poses.minus_rotation_hind_right_thigh_zx
-        + inertia_hind_right_thigh_hx * minus_inertia_hind_right_thigh_hz_0;
+    let inertia_hind_right_thigh_xz = inertia_hind_right_thigh_hx
+        * minus_inertia_hind_right_thigh_hz_0
+        - inertia_hind_right_thigh_xx_0 * poses.minus_rotation_hind_right_thigh_zx;
     let inertia_hind_right_thigh_yy = inertia_hind_right_thigh_yy_0
         * poses.rotation_hind_right_thigh_yx
-        + inertia_hind_right_thigh_yy_2 * poses.rotation_hind_right_thigh_yy
-        + inertia_hind_right_thigh_yy_4 * poses.cos_hind_right_hip_roll
-        + (inertia_hind_right_thigh_yy_6 + inertia_hind_right_thigh_xx_5);
-    let inertia_hind_right_thigh_yz = inertia_hind_right_thigh_yy_4
+        + inertia_hind_right_thigh_yy_2 * poses.cos_hind_right_hip_roll + 0.000304425
+        + (inertia_hind_right_thigh_yy_5 + inertia_hind_right_thigh_xx_4);
+    let inertia_hind_right_thigh_yz = inertia_hind_right_thigh_yy_2
         * poses.sin_hind_right_hip_roll
-        - (inertia_hind_right_thigh_yy_0 * poses.minus_rotation_hind_right_thigh_zx
-            + inertia_hind_right_thigh_yy_2 * poses.minus_rotation_hind_right_thigh_zy)
+        - inertia_hind_right_thigh_yy_0 * poses.minus_rotation_hind_right_thigh_zx
         + inertia_hind_right_thigh_hy * minus_inertia_hind_right_thigh_hz_0;
-    let inertia_hind_right_thigh_zz = 0.0049679667
+    let inertia_hind_right_thigh_zz = 0.0046635417
         * poses.minus_rotation_hind_right_thigh_zx
         * poses.minus_rotation_hind_right_thigh_zx
-        + 0.000304425 * poses.minus_rotation_hind_right_thigh_zy
-            * poses.minus_rotation_hind_right_thigh_zy
-        + 0.0050347917 * poses.sin_hind_right_hip_roll * poses.sin_hind_right_hip_roll
-        + (inertia_hind_right_thigh_yy_6 + inertia_hind_right_thigh_xx_4);
+        + 0.0047303667 * poses.sin_hind_right_hip_roll * poses.sin_hind_right_hip_roll
+        + 0.000304425 + (inertia_hind_right_thigh_yy_5 + inertia_hind_right_thigh_xx_3);
     let inertia_hind_right_shank_hx_0 = poses.minus_origin_trunk_x_1_0_20
         - poses.minus_origin_trunk_x_1;
     let inertia_hind_right_shank_hy_0 = poses.minus_origin_trunk_y_1_0_24
         - poses.minus_origin_trunk_y_1;
     let inertia_hind_right_shank_hz_0 = poses.minus_origin_trunk_z_1_0_24
         - poses.minus_origin_trunk_z_1;
-    let inertia_hind_right_shank_xx_0 = 0.0013669600442857142
+    let inertia_hind_right_shank_xx_0 = 0.0013343969014285714
         * poses.rotation_hind_right_shank_xx
         + 0.00003761999999999999 * poses.minus_rotation_hind_right_shank_xy;
     let inertia_hind_right_shank_xx_2 = 0.00003761999999999999
-        * poses.rotation_hind_right_shank_xx
-        + 0.000032563142857142856 * poses.minus_rotation_hind_right_shank_xy;
+        * poses.rotation_hind_right_shank_xx;
     let inertia_hind_right_shank_xy_4 = 0.0000053742857142857135
         * poses.minus_rotation_hind_right_shank_xy
         - 0.0000003299999999999999 * poses.rotation_hind_right_shank_xx;
-    let inertia_hind_right_shank_yy_0 = 0.0013669600442857142
+    let inertia_hind_right_shank_yy_0 = 0.0013343969014285714
         * poses.rotation_hind_right_shank_yx
         - 0.00003761999999999999 * poses.rotation_hind_right_shank_yy
         - 0.0000003299999999999999 * poses.cos_hind_right_hip_roll;
-    let inertia_hind_right_shank_yy_2 = 0.000032563142857142856
-        * poses.rotation_hind_right_shank_yy
-        - 0.00003761999999999999 * poses.rotation_hind_right_shank_yx
-        - 0.0000053742857142857135 * poses.cos_hind_right_hip_roll;
-    let inertia_hind_right_shank_yy_4 = 0.0013692229014285713
+    let inertia_hind_right_shank_yy_2 = 0.00003761999999999999
+        * poses.rotation_hind_right_shank_yx
+        + 0.0000053742857142857135 * poses.cos_hind_right_hip_roll;
+    let inertia_hind_right_shank_yy_4 = 0.0013366597585714286
         * poses.cos_hind_right_hip_roll
         - (0.0000003299999999999999 * poses.rotation_hind_right_shank_yx
             + 0.0000053742857142857135 * poses.rotation_hind_right_shank_yy);
@@ -1721,16 +1661,17 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_hind_right_shank_hx = inertia_hind_right_shank_hx_0 * 0.28;
     let inertia_hind_right_shank_hy = inertia_hind_right_shank_hy_0 * 0.28;
     let inertia_hind_right_shank_hz = inertia_hind_right_shank_hz_0 * 0.28;
-    let inertia_hind_right_shank_yy_6 = inertia_hind_right_shank_hx
+    let inertia_hind_right_shank_yy_7 = inertia_hind_right_shank_hx
         * inertia_hind_right_shank_hx_0;
-    let inertia_hind_right_shank_xx_4 = inertia_hind_right_shank_hy
+    let inertia_hind_right_shank_xx_5 = inertia_hind_right_shank_hy
         * inertia_hind_right_shank_hy_0;
-    let inertia_hind_right_shank_xx_5 = inertia_hind_right_shank_hz
+    let inertia_hind_right_shank_xx_6 = inertia_hind_right_shank_hz
         * inertia_hind_right_shank_hz_0;
     let inertia_hind_right_shank_xx = inertia_hind_right_shank_xx_0
         * poses.rotation_hind_right_shank_xx
         + inertia_hind_right_shank_xx_2 * poses.minus_rotation_hind_right_shank_xy
-        + (inertia_hind_right_shank_xx_4 + inertia_hind_right_shank_xx_5);
+        + 0.000032563142857142856
+        + (inertia_hind_right_shank_xx_5 + inertia_hind_right_shank_xx_6);
     let inertia_hind_right_shank_xy = inertia_hind_right_shank_xx_0
         * poses.rotation_hind_right_shank_yx
         - inertia_hind_right_shank_xx_2 * poses.rotation_hind_right_shank_yy
@@ -1743,28 +1684,28 @@ fn inertias(poses: &Poses) -> Inertias {
         - inertia_hind_right_shank_hx * inertia_hind_right_shank_hz_0;
     let inertia_hind_right_shank_yy = inertia_hind_right_shank_yy_0
         * poses.rotation_hind_right_shank_yx
-        + inertia_hind_right_shank_yy_2 * poses.rotation_hind_right_shank_yy
+        - inertia_hind_right_shank_yy_2 * poses.rotation_hind_right_shank_yy
         + inertia_hind_right_shank_yy_4 * poses.cos_hind_right_hip_roll
-        + (inertia_hind_right_shank_yy_6 + inertia_hind_right_shank_xx_5);
-    let inertia_hind_right_shank_yz = inertia_hind_right_shank_yy_2
-        * poses.rotation_hind_right_shank_zy
-        - inertia_hind_right_shank_yy_0 * poses.minus_rotation_hind_right_shank_zx
-        + inertia_hind_right_shank_yy_4 * poses.sin_hind_right_hip_roll
+        + 0.000032563142857142856
+        + (inertia_hind_right_shank_yy_7 + inertia_hind_right_shank_xx_6);
+    let inertia_hind_right_shank_yz = inertia_hind_right_shank_yy_4
+        * poses.sin_hind_right_hip_roll
+        - (inertia_hind_right_shank_yy_0 * poses.minus_rotation_hind_right_shank_zx
+            + inertia_hind_right_shank_yy_2 * poses.rotation_hind_right_shank_zy)
         - inertia_hind_right_shank_hy * inertia_hind_right_shank_hz_0;
-    let inertia_hind_right_shank_zz = (0.0013669600442857142
+    let inertia_hind_right_shank_zz = (0.0013343969014285714
         * poses.minus_rotation_hind_right_shank_zx
         + 0.00003761999999999999 * poses.rotation_hind_right_shank_zy
         + 0.0000003299999999999999 * poses.sin_hind_right_hip_roll)
         * poses.minus_rotation_hind_right_shank_zx
         + (0.00003761999999999999 * poses.minus_rotation_hind_right_shank_zx
-            + 0.000032563142857142856 * poses.rotation_hind_right_shank_zy
             - 0.0000053742857142857135 * poses.sin_hind_right_hip_roll)
             * poses.rotation_hind_right_shank_zy
         + (0.0000003299999999999999 * poses.minus_rotation_hind_right_shank_zx
             - 0.0000053742857142857135 * poses.rotation_hind_right_shank_zy
-            + 0.0013692229014285713 * poses.sin_hind_right_hip_roll)
-            * poses.sin_hind_right_hip_roll
-        + (inertia_hind_right_shank_yy_6 + inertia_hind_right_shank_xx_4);
+            + 0.0013366597585714286 * poses.sin_hind_right_hip_roll)
+            * poses.sin_hind_right_hip_roll + 0.000032563142857142856
+        + (inertia_hind_right_shank_yy_7 + inertia_hind_right_shank_xx_5);
     // hind_right_thigh
     let composite_hind_right_thigh_hx = inertia_hind_right_thigh_hx
         + inertia_hind_right_shank_hx;
@@ -1826,8 +1767,8 @@ fn inertias(poses: &Poses) -> Inertias {
         + inertia_hind_left_shank_xx;
     let composite_hind_left_thigh_xy = inertia_hind_left_thigh_xy
         + inertia_hind_left_shank_xy;
-    let composite_hind_left_thigh_xz = inertia_hind_left_thigh_xz
-        + inertia_hind_left_shank_xz;
+    let composite_hind_left_thigh_xz = inertia_hind_left_shank_xz
+        - minus_inertia_hind_left_thigh_xz;
     let composite_hind_left_thigh_yy = inertia_hind_left_thigh_yy
         + inertia_hind_left_shank_yy;
     let composite_hind_left_thigh_yz = inertia_hind_left_thigh_yz
@@ -1927,8 +1868,8 @@ fn inertias(poses: &Poses) -> Inertias {
         + inertia_front_left_shank_xx;
     let composite_front_left_thigh_xy = inertia_front_left_thigh_xy
         + inertia_front_left_shank_xy;
-    let composite_front_left_thigh_xz = inertia_front_left_thigh_xz
-        + inertia_front_left_shank_xz;
+    let composite_front_left_thigh_xz = inertia_front_left_shank_xz
+        - minus_inertia_front_left_thigh_xz;
     let composite_front_left_thigh_yy = inertia_front_left_thigh_yy
         + inertia_front_left_shank_yy;
     let composite_front_left_thigh_yz = inertia_front_left_thigh_yz
@@ -2076,7 +2017,7 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_front_left_thigh_hz,
         inertia_front_left_thigh_xx,
         inertia_front_left_thigh_xy,
-        inertia_front_left_thigh_xz,
+        minus_inertia_front_left_thigh_xz,
         inertia_front_left_thigh_yy,
         inertia_front_left_thigh_yz,
         inertia_front_left_thigh_zz,
@@ -2129,7 +2070,7 @@ fn inertias(poses: &Poses) -> Inertias {
         inertia_hind_left_thigh_hz,
         inertia_hind_left_thigh_xx,
         inertia_hind_left_thigh_xy,
-        inertia_hind_left_thigh_xz,
+        minus_inertia_hind_left_thigh_xz,
         inertia_hind_left_thigh_yy,
         inertia_hind_left_thigh_yz,
         inertia_hind_left_thigh_zz,
@@ -2493,8 +2434,8 @@ fn complements(poses: &Poses, inertias: &Inertias) -> Complements {
         + complement_front_left_thigh_xx;
     let complement_front_left_shank_xy = inertias.inertia_front_left_thigh_xy
         + complement_front_left_thigh_xy;
-    let complement_front_left_shank_xz = inertias.inertia_front_left_thigh_xz
-        + complement_front_left_thigh_xz;
+    let complement_front_left_shank_xz = complement_front_left_thigh_xz
+        - inertias.minus_inertia_front_left_thigh_xz;
     let complement_front_left_shank_yy = inertias.inertia_front_left_thigh_yy
         + complement_front_left_thigh_yy;
     let complement_front_left_shank_yz = inertias.inertia_front_left_thigh_yz
@@ -2625,8 +2566,8 @@ fn complements(poses: &Poses, inertias: &Inertias) -> Complements {
         + complement_hind_left_thigh_xx;
     let complement_hind_left_shank_xy = inertias.inertia_hind_left_thigh_xy
         + complement_hind_left_thigh_xy;
-    let complement_hind_left_shank_xz = inertias.inertia_hind_left_thigh_xz
-        + complement_hind_left_thigh_xz;
+    let complement_hind_left_shank_xz = complement_hind_left_thigh_xz
+        - inertias.minus_inertia_hind_left_thigh_xz;
     let complement_hind_left_shank_yy = inertias.inertia_hind_left_thigh_yy
         + complement_hind_left_thigh_yy;
     let complement_hind_left_shank_yz = inertias.inertia_hind_left_thigh_yz
@@ -5639,8 +5580,8 @@ struct CommonDQdotDQdotXiKineticEnergy {
     factor_front_left_thigh_xz_0_1_1_0: f64,
     factor_front_left_thigh_xz_0_1_1_3: f64,
     factor_front_left_thigh_xz_0_1_1: f64,
-    factor_front_left_thigh_xy_0_1_1_0: f64,
     factor_front_left_thigh_xy_0_1_1_1: f64,
+    factor_front_left_thigh_xy_0_1_1_0: f64,
     factor_front_left_thigh_xy_0_1_1: f64,
     factor_front_left_thigh_px_0: f64,
     factor_front_left_thigh_py_0: f64,
@@ -5711,8 +5652,8 @@ struct CommonDQdotDQdotXiKineticEnergy {
     factor_hind_left_thigh_xz_0_1_1_0: f64,
     factor_hind_left_thigh_xz_0_1_1_3: f64,
     factor_hind_left_thigh_xz_0_1_1: f64,
-    factor_hind_left_thigh_xy_0_1_1_0: f64,
     factor_hind_left_thigh_xy_0_1_1_1: f64,
+    factor_hind_left_thigh_xy_0_1_1_0: f64,
     factor_hind_left_thigh_xy_0_1_1: f64,
     factor_hind_left_thigh_px_0: f64,
     factor_hind_left_thigh_py_0: f64,
@@ -5842,11 +5783,11 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
             + factor_front_left_hip_pz_0_4);
     let factor_front_left_thigh_yz_0_1_1_2 = inertias.inertia_front_left_thigh_xy
         * velocities.velocity_front_left_thigh_wy;
-    let factor_front_left_thigh_yz_0_1_1_3 = inertias.inertia_front_left_thigh_xz
+    let factor_front_left_thigh_yz_0_1_1_3 = inertias.minus_inertia_front_left_thigh_xz
         * velocities.velocity_front_left_thigh_wz;
     let factor_front_left_thigh_yz_0_1_1 = inertias.inertia_front_left_thigh_xx
         * velocities.velocity_front_left_hip_wx + factor_front_left_thigh_yz_0_1_1_2
-        + factor_front_left_thigh_yz_0_1_1_3;
+        - factor_front_left_thigh_yz_0_1_1_3;
     let factor_front_left_thigh_xz_0_1_1_0 = inertias.inertia_front_left_thigh_xy
         * velocities.velocity_front_left_hip_wx;
     let factor_front_left_thigh_xz_0_1_1_3 = inertias.inertia_front_left_thigh_yz
@@ -5854,12 +5795,12 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
     let factor_front_left_thigh_xz_0_1_1 = factor_front_left_thigh_xz_0_1_1_0
         + inertias.inertia_front_left_thigh_yy * velocities.velocity_front_left_thigh_wy
         + factor_front_left_thigh_xz_0_1_1_3;
-    let factor_front_left_thigh_xy_0_1_1_0 = inertias.inertia_front_left_thigh_xz
+    let factor_front_left_thigh_xy_0_1_1_1 = inertias.minus_inertia_front_left_thigh_xz
         * velocities.velocity_front_left_hip_wx;
-    let factor_front_left_thigh_xy_0_1_1_1 = inertias.inertia_front_left_thigh_yz
+    let factor_front_left_thigh_xy_0_1_1_0 = inertias.inertia_front_left_thigh_yz
         * velocities.velocity_front_left_thigh_wy;
     let factor_front_left_thigh_xy_0_1_1 = factor_front_left_thigh_xy_0_1_1_0
-        + factor_front_left_thigh_xy_0_1_1_1
+        - factor_front_left_thigh_xy_0_1_1_1
         + inertias.inertia_front_left_thigh_zz * velocities.velocity_front_left_thigh_wz;
     let factor_front_left_thigh_px_0 = velocities.velocity_front_left_thigh_vx * 1.1
         + (velocities.velocity_front_left_thigh_wy * inertias.inertia_front_left_thigh_hz
@@ -6050,11 +5991,11 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
             - factor_hind_left_hip_pz_0_4);
     let factor_hind_left_thigh_yz_0_1_1_2 = inertias.inertia_hind_left_thigh_xy
         * velocities.velocity_hind_left_thigh_wy;
-    let factor_hind_left_thigh_yz_0_1_1_3 = inertias.inertia_hind_left_thigh_xz
+    let factor_hind_left_thigh_yz_0_1_1_3 = inertias.minus_inertia_hind_left_thigh_xz
         * velocities.velocity_hind_left_thigh_wz;
     let factor_hind_left_thigh_yz_0_1_1 = inertias.inertia_hind_left_thigh_xx
         * velocities.velocity_hind_left_hip_wx + factor_hind_left_thigh_yz_0_1_1_2
-        + factor_hind_left_thigh_yz_0_1_1_3;
+        - factor_hind_left_thigh_yz_0_1_1_3;
     let factor_hind_left_thigh_xz_0_1_1_0 = inertias.inertia_hind_left_thigh_xy
         * velocities.velocity_hind_left_hip_wx;
     let factor_hind_left_thigh_xz_0_1_1_3 = inertias.inertia_hind_left_thigh_yz
@@ -6062,12 +6003,12 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
     let factor_hind_left_thigh_xz_0_1_1 = factor_hind_left_thigh_xz_0_1_1_0
         + inertias.inertia_hind_left_thigh_yy * velocities.velocity_hind_left_thigh_wy
         + factor_hind_left_thigh_xz_0_1_1_3;
-    let factor_hind_left_thigh_xy_0_1_1_0 = inertias.inertia_hind_left_thigh_xz
+    let factor_hind_left_thigh_xy_0_1_1_1 = inertias.minus_inertia_hind_left_thigh_xz
         * velocities.velocity_hind_left_hip_wx;
-    let factor_hind_left_thigh_xy_0_1_1_1 = inertias.inertia_hind_left_thigh_yz
+    let factor_hind_left_thigh_xy_0_1_1_0 = inertias.inertia_hind_left_thigh_yz
         * velocities.velocity_hind_left_thigh_wy;
     let factor_hind_left_thigh_xy_0_1_1 = factor_hind_left_thigh_xy_0_1_1_0
-        + factor_hind_left_thigh_xy_0_1_1_1
+        - factor_hind_left_thigh_xy_0_1_1_1
         + inertias.inertia_hind_left_thigh_zz * velocities.velocity_hind_left_thigh_wz;
     let factor_hind_left_thigh_px_0 = velocities.velocity_hind_left_thigh_vx * 1.1
         + (velocities.velocity_hind_left_thigh_wy * inertias.inertia_hind_left_thigh_hz
@@ -6244,8 +6185,8 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
         factor_front_left_thigh_xz_0_1_1_0,
         factor_front_left_thigh_xz_0_1_1_3,
         factor_front_left_thigh_xz_0_1_1,
-        factor_front_left_thigh_xy_0_1_1_0,
         factor_front_left_thigh_xy_0_1_1_1,
+        factor_front_left_thigh_xy_0_1_1_0,
         factor_front_left_thigh_xy_0_1_1,
         factor_front_left_thigh_px_0,
         factor_front_left_thigh_py_0,
@@ -6316,8 +6257,8 @@ fn common_d_qdot_d_qdot_xi_kinetic_energy(
         factor_hind_left_thigh_xz_0_1_1_0,
         factor_hind_left_thigh_xz_0_1_1_3,
         factor_hind_left_thigh_xz_0_1_1,
-        factor_hind_left_thigh_xy_0_1_1_0,
         factor_hind_left_thigh_xy_0_1_1_1,
+        factor_hind_left_thigh_xy_0_1_1_0,
         factor_hind_left_thigh_xy_0_1_1,
         factor_hind_left_thigh_px_0,
         factor_hind_left_thigh_py_0,
@@ -9038,7 +8979,7 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_front_left_thigh_my_1_2 = inertias.inertia_front_left_thigh_xx
         * minus_wrench_front_left_shank_my_1
         + inertias.inertia_front_left_thigh_xy * wrench_front_left_thigh_my_1_2_3
-        + inertias.inertia_front_left_thigh_xz * wrench_front_left_thigh_my_1_2_5
+        - inertias.minus_inertia_front_left_thigh_xz * wrench_front_left_thigh_my_1_2_5
         + (velocities.velocity_front_left_thigh_vz * inertias.inertia_front_left_thigh_hy
             - velocities.velocity_front_left_thigh_vy
                 * inertias.inertia_front_left_thigh_hz);
@@ -9049,9 +8990,9 @@ fn common_forward_dynamics_inverse_dynamics(
         + (velocities.velocity_front_left_thigh_vx * inertias.inertia_front_left_thigh_hz
             - velocities.velocity_front_left_thigh_vz
                 * inertias.inertia_front_left_thigh_hx);
-    let wrench_front_left_thigh_mx_1_2 = inertias.inertia_front_left_thigh_xz
-        * minus_wrench_front_left_shank_my_1
-        + inertias.inertia_front_left_thigh_yz * wrench_front_left_thigh_my_1_2_3
+    let wrench_front_left_thigh_mx_1_2 = inertias.inertia_front_left_thigh_yz
+        * wrench_front_left_thigh_my_1_2_3
+        - inertias.minus_inertia_front_left_thigh_xz * minus_wrench_front_left_shank_my_1
         + inertias.inertia_front_left_thigh_zz * wrench_front_left_thigh_my_1_2_5
         + (velocities.velocity_front_left_thigh_vy * inertias.inertia_front_left_thigh_hx
             - velocities.velocity_front_left_thigh_vx
@@ -9411,7 +9352,7 @@ fn common_forward_dynamics_inverse_dynamics(
     let wrench_hind_left_thigh_my_1_2 = inertias.inertia_hind_left_thigh_xx
         * minus_wrench_hind_left_shank_my_1
         + inertias.inertia_hind_left_thigh_xy * wrench_hind_left_thigh_my_1_2_3
-        + inertias.inertia_hind_left_thigh_xz * wrench_hind_left_thigh_my_1_2_5
+        - inertias.minus_inertia_hind_left_thigh_xz * wrench_hind_left_thigh_my_1_2_5
         + (velocities.velocity_hind_left_thigh_vz * inertias.inertia_hind_left_thigh_hy
             - velocities.velocity_hind_left_thigh_vy
                 * inertias.inertia_hind_left_thigh_hz);
@@ -9422,9 +9363,9 @@ fn common_forward_dynamics_inverse_dynamics(
         + (velocities.velocity_hind_left_thigh_vx * inertias.inertia_hind_left_thigh_hz
             - velocities.velocity_hind_left_thigh_vz
                 * inertias.inertia_hind_left_thigh_hx);
-    let wrench_hind_left_thigh_mx_1_2 = inertias.inertia_hind_left_thigh_xz
-        * minus_wrench_hind_left_shank_my_1
-        + inertias.inertia_hind_left_thigh_yz * wrench_hind_left_thigh_my_1_2_3
+    let wrench_hind_left_thigh_mx_1_2 = inertias.inertia_hind_left_thigh_yz
+        * wrench_hind_left_thigh_my_1_2_3
+        - inertias.minus_inertia_hind_left_thigh_xz * minus_wrench_hind_left_shank_my_1
         + inertias.inertia_hind_left_thigh_zz * wrench_hind_left_thigh_my_1_2_5
         + (velocities.velocity_hind_left_thigh_vy * inertias.inertia_hind_left_thigh_hx
             - velocities.velocity_hind_left_thigh_vx
@@ -12767,24 +12708,24 @@ mod d_qdot_itself {
         let factor_front_left_thigh_xy_0_5 = velocities.velocity_front_left_thigh_wz
             * factor_front_left_thigh_yz_0_5_1
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_left_thigh_xy_0_1_1;
-        let factor_front_left_thigh_xx_0_3_0 = inertias.inertia_front_left_thigh_hx
+        let factor_front_left_thigh_xx_0_0_0 = inertias.inertia_front_left_thigh_hx
             * velocities.velocity_front_left_thigh_vx;
-        let factor_front_left_thigh_xx_0_3_1 = inertias.inertia_front_left_thigh_hy
+        let factor_front_left_thigh_xx_0_0_1 = inertias.inertia_front_left_thigh_hy
             * velocities.velocity_front_left_thigh_vy;
-        let factor_front_left_thigh_xx_0_3_2 = inertias.inertia_front_left_thigh_hz
+        let factor_front_left_thigh_xx_0_0_2 = inertias.inertia_front_left_thigh_hz
             * velocities.velocity_front_left_thigh_vz;
-        let factor_front_left_thigh_xx_0_3 = factor_front_left_thigh_xx_0_3_0
-            + factor_front_left_thigh_xx_0_3_1 + factor_front_left_thigh_xx_0_3_2;
-        let factor_front_left_thigh_xx_0_0 = velocities.velocity_front_left_thigh_wy
-            * inertias.inertia_front_left_thigh_xz;
-        let factor_front_left_thigh_xx_0_1 = velocities.velocity_front_left_thigh_wz
+        let factor_front_left_thigh_xx_0_0 = factor_front_left_thigh_xx_0_0_0
+            + factor_front_left_thigh_xx_0_0_1 + factor_front_left_thigh_xx_0_0_2;
+        let factor_front_left_thigh_xx_0_1 = velocities.velocity_front_left_thigh_wy
+            * inertias.minus_inertia_front_left_thigh_xz;
+        let factor_front_left_thigh_xx_0_2 = velocities.velocity_front_left_thigh_wz
             * inertias.inertia_front_left_thigh_xy;
         let factor_front_left_thigh_xx_0 = factor_front_left_thigh_xx_0_0
-            - factor_front_left_thigh_xx_0_1 - factor_front_left_thigh_xx_0_3_0
-            + factor_front_left_thigh_xx_0_3;
+            - (factor_front_left_thigh_xx_0_1 + factor_front_left_thigh_xx_0_2
+                + factor_front_left_thigh_xx_0_0_0);
         let factor_front_left_thigh_xy_0 = velocities.velocity_front_left_thigh_wz
             * inertias.inertia_front_left_thigh_xx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_left_thigh_xy_0_1_1_0
+            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_left_thigh_xy_0_1_1_1
             - velocities.velocity_front_left_thigh_vx
                 * inertias.inertia_front_left_thigh_hy - factor_front_left_thigh_xy_0_5;
         let factor_front_left_thigh_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
@@ -12794,16 +12735,16 @@ mod d_qdot_itself {
             - velocities.velocity_front_left_thigh_vx
                 * inertias.inertia_front_left_thigh_hz + factor_front_left_thigh_xz_0_5;
         let factor_front_left_thigh_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_front_left_thigh_xy_0_1_1_1
+            .factor_front_left_thigh_xy_0_1_1_0
             - velocities.velocity_front_left_thigh_wz
                 * inertias.inertia_front_left_thigh_yy
             - velocities.velocity_front_left_thigh_vy
                 * inertias.inertia_front_left_thigh_hx + factor_front_left_thigh_xy_0_5;
         let factor_front_left_thigh_yy_0_1 = velocities.velocity_front_left_hip_wx
             * inertias.inertia_front_left_thigh_yz;
-        let factor_front_left_thigh_yy_0 = factor_front_left_thigh_xx_0_1
-            - factor_front_left_thigh_yy_0_1 - factor_front_left_thigh_xx_0_3_1
-            + factor_front_left_thigh_xx_0_3;
+        let factor_front_left_thigh_yy_0 = factor_front_left_thigh_xx_0_2
+            - factor_front_left_thigh_yy_0_1 - factor_front_left_thigh_xx_0_0_1
+            + factor_front_left_thigh_xx_0_0;
         let factor_front_left_thigh_yz_0 = velocities.velocity_front_left_hip_wx
             * inertias.inertia_front_left_thigh_yy
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_left_thigh_yz_0_1_1_2
@@ -12814,15 +12755,15 @@ mod d_qdot_itself {
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_left_thigh_xz_0_1_1_3
             - velocities.velocity_front_left_thigh_vz
                 * inertias.inertia_front_left_thigh_hx - factor_front_left_thigh_xz_0_5;
-        let factor_front_left_thigh_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_front_left_thigh_yz_0_1_1_3
-            - velocities.velocity_front_left_hip_wx
-                * inertias.inertia_front_left_thigh_zz
-            - velocities.velocity_front_left_thigh_vz
-                * inertias.inertia_front_left_thigh_hy + factor_front_left_thigh_yz_0_5;
+        let factor_front_left_thigh_zy_0 = factor_front_left_thigh_yz_0_5
+            - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_left_thigh_yz_0_1_1_3
+                + velocities.velocity_front_left_hip_wx
+                    * inertias.inertia_front_left_thigh_zz
+                + velocities.velocity_front_left_thigh_vz
+                    * inertias.inertia_front_left_thigh_hy);
         let factor_front_left_thigh_zz_0 = factor_front_left_thigh_yy_0_1
-            - factor_front_left_thigh_xx_0_0 - factor_front_left_thigh_xx_0_3_2
-            + factor_front_left_thigh_xx_0_3;
+            + factor_front_left_thigh_xx_0_1 - factor_front_left_thigh_xx_0_0_2
+            + factor_front_left_thigh_xx_0_0;
         let factor_front_left_shank_yz_5_1 = (inertias.inertia_front_left_shank_xx
             + inertias.inertia_front_left_shank_yy
             + inertias.inertia_front_left_shank_zz) * 0.5;
@@ -13298,24 +13239,24 @@ mod d_qdot_itself {
         let factor_hind_left_thigh_xy_0_5 = velocities.velocity_hind_left_thigh_wz
             * factor_hind_left_thigh_yz_0_5_1
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_hind_left_thigh_xy_0_1_1;
-        let factor_hind_left_thigh_xx_0_3_0 = inertias.inertia_hind_left_thigh_hx
+        let factor_hind_left_thigh_xx_0_0_0 = inertias.inertia_hind_left_thigh_hx
             * velocities.velocity_hind_left_thigh_vx;
-        let factor_hind_left_thigh_xx_0_3_1 = inertias.inertia_hind_left_thigh_hy
+        let factor_hind_left_thigh_xx_0_0_1 = inertias.inertia_hind_left_thigh_hy
             * velocities.velocity_hind_left_thigh_vy;
-        let factor_hind_left_thigh_xx_0_3_2 = inertias.inertia_hind_left_thigh_hz
+        let factor_hind_left_thigh_xx_0_0_2 = inertias.inertia_hind_left_thigh_hz
             * velocities.velocity_hind_left_thigh_vz;
-        let factor_hind_left_thigh_xx_0_3 = factor_hind_left_thigh_xx_0_3_0
-            + factor_hind_left_thigh_xx_0_3_1 + factor_hind_left_thigh_xx_0_3_2;
-        let factor_hind_left_thigh_xx_0_0 = velocities.velocity_hind_left_thigh_wy
-            * inertias.inertia_hind_left_thigh_xz;
-        let factor_hind_left_thigh_xx_0_1 = velocities.velocity_hind_left_thigh_wz
+        let factor_hind_left_thigh_xx_0_0 = factor_hind_left_thigh_xx_0_0_0
+            + factor_hind_left_thigh_xx_0_0_1 + factor_hind_left_thigh_xx_0_0_2;
+        let factor_hind_left_thigh_xx_0_1 = velocities.velocity_hind_left_thigh_wy
+            * inertias.minus_inertia_hind_left_thigh_xz;
+        let factor_hind_left_thigh_xx_0_2 = velocities.velocity_hind_left_thigh_wz
             * inertias.inertia_hind_left_thigh_xy;
         let factor_hind_left_thigh_xx_0 = factor_hind_left_thigh_xx_0_0
-            - factor_hind_left_thigh_xx_0_1 - factor_hind_left_thigh_xx_0_3_0
-            + factor_hind_left_thigh_xx_0_3;
+            - (factor_hind_left_thigh_xx_0_1 + factor_hind_left_thigh_xx_0_2
+                + factor_hind_left_thigh_xx_0_0_0);
         let factor_hind_left_thigh_xy_0 = velocities.velocity_hind_left_thigh_wz
             * inertias.inertia_hind_left_thigh_xx
-            - common_d_qdot_d_qdot_xi_kinetic_energy.factor_hind_left_thigh_xy_0_1_1_0
+            + common_d_qdot_d_qdot_xi_kinetic_energy.factor_hind_left_thigh_xy_0_1_1_1
             - velocities.velocity_hind_left_thigh_vx
                 * inertias.inertia_hind_left_thigh_hy - factor_hind_left_thigh_xy_0_5;
         let factor_hind_left_thigh_xz_0 = common_d_qdot_d_qdot_xi_kinetic_energy
@@ -13325,16 +13266,16 @@ mod d_qdot_itself {
             - velocities.velocity_hind_left_thigh_vx
                 * inertias.inertia_hind_left_thigh_hz + factor_hind_left_thigh_xz_0_5;
         let factor_hind_left_thigh_yx_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_hind_left_thigh_xy_0_1_1_1
+            .factor_hind_left_thigh_xy_0_1_1_0
             - velocities.velocity_hind_left_thigh_wz
                 * inertias.inertia_hind_left_thigh_yy
             - velocities.velocity_hind_left_thigh_vy
                 * inertias.inertia_hind_left_thigh_hx + factor_hind_left_thigh_xy_0_5;
         let factor_hind_left_thigh_yy_0_1 = velocities.velocity_hind_left_hip_wx
             * inertias.inertia_hind_left_thigh_yz;
-        let factor_hind_left_thigh_yy_0 = factor_hind_left_thigh_xx_0_1
-            - factor_hind_left_thigh_yy_0_1 - factor_hind_left_thigh_xx_0_3_1
-            + factor_hind_left_thigh_xx_0_3;
+        let factor_hind_left_thigh_yy_0 = factor_hind_left_thigh_xx_0_2
+            - factor_hind_left_thigh_yy_0_1 - factor_hind_left_thigh_xx_0_0_1
+            + factor_hind_left_thigh_xx_0_0;
         let factor_hind_left_thigh_yz_0 = velocities.velocity_hind_left_hip_wx
             * inertias.inertia_hind_left_thigh_yy
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_hind_left_thigh_yz_0_1_1_2
@@ -13345,14 +13286,15 @@ mod d_qdot_itself {
             - common_d_qdot_d_qdot_xi_kinetic_energy.factor_hind_left_thigh_xz_0_1_1_3
             - velocities.velocity_hind_left_thigh_vz
                 * inertias.inertia_hind_left_thigh_hx - factor_hind_left_thigh_xz_0_5;
-        let factor_hind_left_thigh_zy_0 = common_d_qdot_d_qdot_xi_kinetic_energy
-            .factor_hind_left_thigh_yz_0_1_1_3
-            - velocities.velocity_hind_left_hip_wx * inertias.inertia_hind_left_thigh_zz
-            - velocities.velocity_hind_left_thigh_vz
-                * inertias.inertia_hind_left_thigh_hy + factor_hind_left_thigh_yz_0_5;
+        let factor_hind_left_thigh_zy_0 = factor_hind_left_thigh_yz_0_5
+            - (common_d_qdot_d_qdot_xi_kinetic_energy.factor_hind_left_thigh_yz_0_1_1_3
+                + velocities.velocity_hind_left_hip_wx
+                    * inertias.inertia_hind_left_thigh_zz
+                + velocities.velocity_hind_left_thigh_vz
+                    * inertias.inertia_hind_left_thigh_hy);
         let factor_hind_left_thigh_zz_0 = factor_hind_left_thigh_yy_0_1
-            - factor_hind_left_thigh_xx_0_0 - factor_hind_left_thigh_xx_0_3_2
-            + factor_hind_left_thigh_xx_0_3;
+            + factor_hind_left_thigh_xx_0_1 - factor_hind_left_thigh_xx_0_0_2
+            + factor_hind_left_thigh_xx_0_0;
         let factor_hind_left_shank_yz_5_1 = (inertias.inertia_hind_left_shank_xx
             + inertias.inertia_hind_left_shank_yy + inertias.inertia_hind_left_shank_zz)
             * 0.5;
@@ -14852,19 +14794,19 @@ mod d_qdot_itself {
                 - d_qdot_itself_from_factor_hind_left_shank_yy.factor_front_right_hip_px
                     * reactions.minus_reaction_front_right_hip_roll_vy);
         // D_q\u{307} column front_left_hip_roll
-        d_qdot[6][9] = d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
-            * screws.minus_connection_front_right_hip_roll_vy
-            - (d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
-                * screws.connection_front_right_hip_roll_wx
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
-                    * screws.connection_front_right_hip_roll_wy
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
-                    * screws.connection_front_right_hip_roll_wz)
-            - d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
-                * screws.connection_front_right_hip_roll_vz
-            + screws.connection_front_left_hip_roll_wx * turn_front_right_hip_roll_x
-            + screws.connection_front_left_hip_roll_wy * turn_front_right_hip_roll_y
-            + screws.connection_front_left_hip_roll_wz * turn_front_right_hip_roll_z
+        d_qdot[6][9] = screws.minus_connection_front_right_hip_roll_vy
+            * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
+            - (screws.connection_front_right_hip_roll_wx
+                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
+                + screws.connection_front_right_hip_roll_wy
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
+                + screws.connection_front_right_hip_roll_wz
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz)
+            - screws.connection_front_right_hip_roll_vz
+                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
+            + turn_front_right_hip_roll_x * screws.connection_front_left_hip_roll_wx
+            + turn_front_right_hip_roll_y * screws.connection_front_left_hip_roll_wy
+            + turn_front_right_hip_roll_z * screws.connection_front_left_hip_roll_wz
             + 0.0;
         let factor_outside_front_right_thigh_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_front_right_hip_xx_0
@@ -14994,21 +14936,21 @@ mod d_qdot_itself {
                     - d_qdot_itself_from_factor_hind_left_shank_yy
                         .factor_front_right_thigh_py
                         * reactions.reaction_front_right_hip_pitch_vx));
-        d_qdot[6][10] = screws.connection_front_left_hip_roll_wx
-            * turn_front_right_hip_pitch_x
-            - (d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
-                * screws.connection_front_right_hip_pitch_wx
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
-                    * screws.connection_front_right_hip_pitch_wy
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
-                    * screws.connection_front_right_hip_pitch_wz
-                + wrench_trunk_fx * screws.connection_front_right_hip_pitch_vx
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
-                    * screws.connection_front_right_hip_pitch_vy
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
-                    * screws.connection_front_right_hip_pitch_vz)
-            + screws.connection_front_left_hip_roll_wy * turn_front_right_hip_pitch_y
-            + screws.connection_front_left_hip_roll_wz * turn_front_right_hip_pitch_z
+        d_qdot[6][10] = turn_front_right_hip_pitch_x
+            * screws.connection_front_left_hip_roll_wx
+            - (screws.connection_front_right_hip_pitch_wx
+                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
+                + screws.connection_front_right_hip_pitch_wy
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
+                + screws.connection_front_right_hip_pitch_wz
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
+                + screws.connection_front_right_hip_pitch_vx * wrench_trunk_fx
+                + screws.connection_front_right_hip_pitch_vy
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
+                + screws.connection_front_right_hip_pitch_vz
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz)
+            + turn_front_right_hip_pitch_y * screws.connection_front_left_hip_roll_wy
+            + turn_front_right_hip_pitch_z * screws.connection_front_left_hip_roll_wz
             + 0.0;
         let factor_outside_front_right_shank_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_front_right_thigh_xx_0 + factor_outside_front_right_thigh_xx;
@@ -15088,21 +15030,21 @@ mod d_qdot_itself {
                     * reactions.reaction_front_right_knee_vy
                     - common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_right_shank_py
                         * reactions.reaction_front_right_knee_vx));
-        d_qdot[6][11] = screws.connection_front_left_hip_roll_wx
-            * turn_front_right_knee_x
-            - (d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
-                * screws.connection_front_right_knee_wx
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
-                    * screws.connection_front_right_knee_wy
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
-                    * screws.connection_front_right_knee_wz
-                + wrench_trunk_fx * screws.connection_front_right_knee_vx
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
-                    * screws.connection_front_right_knee_vy
-                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
-                    * screws.connection_front_right_knee_vz)
-            + screws.connection_front_left_hip_roll_wy * turn_front_right_knee_y
-            + screws.connection_front_left_hip_roll_wz * turn_front_right_knee_z + 0.0;
+        d_qdot[6][11] = turn_front_right_knee_x
+            * screws.connection_front_left_hip_roll_wx
+            - (screws.connection_front_right_knee_wx
+                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
+                + screws.connection_front_right_knee_wy
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
+                + screws.connection_front_right_knee_wz
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
+                + screws.connection_front_right_knee_vx * wrench_trunk_fx
+                + screws.connection_front_right_knee_vy
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
+                + screws.connection_front_right_knee_vz
+                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz)
+            + turn_front_right_knee_y * screws.connection_front_left_hip_roll_wy
+            + turn_front_right_knee_z * screws.connection_front_left_hip_roll_wz + 0.0;
         let factor_outside_hind_left_hip_xx_1 = d_qdot_itself_from_factor_front_left_thigh_yy
             .factor_front_left_hip_xx
             + d_qdot_itself_from_factor_hind_left_shank_yy.factor_front_right_hip_xx;
@@ -15380,11 +15322,10 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
                 * screws.connection_hind_left_hip_roll_vz
-            + screws.connection_front_left_hip_roll_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_hind_left_hip_roll_x
-            + screws.connection_front_left_hip_roll_wy * turn_hind_left_hip_roll_y
-            + screws.connection_front_left_hip_roll_wz * turn_hind_left_hip_roll_z + 0.0;
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
+                * screws.connection_front_left_hip_roll_wx
+            + turn_hind_left_hip_roll_y * screws.connection_front_left_hip_roll_wy
+            + turn_hind_left_hip_roll_z * screws.connection_front_left_hip_roll_wz + 0.0;
         let factor_outside_hind_left_thigh_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_hind_left_hip_xx_0
             + d_qdot_itself_from_turn_front_right_hip_roll_x_0
@@ -15512,9 +15453,9 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + screws.connection_front_left_hip_roll_wx * turn_hind_left_hip_pitch_x
-            + screws.connection_front_left_hip_roll_wy * turn_hind_left_hip_pitch_y
-            + screws.connection_front_left_hip_roll_wz * turn_hind_left_hip_pitch_z
+            + turn_hind_left_hip_pitch_x * screws.connection_front_left_hip_roll_wx
+            + turn_hind_left_hip_pitch_y * screws.connection_front_left_hip_roll_wy
+            + turn_hind_left_hip_pitch_z * screws.connection_front_left_hip_roll_wz
             + 0.0;
         let factor_outside_hind_left_shank_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_hind_left_thigh_xx_0 + factor_outside_hind_left_thigh_xx;
@@ -16543,66 +16484,72 @@ mod d_qdot_itself {
             + reactions.reaction_front_left_hip_pitch_wz
                 * d_qdot_itself_from_factor_front_left_thigh_yy.three_front_left_knee_z
             + 0.0;
-        d_qdot[7][9] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
-            .wrench_front_left_hip_fy * screws.minus_connection_front_right_hip_roll_vy
-            - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
-                * screws.connection_front_right_hip_roll_wx
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_my
-                    * screws.connection_front_right_hip_roll_wy
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mz
-                    * screws.connection_front_right_hip_roll_wz)
-            - d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
-                * screws.connection_front_right_hip_roll_vz
-            + screws.connection_front_left_hip_pitch_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_roll_x
-            + screws.connection_front_left_hip_pitch_wy
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_roll_y
-            + screws.connection_front_left_hip_pitch_wz
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_roll_z + 0.0;
-        d_qdot[7][10] = screws.connection_front_left_hip_pitch_wx
-            * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_pitch_x
-            - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
-                * screws.connection_front_right_hip_pitch_wx
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_my
-                    * screws.connection_front_right_hip_pitch_wy
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mz
-                    * screws.connection_front_right_hip_pitch_wz
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fx
-                    * screws.connection_front_right_hip_pitch_vx
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
-                    * screws.connection_front_right_hip_pitch_vy
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
-                    * screws.connection_front_right_hip_pitch_vz)
-            + screws.connection_front_left_hip_pitch_wy
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_pitch_y
-            + screws.connection_front_left_hip_pitch_wz
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_pitch_z + 0.0;
-        d_qdot[7][11] = screws.connection_front_left_hip_pitch_wx
-            * d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_x
-            - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
-                * screws.connection_front_right_knee_wx
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_my
-                    * screws.connection_front_right_knee_wy
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mz
-                    * screws.connection_front_right_knee_wz
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fx
-                    * screws.connection_front_right_knee_vx
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
-                    * screws.connection_front_right_knee_vy
-                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
-                    * screws.connection_front_right_knee_vz)
-            + screws.connection_front_left_hip_pitch_wy
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_knee_y
-            + screws.connection_front_left_hip_pitch_wz
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_knee_z + 0.0;
+        d_qdot[7][9] = screws.minus_connection_front_right_hip_roll_vy
+            * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
+            - (screws.connection_front_right_hip_roll_wx
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
+                + screws.connection_front_right_hip_roll_wy
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_my
+                + screws.connection_front_right_hip_roll_wz
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_mz)
+            - screws.connection_front_right_hip_roll_vz
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_roll_x * screws.connection_front_left_hip_pitch_wx
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_roll_y * screws.connection_front_left_hip_pitch_wy
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_roll_z * screws.connection_front_left_hip_pitch_wz
+            + 0.0;
+        d_qdot[7][10] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
+            .turn_front_right_hip_pitch_x * screws.connection_front_left_hip_pitch_wx
+            - (screws.connection_front_right_hip_pitch_wx
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
+                + screws.connection_front_right_hip_pitch_wy
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_my
+                + screws.connection_front_right_hip_pitch_wz
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_mz
+                + screws.connection_front_right_hip_pitch_vx
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_fx
+                + screws.connection_front_right_hip_pitch_vy
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_fy
+                + screws.connection_front_right_hip_pitch_vz
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_fz)
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_pitch_y * screws.connection_front_left_hip_pitch_wy
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_pitch_z * screws.connection_front_left_hip_pitch_wz
+            + 0.0;
+        d_qdot[7][11] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
+            .turn_front_right_knee_x * screws.connection_front_left_hip_pitch_wx
+            - (screws.connection_front_right_knee_wx
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
+                + screws.connection_front_right_knee_wy
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_my
+                + screws.connection_front_right_knee_wz
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_mz
+                + screws.connection_front_right_knee_vx
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_fx
+                + screws.connection_front_right_knee_vy
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_fy
+                + screws.connection_front_right_knee_vz
+                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                        .wrench_front_left_hip_fz)
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_y
+                * screws.connection_front_left_hip_pitch_wy
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_z
+                * screws.connection_front_left_hip_pitch_wz + 0.0;
         d_qdot[7][12] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
             .wrench_front_left_hip_fy * screws.minus_connection_hind_left_hip_roll_vy
             - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
@@ -16613,14 +16560,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
                 * screws.connection_hind_left_hip_roll_vz
-            + screws.connection_front_left_hip_pitch_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_hind_left_hip_roll_x
-            + screws.connection_front_left_hip_pitch_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-            + screws.connection_front_left_hip_pitch_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-            + 0.0;
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
+                * screws.connection_front_left_hip_pitch_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+                * screws.connection_front_left_hip_pitch_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+                * screws.connection_front_left_hip_pitch_wz + 0.0;
         d_qdot[7][13] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
             .wrench_front_left_hip_fz * screws.minus_connection_hind_left_hip_pitch_vz
             - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
@@ -16633,13 +16578,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + screws.connection_front_left_hip_pitch_wx
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-            + screws.connection_front_left_hip_pitch_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-            + screws.connection_front_left_hip_pitch_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+                * screws.connection_front_left_hip_pitch_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+                * screws.connection_front_left_hip_pitch_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+                * screws.connection_front_left_hip_pitch_wz + 0.0;
         d_qdot[7][14] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
             .wrench_front_left_hip_fz * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
@@ -16996,73 +16940,77 @@ mod d_qdot_itself {
             + turn_front_left_knee_x * screws.connection_front_left_knee_wx
             + turn_front_left_knee_y * screws.connection_front_left_knee_wy
             + turn_front_left_knee_z * screws.connection_front_left_knee_wz + 0.0;
-        d_qdot[8][9] = d_qdot_itself_from_wrench_outside_front_left_hip_my
-            .wrench_front_left_thigh_fy * screws.minus_connection_front_right_hip_roll_vy
-            - (d_qdot_itself_from_wrench_outside_front_left_hip_my
-                .wrench_front_left_thigh_mx * screws.connection_front_right_hip_roll_wx
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_my
-                    * screws.connection_front_right_hip_roll_wy
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_mz
-                    * screws.connection_front_right_hip_roll_wz)
-            - d_qdot_itself_from_wrench_outside_front_left_hip_my
-                .wrench_front_left_thigh_fz * screws.connection_front_right_hip_roll_vz
-            + screws.connection_front_left_knee_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_roll_x
-            + screws.connection_front_left_knee_wy
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_roll_y
-            + screws.connection_front_left_knee_wz
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_roll_z + 0.0;
-        d_qdot[8][10] = screws.connection_front_left_knee_wx
-            * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_pitch_x
-            - (d_qdot_itself_from_wrench_outside_front_left_hip_my
-                .wrench_front_left_thigh_mx * screws.connection_front_right_hip_pitch_wx
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_my
-                    * screws.connection_front_right_hip_pitch_wy
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_mz
-                    * screws.connection_front_right_hip_pitch_wz
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_fx
-                    * screws.connection_front_right_hip_pitch_vx
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_fy
-                    * screws.connection_front_right_hip_pitch_vy
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+        d_qdot[8][9] = screws.minus_connection_front_right_hip_roll_vy
+            * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                .wrench_front_left_thigh_fy
+            - (screws.connection_front_right_hip_roll_wx
+                * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_mx
+                + screws.connection_front_right_hip_roll_wy
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_my
+                + screws.connection_front_right_hip_roll_wz
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_mz)
+            - screws.connection_front_right_hip_roll_vz
+                * d_qdot_itself_from_wrench_outside_front_left_hip_my
                     .wrench_front_left_thigh_fz
-                    * screws.connection_front_right_hip_pitch_vz)
-            + screws.connection_front_left_knee_wy
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_pitch_y
-            + screws.connection_front_left_knee_wz
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_hip_pitch_z + 0.0;
-        d_qdot[8][11] = screws.connection_front_left_knee_wx
-            * d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_x
-            - (d_qdot_itself_from_wrench_outside_front_left_hip_my
-                .wrench_front_left_thigh_mx * screws.connection_front_right_knee_wx
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_my * screws.connection_front_right_knee_wy
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_mz * screws.connection_front_right_knee_wz
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_fx * screws.connection_front_right_knee_vx
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_fy * screws.connection_front_right_knee_vy
-                + d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_fz * screws.connection_front_right_knee_vz)
-            + screws.connection_front_left_knee_wy
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_knee_y
-            + screws.connection_front_left_knee_wz
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_front_right_knee_z + 0.0;
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_roll_x * screws.connection_front_left_knee_wx
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_roll_y * screws.connection_front_left_knee_wy
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_roll_z * screws.connection_front_left_knee_wz
+            + 0.0;
+        d_qdot[8][10] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
+            .turn_front_right_hip_pitch_x * screws.connection_front_left_knee_wx
+            - (screws.connection_front_right_hip_pitch_wx
+                * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_mx
+                + screws.connection_front_right_hip_pitch_wy
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_my
+                + screws.connection_front_right_hip_pitch_wz
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_mz
+                + screws.connection_front_right_hip_pitch_vx
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_fx
+                + screws.connection_front_right_hip_pitch_vy
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_fy
+                + screws.connection_front_right_hip_pitch_vz
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_fz)
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_pitch_y * screws.connection_front_left_knee_wy
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_pitch_z * screws.connection_front_left_knee_wz
+            + 0.0;
+        d_qdot[8][11] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
+            .turn_front_right_knee_x * screws.connection_front_left_knee_wx
+            - (screws.connection_front_right_knee_wx
+                * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_mx
+                + screws.connection_front_right_knee_wy
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_my
+                + screws.connection_front_right_knee_wz
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_mz
+                + screws.connection_front_right_knee_vx
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_fx
+                + screws.connection_front_right_knee_vy
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_fy
+                + screws.connection_front_right_knee_vz
+                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
+                        .wrench_front_left_thigh_fz)
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_y
+                * screws.connection_front_left_knee_wy
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_z
+                * screws.connection_front_left_knee_wz + 0.0;
         d_qdot[8][12] = d_qdot_itself_from_wrench_outside_front_left_hip_my
             .wrench_front_left_thigh_fy * screws.minus_connection_hind_left_hip_roll_vy
             - (d_qdot_itself_from_wrench_outside_front_left_hip_my
@@ -17074,14 +17022,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_wrench_outside_front_left_hip_my
                 .wrench_front_left_thigh_fz * screws.connection_hind_left_hip_roll_vz
-            + screws.connection_front_left_knee_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_hind_left_hip_roll_x
-            + screws.connection_front_left_knee_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-            + screws.connection_front_left_knee_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-            + 0.0;
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
+                * screws.connection_front_left_knee_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+                * screws.connection_front_left_knee_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+                * screws.connection_front_left_knee_wz + 0.0;
         d_qdot[8][13] = d_qdot_itself_from_wrench_outside_front_left_hip_my
             .wrench_front_left_thigh_fz * screws.minus_connection_hind_left_hip_pitch_vz
             - (d_qdot_itself_from_wrench_outside_front_left_hip_my
@@ -17098,13 +17044,12 @@ mod d_qdot_itself {
                 + d_qdot_itself_from_wrench_outside_front_left_hip_my
                     .wrench_front_left_thigh_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + screws.connection_front_left_knee_wx
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-            + screws.connection_front_left_knee_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-            + screws.connection_front_left_knee_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+                * screws.connection_front_left_knee_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+                * screws.connection_front_left_knee_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+                * screws.connection_front_left_knee_wz + 0.0;
         d_qdot[8][14] = d_qdot_itself_from_wrench_outside_front_left_hip_my
             .wrench_front_left_thigh_fz * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_wrench_outside_front_left_hip_my
@@ -17584,14 +17529,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_factor_outside_front_left_shank_yx
                 .wrench_front_left_shank_fz * screws.connection_hind_left_hip_roll_vz
-            + screws.connection_front_right_hip_roll_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_hind_left_hip_roll_x
-            + screws.connection_front_right_hip_roll_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-            + screws.connection_front_right_hip_roll_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-            + 0.0;
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
+                * screws.connection_front_right_hip_roll_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+                * screws.connection_front_right_hip_roll_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+                * screws.connection_front_right_hip_roll_wz + 0.0;
         d_qdot[9][13] = minus_wrench_front_left_shank_fx
             * screws.connection_hind_left_hip_pitch_vx
             - (d_qdot_itself_from_factor_outside_front_left_shank_yx
@@ -17607,13 +17550,12 @@ mod d_qdot_itself {
             + d_qdot_itself_from_factor_outside_front_left_shank_yx
                 .wrench_front_left_shank_fz
                 * screws.minus_connection_hind_left_hip_pitch_vz
-            + screws.connection_front_right_hip_roll_wx
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-            + screws.connection_front_right_hip_roll_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-            + screws.connection_front_right_hip_roll_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+                * screws.connection_front_right_hip_roll_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+                * screws.connection_front_right_hip_roll_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+                * screws.connection_front_right_hip_roll_wz + 0.0;
         d_qdot[9][14] = minus_wrench_front_left_shank_fx
             * screws.connection_hind_left_knee_vx
             - (d_qdot_itself_from_factor_outside_front_left_shank_yx
@@ -18079,14 +18021,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fz
                 * screws.connection_hind_left_hip_roll_vz
-            + screws.connection_front_right_hip_pitch_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_hind_left_hip_roll_x
-            + screws.connection_front_right_hip_pitch_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-            + screws.connection_front_right_hip_pitch_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-            + 0.0;
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
+                * screws.connection_front_right_hip_pitch_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+                * screws.connection_front_right_hip_pitch_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+                * screws.connection_front_right_hip_pitch_wz + 0.0;
         d_qdot[10][13] = d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fz
             * screws.minus_connection_hind_left_hip_pitch_vz
             - (d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_mx
@@ -18099,13 +18039,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + screws.connection_front_right_hip_pitch_wx
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-            + screws.connection_front_right_hip_pitch_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-            + screws.connection_front_right_hip_pitch_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+                * screws.connection_front_right_hip_pitch_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+                * screws.connection_front_right_hip_pitch_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+                * screws.connection_front_right_hip_pitch_wz + 0.0;
         d_qdot[10][14] = d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fz
             * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_mx
@@ -18351,14 +18290,12 @@ mod d_qdot_itself {
                 + wrench_front_right_thigh_my * screws.connection_hind_left_hip_roll_wy
                 + wrench_front_right_thigh_mz * screws.connection_hind_left_hip_roll_wz)
             - wrench_front_right_thigh_fz * screws.connection_hind_left_hip_roll_vz
-            + screws.connection_front_right_knee_wx
-                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                    .turn_hind_left_hip_roll_x
-            + screws.connection_front_right_knee_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-            + screws.connection_front_right_knee_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-            + 0.0;
+            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
+                * screws.connection_front_right_knee_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+                * screws.connection_front_right_knee_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+                * screws.connection_front_right_knee_wz + 0.0;
         DQdotItselfFromDQdot12_10 {
             wrench_front_right_thigh_mx,
             wrench_front_right_thigh_my,
@@ -18411,13 +18348,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_d_qdot_12_10.wrench_front_right_thigh_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + screws.connection_front_right_knee_wx
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-            + screws.connection_front_right_knee_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-            + screws.connection_front_right_knee_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-            + 0.0;
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+                * screws.connection_front_right_knee_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+                * screws.connection_front_right_knee_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+                * screws.connection_front_right_knee_wz + 0.0;
         d_qdot[11][14] = d_qdot_itself_from_d_qdot_12_10.wrench_front_right_thigh_fz
             * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_d_qdot_12_10.wrench_front_right_thigh_mx
@@ -19700,13 +19636,12 @@ mod d_qdot_itself {
                     * screws.connection_hind_right_hip_roll_wz)
             - d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fz
                 * screws.connection_hind_right_hip_roll_vz
-            + screws.connection_hind_left_knee_wx
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_x
-            + screws.connection_hind_left_knee_wy
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_y
-            + screws.connection_hind_left_knee_wz
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_z
-            + 0.0;
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_x
+                * screws.connection_hind_left_knee_wx
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_y
+                * screws.connection_hind_left_knee_wy
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_z
+                * screws.connection_hind_left_knee_wz + 0.0;
         d_qdot[14][16] = d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fz
             * screws.minus_connection_hind_right_hip_pitch_vz
             - (d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_mx
@@ -19718,15 +19653,12 @@ mod d_qdot_itself {
                 + wrench_hind_left_thigh_fx * screws.connection_hind_right_hip_pitch_vx
                 + d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fy
                     * screws.connection_hind_right_hip_pitch_vy)
-            + screws.connection_hind_left_knee_wx
-                * d_qdot_itself_from_turn_hind_left_hip_roll_y
-                    .turn_hind_right_hip_pitch_x
-            + screws.connection_hind_left_knee_wy
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                    .turn_hind_right_hip_pitch_y
-            + screws.connection_hind_left_knee_wz
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                    .turn_hind_right_hip_pitch_z + 0.0;
+            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_pitch_x
+                * screws.connection_hind_left_knee_wx
+            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_hip_pitch_y
+                * screws.connection_hind_left_knee_wy
+            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_hip_pitch_z
+                * screws.connection_hind_left_knee_wz + 0.0;
         d_qdot[14][17] = d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fz
             * screws.minus_connection_hind_right_knee_vz
             - (d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_mx
@@ -19738,13 +19670,12 @@ mod d_qdot_itself {
                 + wrench_hind_left_thigh_fx * screws.connection_hind_right_knee_vx
                 + d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fy
                     * screws.connection_hind_right_knee_vy)
-            + screws.connection_hind_left_knee_wx
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_x
-            + screws.connection_hind_left_knee_wy
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_y
-            + screws.connection_hind_left_knee_wz
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_z
-            + 0.0;
+            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_x
+                * screws.connection_hind_left_knee_wx
+            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_y
+                * screws.connection_hind_left_knee_wy
+            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_z
+                * screws.connection_hind_left_knee_wz + 0.0;
         // D_q\u{307} column hind_right_hip_roll
         d_qdot[15][0] = 0.0;
         d_qdot[15][1] = 0.0;
@@ -27757,7 +27688,7 @@ mod curvature_itself {
 /// - `connection`: A_l, local mechanical connection, base frame: V₁ = −A_l q̇ at rest (6×12, by columns; rad, m)
 /// - `shape_inertia`: Λ_q, inertia that the joints feel on the floating base (12×12, by columns; kg·m²)
 ///
-/// 3300 operations: 1590 + −, 1707 ×, 3 ÷; 12 sin cos; about 39.1 KiB of code.
+/// 3216 operations: 1574 + −, 1639 ×, 3 ÷; 12 sin cos; about 38.2 KiB of code.
 pub fn inertia(
     q: &[f64; 12],
     locked_inertia: &mut [[f64; 6]; 6],
@@ -27785,7 +27716,7 @@ pub fn inertia(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (18×18, by columns; Λ's · 1/s)
 ///
-/// 5769 operations: 2824 + −, 2942 ×, 3 ÷; 12 sin cos; about 68.1 KiB of code.
+/// 5685 operations: 2808 + −, 2874 ×, 3 ÷; 12 sin cos; about 67.1 KiB of code.
 pub fn d_mu(q: &[f64; 12], mu: &[f64; 6], d_mu: &mut [[f64; 18]; 18]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -27820,7 +27751,7 @@ pub fn d_mu(q: &[f64; 12], mu: &[f64; 6], d_mu: &mut [[f64; 18]; 18]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (12×12, by columns; kg·m²/s)
 ///
-/// 4860 operations: 2369 + −, 2488 ×, 3 ÷; 12 sin cos; about 57.4 KiB of code.
+/// 4776 operations: 2353 + −, 2420 ×, 3 ÷; 12 sin cos; about 56.4 KiB of code.
 pub fn b2(q: &[f64; 12], mu: &[f64; 6], b2: &mut [[f64; 12]; 12]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -27851,7 +27782,7 @@ pub fn b2(q: &[f64; 12], mu: &[f64; 6], b2: &mut [[f64; 12]; 12]) {
 /// - `d_mu`: D_μ, Coriolis terms linear in μ, skew, base frame (18×18, by columns; Λ's · 1/s)
 /// - `b2`: B_2(μ), how momentum feels the curvature, skew: −½ ⟨Λ_b μ, 𝓑(e_i, e_j)⟩ (12×12, by columns; kg·m²/s)
 ///
-/// 6770 operations: 3252 + −, 3515 ×, 3 ÷; 12 sin cos; about 79.8 KiB of code.
+/// 6686 operations: 3236 + −, 3447 ×, 3 ÷; 12 sin cos; about 78.8 KiB of code.
 pub fn matrices(
     q: &[f64; 12],
     mu: &[f64; 6],
@@ -27904,7 +27835,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (12; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (18×18, by columns; Λ's · 1/s)
 ///
-/// 9468 operations: 4799 + −, 4666 ×, 3 ÷; 12 sin cos; about 111.4 KiB of code.
+/// 9384 operations: 4783 + −, 4598 ×, 3 ÷; 12 sin cos; about 110.4 KiB of code.
 pub fn d_qdot(q: &[f64; 12], qd: &[f64; 12], d_qdot: &mut [[f64; 18]; 18]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -28197,7 +28128,7 @@ pub fn d_qdot(q: &[f64; 12], qd: &[f64; 12], d_qdot: &mut [[f64; 18]; 18]) {
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `coupling_torque`: (S(μ)ᵀ − A_lᵀ ad~_{Λ_bμ}) μ, what turning as one body asks (12; N·m, N)
 ///
-/// 3821 operations: 1710 + −, 2108 ×, 3 ÷; 12 sin cos; about 45.2 KiB of code.
+/// 3737 operations: 1694 + −, 2040 ×, 3 ÷; 12 sin cos; about 44.3 KiB of code.
 pub fn coupling_torque(q: &[f64; 12], mu: &[f64; 6], coupling_torque: &mut [f64; 12]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -28233,7 +28164,7 @@ pub fn coupling_torque(q: &[f64; 12], mu: &[f64; 6], coupling_torque: &mut [f64;
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (18; N·m, N)
 ///
-/// 6054 operations: 2888 + −, 3163 ×, 3 ÷; 12 sin cos; about 71.4 KiB of code.
+/// 5970 operations: 2872 + −, 3095 ×, 3 ÷; 12 sin cos; about 70.4 KiB of code.
 pub fn d_mu_xi(q: &[f64; 12], qd: &[f64; 12], mu: &[f64; 6], d_mu_xi: &mut [f64; 18]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -28655,14 +28586,14 @@ pub fn d_mu_xi(q: &[f64; 12], qd: &[f64; 12], mu: &[f64; 6], d_mu_xi: &mut [f64;
     let wrench_front_left_thigh_my_0_2 = mu[0] * wrench_front_left_thigh_my_0_2_1
         - (inertias.inertia_front_left_thigh_xx * mu[0]
             + inertias.inertia_front_left_thigh_xy * mu[1]
-            + inertias.inertia_front_left_thigh_xz * mu[2]);
+            - inertias.minus_inertia_front_left_thigh_xz * mu[2]);
     let wrench_front_left_thigh_mx_0_0 = mu[1] * wrench_front_left_thigh_my_0_2_1
         - (inertias.inertia_front_left_thigh_xy * mu[0]
             + inertias.inertia_front_left_thigh_yy * mu[1]
             + inertias.inertia_front_left_thigh_yz * mu[2]);
     let wrench_front_left_thigh_mx_0_2 = mu[2] * wrench_front_left_thigh_my_0_2_1
-        - (inertias.inertia_front_left_thigh_xz * mu[0]
-            + inertias.inertia_front_left_thigh_yz * mu[1]
+        - (inertias.inertia_front_left_thigh_yz * mu[1]
+            - inertias.minus_inertia_front_left_thigh_xz * mu[0]
             + inertias.inertia_front_left_thigh_zz * mu[2]);
     let wrench_front_left_thigh_mx_0 = wrench_front_left_thigh_mx_0_0
         * velocities.velocity_front_left_thigh_wz
@@ -28877,14 +28808,14 @@ pub fn d_mu_xi(q: &[f64; 12], qd: &[f64; 12], mu: &[f64; 6], d_mu_xi: &mut [f64;
     let wrench_hind_left_thigh_my_0_2 = mu[0] * wrench_hind_left_thigh_my_0_2_1
         - (inertias.inertia_hind_left_thigh_xx * mu[0]
             + inertias.inertia_hind_left_thigh_xy * mu[1]
-            + inertias.inertia_hind_left_thigh_xz * mu[2]);
+            - inertias.minus_inertia_hind_left_thigh_xz * mu[2]);
     let wrench_hind_left_thigh_mx_0_0 = mu[1] * wrench_hind_left_thigh_my_0_2_1
         - (inertias.inertia_hind_left_thigh_xy * mu[0]
             + inertias.inertia_hind_left_thigh_yy * mu[1]
             + inertias.inertia_hind_left_thigh_yz * mu[2]);
     let wrench_hind_left_thigh_mx_0_2 = mu[2] * wrench_hind_left_thigh_my_0_2_1
-        - (inertias.inertia_hind_left_thigh_xz * mu[0]
-            + inertias.inertia_hind_left_thigh_yz * mu[1]
+        - (inertias.inertia_hind_left_thigh_yz * mu[1]
+            - inertias.minus_inertia_hind_left_thigh_xz * mu[0]
             + inertias.inertia_hind_left_thigh_zz * mu[2]);
     let wrench_hind_left_thigh_mx_0 = wrench_hind_left_thigh_mx_0_0
         * velocities.velocity_hind_left_thigh_wz
@@ -29558,7 +29489,7 @@ pub fn d_mu_xi(q: &[f64; 12], qd: &[f64; 12], mu: &[f64; 6], d_mu_xi: &mut [f64;
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (18; N·m, N)
 ///
-/// 5553 operations: 2745 + −, 2805 ×, 3 ÷; 12 sin cos; about 65.5 KiB of code.
+/// 5469 operations: 2729 + −, 2737 ×, 3 ÷; 12 sin cos; about 64.6 KiB of code.
 pub fn d_qdot_xi(
     q: &[f64; 12],
     qd: &[f64; 12],
@@ -29880,7 +29811,7 @@ pub fn d_qdot_xi(
     let wrench_front_left_thigh_mx_0 = inertias.inertia_front_left_thigh_xx
         * twist_front_left_thigh_wx
         - inertias.inertia_front_left_thigh_xy * minus_twist_front_left_thigh_wy
-        + inertias.inertia_front_left_thigh_xz * twist_front_left_thigh_wz
+        - inertias.minus_inertia_front_left_thigh_xz * twist_front_left_thigh_wz
         + (inertias.inertia_front_left_thigh_hy * twist_front_left_thigh_vz
             - inertias.inertia_front_left_thigh_hz * twist_front_left_thigh_vy)
         - (wrench_front_left_thigh_mx_0_10 * velocities.velocity_front_left_thigh_wz
@@ -29901,10 +29832,10 @@ pub fn d_qdot_xi(
                 * velocities.velocity_front_left_thigh_vx
                 - common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_left_thigh_px_0
                     * velocities.velocity_front_left_thigh_vz));
-    let wrench_front_left_thigh_mz_0 = inertias.inertia_front_left_thigh_xz
-        * twist_front_left_thigh_wx
-        - inertias.inertia_front_left_thigh_yz * minus_twist_front_left_thigh_wy
-        + inertias.inertia_front_left_thigh_zz * twist_front_left_thigh_wz
+    let wrench_front_left_thigh_mz_0 = inertias.inertia_front_left_thigh_zz
+        * twist_front_left_thigh_wz
+        - (inertias.minus_inertia_front_left_thigh_xz * twist_front_left_thigh_wx
+            + inertias.inertia_front_left_thigh_yz * minus_twist_front_left_thigh_wy)
         + (inertias.inertia_front_left_thigh_hx * twist_front_left_thigh_vy
             - inertias.inertia_front_left_thigh_hy * twist_front_left_thigh_vx)
         - (wrench_front_left_thigh_my_0_12 * velocities.velocity_front_left_thigh_wy
@@ -30388,7 +30319,7 @@ pub fn d_qdot_xi(
     let wrench_hind_left_thigh_mx_0 = inertias.inertia_hind_left_thigh_xx
         * twist_hind_left_thigh_wx
         - inertias.inertia_hind_left_thigh_xy * minus_twist_hind_left_thigh_wy
-        + inertias.inertia_hind_left_thigh_xz * twist_hind_left_thigh_wz
+        - inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_thigh_wz
         + (inertias.inertia_hind_left_thigh_hy * twist_hind_left_thigh_vz
             - inertias.inertia_hind_left_thigh_hz * twist_hind_left_thigh_vy)
         - (wrench_hind_left_thigh_mx_0_10 * velocities.velocity_hind_left_thigh_wz
@@ -30409,10 +30340,10 @@ pub fn d_qdot_xi(
                 * velocities.velocity_hind_left_thigh_vx
                 - common_d_qdot_d_qdot_xi_kinetic_energy.factor_hind_left_thigh_px_0
                     * velocities.velocity_hind_left_thigh_vz));
-    let wrench_hind_left_thigh_mz_0 = inertias.inertia_hind_left_thigh_xz
-        * twist_hind_left_thigh_wx
-        - inertias.inertia_hind_left_thigh_yz * minus_twist_hind_left_thigh_wy
-        + inertias.inertia_hind_left_thigh_zz * twist_hind_left_thigh_wz
+    let wrench_hind_left_thigh_mz_0 = inertias.inertia_hind_left_thigh_zz
+        * twist_hind_left_thigh_wz
+        - (inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_thigh_wx
+            + inertias.inertia_hind_left_thigh_yz * minus_twist_hind_left_thigh_wy)
         + (inertias.inertia_hind_left_thigh_hx * twist_hind_left_thigh_vy
             - inertias.inertia_hind_left_thigh_hy * twist_hind_left_thigh_vx)
         - (wrench_hind_left_thigh_my_0_12 * velocities.velocity_hind_left_thigh_wy
@@ -31322,7 +31253,7 @@ pub fn d_qdot_xi(
 /// - `base_twist`: body twist of the base, base frame (6; rad/s, m/s)
 /// - `hamel_bias`: C V, Coriolis force on V = [V₁; q̇], base frame (18; N·m, N)
 ///
-/// 4358 operations: 2115 + −, 2240 ×, 3 ÷; 12 sin cos; about 51.5 KiB of code.
+/// 4274 operations: 2099 + −, 2172 ×, 3 ÷; 12 sin cos; about 50.6 KiB of code.
 pub fn hamel_bias(
     q: &[f64; 12],
     qd: &[f64; 12],
@@ -31512,9 +31443,9 @@ pub fn hamel_bias(
         + (inertias.inertia_front_left_thigh_hz * twist_front_left_thigh_vy_5
             - inertias.inertia_front_left_thigh_hx
                 * wrench_outside_front_left_shank_mx_15);
-    let wrench_outside_front_left_shank_mx_12 = inertias.inertia_front_left_thigh_xz
-        * twist_front_left_hip_vy_0
-        + inertias.inertia_front_left_thigh_yz * twist_front_left_thigh_wx_0
+    let wrench_outside_front_left_shank_mx_12 = inertias.inertia_front_left_thigh_yz
+        * twist_front_left_thigh_wx_0
+        - inertias.minus_inertia_front_left_thigh_xz * twist_front_left_hip_vy_0
         + inertias.inertia_front_left_thigh_zz * twist_front_left_thigh_wx_2
         + (inertias.inertia_front_left_thigh_hx * wrench_outside_front_left_shank_mx_17
             - inertias.inertia_front_left_thigh_hy * twist_front_left_thigh_vy_5);
@@ -31532,7 +31463,7 @@ pub fn hamel_bias(
     let wrench_outside_front_left_shank_mx = inertias.inertia_front_left_thigh_xx
         * twist_front_left_thigh_wx
         + inertias.inertia_front_left_thigh_xy * twist_front_left_thigh_wy
-        + inertias.inertia_front_left_thigh_xz * twist_front_left_thigh_wz
+        - inertias.minus_inertia_front_left_thigh_xz * twist_front_left_thigh_wz
         + (inertias.inertia_front_left_thigh_hy * twist_front_left_thigh_vz
             - inertias.inertia_front_left_thigh_hz * twist_front_left_thigh_vy)
         - (wrench_outside_front_left_shank_mx_10 * twist_front_left_thigh_wx_2
@@ -31916,9 +31847,9 @@ pub fn hamel_bias(
         + (inertias.inertia_hind_left_thigh_hz * twist_hind_left_thigh_vy_5
             - inertias.inertia_hind_left_thigh_hx
                 * wrench_outside_hind_left_shank_mx_15);
-    let wrench_outside_hind_left_shank_mx_12 = inertias.inertia_hind_left_thigh_xz
-        * twist_hind_left_hip_vy_0
-        + inertias.inertia_hind_left_thigh_yz * twist_hind_left_thigh_wx_0
+    let wrench_outside_hind_left_shank_mx_12 = inertias.inertia_hind_left_thigh_yz
+        * twist_hind_left_thigh_wx_0
+        - inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_hip_vy_0
         + inertias.inertia_hind_left_thigh_zz * twist_hind_left_thigh_wx_2
         + (inertias.inertia_hind_left_thigh_hx * wrench_outside_hind_left_shank_mx_17
             - inertias.inertia_hind_left_thigh_hy * twist_hind_left_thigh_vy_5);
@@ -31934,7 +31865,7 @@ pub fn hamel_bias(
     let wrench_outside_hind_left_shank_mx = inertias.inertia_hind_left_thigh_xx
         * twist_hind_left_thigh_wx
         + inertias.inertia_hind_left_thigh_xy * twist_hind_left_thigh_wy
-        + inertias.inertia_hind_left_thigh_xz * twist_hind_left_thigh_wz
+        - inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_thigh_wz
         + (inertias.inertia_hind_left_thigh_hy * twist_hind_left_thigh_vz
             - inertias.inertia_hind_left_thigh_hz * twist_hind_left_thigh_vy)
         - (wrench_outside_hind_left_shank_mx_10 * twist_hind_left_thigh_wx_2
@@ -32350,7 +32281,7 @@ pub fn hamel_bias(
     let wrench_outside_front_left_shank_my_12 = inertias.inertia_front_left_thigh_xx
         * twist_front_left_hip_vy_0
         + inertias.inertia_front_left_thigh_xy * twist_front_left_thigh_wx_0
-        + inertias.inertia_front_left_thigh_xz * twist_front_left_thigh_wx_2
+        - inertias.minus_inertia_front_left_thigh_xz * twist_front_left_thigh_wx_2
         + (inertias.inertia_front_left_thigh_hy * wrench_outside_front_left_shank_mx_15
             - inertias.inertia_front_left_thigh_hz
                 * wrench_outside_front_left_shank_mx_17);
@@ -32515,7 +32446,7 @@ pub fn hamel_bias(
     let wrench_outside_hind_left_shank_my_12 = inertias.inertia_hind_left_thigh_xx
         * twist_hind_left_hip_vy_0
         + inertias.inertia_hind_left_thigh_xy * twist_hind_left_thigh_wx_0
-        + inertias.inertia_hind_left_thigh_xz * twist_hind_left_thigh_wx_2
+        - inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_thigh_wx_2
         + (inertias.inertia_hind_left_thigh_hy * wrench_outside_hind_left_shank_mx_15
             - inertias.inertia_hind_left_thigh_hz
                 * wrench_outside_hind_left_shank_mx_17);
@@ -32711,9 +32642,9 @@ pub fn hamel_bias(
             + (wrench_outside_front_left_thigh_fy_6 * minus_twist_front_left_hip_vz_2
                 - wrench_outside_front_left_thigh_mx_12
                     * minus_wrench_outside_hind_right_hip_my_5));
-    let wrench_outside_front_left_shank_mz = inertias.inertia_front_left_thigh_xz
-        * twist_front_left_thigh_wx
-        + inertias.inertia_front_left_thigh_yz * twist_front_left_thigh_wy
+    let wrench_outside_front_left_shank_mz = inertias.inertia_front_left_thigh_yz
+        * twist_front_left_thigh_wy
+        - inertias.minus_inertia_front_left_thigh_xz * twist_front_left_thigh_wx
         + inertias.inertia_front_left_thigh_zz * twist_front_left_thigh_wz
         + (inertias.inertia_front_left_thigh_hx * twist_front_left_thigh_vy
             - inertias.inertia_front_left_thigh_hy * twist_front_left_thigh_vx)
@@ -32776,9 +32707,9 @@ pub fn hamel_bias(
             + (wrench_outside_hind_left_thigh_fy_6 * minus_twist_hind_left_hip_vz_2
                 - wrench_outside_hind_left_thigh_mx_12
                     * minus_wrench_outside_hind_right_hip_my_5));
-    let wrench_outside_hind_left_shank_mz = inertias.inertia_hind_left_thigh_xz
-        * twist_hind_left_thigh_wx
-        + inertias.inertia_hind_left_thigh_yz * twist_hind_left_thigh_wy
+    let wrench_outside_hind_left_shank_mz = inertias.inertia_hind_left_thigh_yz
+        * twist_hind_left_thigh_wy
+        - inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_thigh_wx
         + inertias.inertia_hind_left_thigh_zz * twist_hind_left_thigh_wz
         + (inertias.inertia_hind_left_thigh_hx * twist_hind_left_thigh_vy
             - inertias.inertia_hind_left_thigh_hy * twist_hind_left_thigh_vx)
@@ -32916,7 +32847,7 @@ pub fn hamel_bias(
 /// - `curvature`: 𝓑_ω(e_i, e_j), angular part of the curvature, base axes: x, y, z (3 of 12×12, by columns; rad)
 /// - `com`: c, total centre of mass, base frame; 𝓑_v = c × 𝓑_ω (3; m)
 ///
-/// 7696 operations: 3707 + −, 3986 ×, 3 ÷; 12 sin cos; about 90.7 KiB of code.
+/// 7612 operations: 3691 + −, 3918 ×, 3 ÷; 12 sin cos; about 89.7 KiB of code.
 pub fn curvature(
     q: &[f64; 12],
     curvature: &mut [[[f64; 12]; 12]; 3],
@@ -33150,7 +33081,7 @@ pub fn curvature(
 /// - `body_momentum`: Λ_b μ, momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `centroidal_momentum`: Λ_c μ, momentum about c, base axes (6; kg·m²/s, kg·m/s)
 ///
-/// 1471 operations: 721 + −, 747 ×, 3 ÷; 12 sin cos; about 17.7 KiB of code.
+/// 1387 operations: 705 + −, 679 ×, 3 ÷; 12 sin cos; about 16.7 KiB of code.
 pub fn momentum(
     q: &[f64; 12],
     mu: &[f64; 6],
@@ -33204,7 +33135,7 @@ pub fn momentum(
 /// - `body_momentum`: momentum, base frame (6; kg·m²/s, kg·m/s)
 /// - `mu`: μ, locked velocity, base frame (6; rad/s, m/s)
 ///
-/// 1471 operations: 721 + −, 747 ×, 3 ÷; 12 sin cos; about 17.7 KiB of code.
+/// 1387 operations: 705 + −, 679 ×, 3 ÷; 12 sin cos; about 16.7 KiB of code.
 pub fn velocity_of_momentum(q: &[f64; 12], body_momentum: &[f64; 6], mu: &mut [f64; 6]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -33244,7 +33175,7 @@ pub fn velocity_of_momentum(q: &[f64; 12], body_momentum: &[f64; 6], mu: &mut [f
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
 ///
-/// 2362 operations: 1163 + −, 1196 ×, 3 ÷; 12 sin cos; about 28.1 KiB of code.
+/// 2278 operations: 1147 + −, 1128 ×, 3 ÷; 12 sin cos; about 27.2 KiB of code.
 pub fn base_twist(
     q: &[f64; 12],
     qd: &[f64; 12],
@@ -33283,7 +33214,7 @@ pub fn base_twist(
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `kinetic_energy`: ½ ξᵀ Λ ξ, kinetic energy (1; J)
 ///
-/// 3081 operations: 1480 + −, 1598 ×, 3 ÷; 12 sin cos; about 36.6 KiB of code.
+/// 2997 operations: 1464 + −, 1530 ×, 3 ÷; 12 sin cos; about 35.6 KiB of code.
 pub fn kinetic_energy(
     q: &[f64; 12],
     qd: &[f64; 12],
@@ -33661,7 +33592,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (12; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (18; rad/s², m/s²)
 ///
-/// 7042 operations: 3528 + −, 3493 ×, 21 ÷; 12 sin cos; about 83.0 KiB of code.
+/// 6958 operations: 3512 + −, 3425 ×, 21 ÷; 12 sin cos; about 82.0 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 12],
     qd: &[f64; 12],
@@ -34563,9 +34494,9 @@ pub fn forward_dynamics(
     let articulated_hind_left_thigh_jxy = inertias.inertia_hind_left_thigh_xy
         + (inertias.inertia_hind_left_shank_xy
             - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_my);
-    let articulated_hind_left_thigh_jxz = inertias.inertia_hind_left_thigh_xz
-        + (inertias.inertia_hind_left_shank_xz
-            - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_mz);
+    let articulated_hind_left_thigh_jxz = inertias.inertia_hind_left_shank_xz
+        - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_mz
+        - inertias.minus_inertia_hind_left_thigh_xz;
     let articulated_hind_left_thigh_jyy = inertias.inertia_hind_left_thigh_yy
         + (inertias.inertia_hind_left_shank_yy
             - minus_articulated_hind_left_thigh_hyy_0 * screws.inside_hind_left_knee_my);
@@ -35625,10 +35556,9 @@ pub fn forward_dynamics(
         + (inertias.inertia_front_left_shank_xy
             - minus_articulated_front_left_thigh_hxx_0
                 * screws.inside_front_left_knee_my);
-    let articulated_front_left_thigh_jxz = inertias.inertia_front_left_thigh_xz
-        + (inertias.inertia_front_left_shank_xz
-            - minus_articulated_front_left_thigh_hxx_0
-                * screws.inside_front_left_knee_mz);
+    let articulated_front_left_thigh_jxz = inertias.inertia_front_left_shank_xz
+        - minus_articulated_front_left_thigh_hxx_0 * screws.inside_front_left_knee_mz
+        - inertias.minus_inertia_front_left_thigh_xz;
     let articulated_front_left_thigh_jyy = inertias.inertia_front_left_thigh_yy
         + (inertias.inertia_front_left_shank_yy
             - minus_articulated_front_left_thigh_hyy_0
@@ -37070,7 +37000,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (12; N·m, N)
 ///
-/// 6144 operations: 3066 + −, 3075 ×, 3 ÷; 12 sin cos; about 72.5 KiB of code.
+/// 6060 operations: 3050 + −, 3007 ×, 3 ÷; 12 sin cos; about 71.5 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 12],
     qd: &[f64; 12],
@@ -37439,7 +37369,7 @@ pub fn inverse_dynamics(
     let wrench_front_left_thigh_mx_0 = inertias.inertia_front_left_thigh_xx
         * twist_front_left_thigh_wx
         + inertias.inertia_front_left_thigh_xy * twist_front_left_thigh_wy
-        + inertias.inertia_front_left_thigh_xz * twist_front_left_thigh_wz
+        - inertias.minus_inertia_front_left_thigh_xz * twist_front_left_thigh_wz
         + (inertias.inertia_front_left_thigh_hy * twist_front_left_thigh_vz
             - inertias.inertia_front_left_thigh_hz * twist_front_left_thigh_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_mx_1;
@@ -37450,9 +37380,9 @@ pub fn inverse_dynamics(
         + (inertias.inertia_front_left_thigh_hz * twist_front_left_thigh_vx
             - inertias.inertia_front_left_thigh_hx * twist_front_left_thigh_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_my_1;
-    let wrench_front_left_thigh_mz_0 = inertias.inertia_front_left_thigh_xz
-        * twist_front_left_thigh_wx
-        + inertias.inertia_front_left_thigh_yz * twist_front_left_thigh_wy
+    let wrench_front_left_thigh_mz_0 = inertias.inertia_front_left_thigh_yz
+        * twist_front_left_thigh_wy
+        - inertias.minus_inertia_front_left_thigh_xz * twist_front_left_thigh_wx
         + inertias.inertia_front_left_thigh_zz * twist_front_left_thigh_wz
         + (inertias.inertia_front_left_thigh_hx * twist_front_left_thigh_vy
             - inertias.inertia_front_left_thigh_hy * twist_front_left_thigh_vx)
@@ -37719,7 +37649,7 @@ pub fn inverse_dynamics(
     let wrench_hind_left_thigh_mx_0 = inertias.inertia_hind_left_thigh_xx
         * twist_hind_left_thigh_wx
         + inertias.inertia_hind_left_thigh_xy * twist_hind_left_thigh_wy
-        + inertias.inertia_hind_left_thigh_xz * twist_hind_left_thigh_wz
+        - inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_thigh_wz
         + (inertias.inertia_hind_left_thigh_hy * twist_hind_left_thigh_vz
             - inertias.inertia_hind_left_thigh_hz * twist_hind_left_thigh_vy)
         - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_mx_1;
@@ -37730,9 +37660,9 @@ pub fn inverse_dynamics(
         + (inertias.inertia_hind_left_thigh_hz * twist_hind_left_thigh_vx
             - inertias.inertia_hind_left_thigh_hx * twist_hind_left_thigh_vz)
         - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_my_1;
-    let wrench_hind_left_thigh_mz_0 = inertias.inertia_hind_left_thigh_xz
-        * twist_hind_left_thigh_wx
-        + inertias.inertia_hind_left_thigh_yz * twist_hind_left_thigh_wy
+    let wrench_hind_left_thigh_mz_0 = inertias.inertia_hind_left_thigh_yz
+        * twist_hind_left_thigh_wy
+        - inertias.minus_inertia_hind_left_thigh_xz * twist_hind_left_thigh_wx
         + inertias.inertia_hind_left_thigh_zz * twist_hind_left_thigh_wz
         + (inertias.inertia_hind_left_thigh_hx * twist_hind_left_thigh_vy
             - inertias.inertia_hind_left_thigh_hy * twist_hind_left_thigh_vx)
@@ -38498,7 +38428,7 @@ pub fn inverse_dynamics(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×12, by columns; rad, m)
 ///
-/// 3051 operations: 1436 + −, 1612 ×, 3 ÷; 12 sin cos; about 36.2 KiB of code.
+/// 2967 operations: 1420 + −, 1544 ×, 3 ÷; 12 sin cos; about 35.2 KiB of code.
 pub fn kinematics_front_left_foot(
     q: &[f64; 12],
     pose: &mut [[f64; 3]; 4],
@@ -38956,7 +38886,7 @@ pub fn kinematics_front_left_foot(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×12, by columns; rad, m)
 ///
-/// 3051 operations: 1436 + −, 1612 ×, 3 ÷; 12 sin cos; about 36.2 KiB of code.
+/// 2967 operations: 1420 + −, 1544 ×, 3 ÷; 12 sin cos; about 35.2 KiB of code.
 pub fn kinematics_front_right_foot(
     q: &[f64; 12],
     pose: &mut [[f64; 3]; 4],
@@ -39424,7 +39354,7 @@ pub fn kinematics_front_right_foot(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×12, by columns; rad, m)
 ///
-/// 3051 operations: 1436 + −, 1612 ×, 3 ÷; 12 sin cos; about 36.2 KiB of code.
+/// 2967 operations: 1420 + −, 1544 ×, 3 ÷; 12 sin cos; about 35.2 KiB of code.
 pub fn kinematics_hind_left_foot(
     q: &[f64; 12],
     pose: &mut [[f64; 3]; 4],
@@ -39875,7 +39805,7 @@ pub fn kinematics_hind_left_foot(
 /// - `pose`: g_k = [R p], rotation and position of the link in the base frame (3×4, by columns; m)
 /// - `generalized_jacobian`: J̃_k = J_k − X_k A_l, body Jacobian of the link at zero momentum, link frame (6×12, by columns; rad, m)
 ///
-/// 3051 operations: 1436 + −, 1612 ×, 3 ÷; 12 sin cos; about 36.2 KiB of code.
+/// 2967 operations: 1420 + −, 1544 ×, 3 ÷; 12 sin cos; about 35.2 KiB of code.
 pub fn kinematics_hind_right_foot(
     q: &[f64; 12],
     pose: &mut [[f64; 3]; 4],

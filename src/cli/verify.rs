@@ -11,7 +11,7 @@ mod time;
 
 use std::time::{Duration, Instant};
 
-use clap::Args;
+use clap::{Args, value_parser};
 use frs_codegen::{Options, Precision, generate};
 use indicatif::ProgressBar;
 
@@ -38,8 +38,8 @@ use super::{Failure, RobotArgs};
 ///
 /// Times are medians in nanoseconds for one state, of the compiled program and of the core.
 ///
-/// The compiler is the one named by the variable RUSTC, or rustc on the path. With lanes, cargo builds the program too, and
-/// needs the crate wide.
+/// The compiler is the one named by the variable RUSTC, or rustc on the path. With lanes, cargo builds the program too, for
+/// this processor, and needs the crate wide.
 #[derive(Args)]
 #[command(
     after_help = "Exit codes: 0 all bits are the same, 1 some differ or the code does not compile, 2 bad input or no compiler."
@@ -55,6 +55,9 @@ pub struct Verify {
     /// The same seed gives the same states.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// How far the compiler optimises the code.
+    #[arg(long, value_name = "0…3", default_value_t = 2, value_parser = value_parser!(u8).range(0..=3))]
+    opt_level: u8,
     /// Write the result as JSON instead of a table.
     #[arg(long)]
     json: bool,
@@ -81,7 +84,7 @@ impl Verify {
         let started = Instant::now();
         let spinner = ProgressBar::new_spinner().with_message(format!("compiling {} lines", text.lines().count()));
         spinner.enable_steady_tick(Duration::from_millis(100));
-        let compiled = harness.compile();
+        let compiled = harness.compile(self.opt_level);
         spinner.finish_and_clear();
         compiled?;
         let compile_seconds = started.elapsed().as_secs_f64();

@@ -44,13 +44,13 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let row = &mut data.row;
         for i in 0..joints {
             let end = bodies[i + 1].end - 1;
-            data.six_rows.dot(data.screw[i].to_array(), i..end, row);
+            row.dot(data.screw[i].to_array(), &data.six_rows, i..end);
             row[end..].fill(T::zero());
             block.row(i, i..joints, |j| row[j]);
         }
         for j in 0..joints {
             let (end, screw) = (bodies[j + 1].end - 1, data.screw[j].to_array());
-            data.six_rows_more.dot_both(screw, &data.inside_rows, data.twist[j].to_array(), j + 1..end, row);
+            row.dot_both(screw, &data.six_rows_more, data.twist[j].to_array(), &data.inside_rows, j + 1..end);
             row[end..].fill(T::zero());
             block.column(j, j + 1..joints, |i| row[i]);
         }

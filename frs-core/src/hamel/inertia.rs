@@ -18,11 +18,10 @@ impl<T: Real> Shape<'_, '_, T> {
         let mut joint_block = Square::new(model, out, 6);
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            self.data.inside_rows.dot(self.data.screw[i].to_array(), i..end, row);
+            row.dot(self.data.screw[i].to_array(), &self.data.inside_rows, i..end);
             row[end..].fill(T::zero());
-            joint_block.lower(i, T::one(), row);
+            joint_block.both(i, T::one(), row);
         }
-        joint_block.mirror(T::one());
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&self.locked_inertia().to_matrix());
         out.view_range_mut(..6, 6..).fill(T::zero());
         for (j, body) in model.bodies()[1..].iter().enumerate() {

@@ -23,5 +23,6 @@ mod types;
 
 pub use types::{F32x8, F64x4, F64x8};
 
-/// The source of the lane types, for generated code that stands alone: it needs the crate `wide` and nothing else.
+/// The source of the lane types, for generated code that stands alone: it needs the crate `wide`, and beside it a module `turn`
+/// ([`TURN`](crate::generated::TURN)).
 pub const SOURCE: &str = include_str!("types.rs");

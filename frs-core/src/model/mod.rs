@@ -56,6 +56,16 @@ pub struct Body<T: Real = f64> {
     pub com: Vector3<T>,
     /// Rotational inertia about the centre of mass, axes of the body's frame, kg·m².
     pub inertia: Symmetric3<T>,
+    /// The axis (0, 1, 2) about which the inertia of the description was least; it stays where a payload changes the inertia.
+    pub least_moment: usize,
+}
+
+impl<T: Real> Body<T> {
+    /// The joint's value (rad or m) at shape `q`.
+    #[inline(always)]
+    pub(crate) fn value(&self, q: &[T]) -> T {
+        q[self.drive.coordinate] * self.drive.ratio + self.drive.offset
+    }
 }
 
 /// How a coordinate drives a joint: joint value = `ratio·q[coordinate] + offset`.
@@ -205,6 +215,7 @@ impl<T: Real> Model<T> {
                     mass: lift(body.mass),
                     com: vector(&body.com),
                     inertia: symmetric(&body.inertia),
+                    least_moment: body.least_moment,
                 })
                 .collect(),
             links: self

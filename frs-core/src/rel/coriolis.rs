@@ -25,7 +25,8 @@ impl<T: Real> Shape<'_, '_, T> {
     pub fn b2(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
         let momentum = self.locked_momentum(mu).moment;
         let block = Square::new(self.model, out, 0);
-        self.curvature_of_momentum(mu.angular, momentum, -T::from_f64(0.5), block);
+        self.curvature_of_momentum(mu.angular, momentum, block);
+        out.as_mut_slice().iter_mut().for_each(|entry| *entry = minus_half(*entry));
     }
 
     /// `D_μ(q, μ)` ((6+n)×(6+n), skew): the part of the Coriolis terms that is linear in the locked velocity,
@@ -38,26 +39,47 @@ impl<T: Real> Shape<'_, '_, T> {
     pub fn d_mu(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
         let momentum = self.locked_momentum(mu).moment;
         let block = Square::new(self.model, out, 6);
-        self.curvature_of_momentum(mu.angular, momentum, T::one(), block);
+        self.curvature_of_momentum(mu.angular, momentum, block);
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&-self.locked_coriolis(mu));
 
         let (com, mu) = (self.com(), mu.at(self.com()));
         let (momentum, half) = (self.locked_momentum(mu), mu * T::from_f64(0.5));
-        let (mut left, mut right) = out.columns_range_pair_mut(..6, 6..);
-        right.rows_range_mut(..6).fill(T::zero());
+        let size = out.nrows();
+        let (left, right) = out.as_mut_slice().split_at_mut(6 * size);
+        right.chunks_exact_mut(size).for_each(|column| column[..6].fill(T::zero()));
         for (j, body) in self.model.bodies()[1..].iter().enumerate() {
             let upper = self.data.inertia_rate(j) * half + self.data.connection[j].ad_transpose(momentum);
-            let mut column = right.column_mut(body.drive.coordinate);
+            let column = &mut right[body.drive.coordinate * size..][..6];
             for (entry, x) in column.iter_mut().zip(upper.at(-com).to_array()) {
                 *entry -= x * body.drive.ratio;
             }
         }
-        for (c, column) in right.column_iter().enumerate() {
-            for r in 0..6 {
-                left[(6 + c, r)] = -column[r];
+        for (r, row) in left.chunks_exact_mut(size).enumerate() {
+            for (entry, column) in row[6..].iter_mut().zip(right.chunks_exact(size)) {
+                *entry = -column[r];
             }
         }
     }
+
+    /// [`d_mu`](Self::d_mu) and [`b2`](Self::b2) at the price of the first: B_2 is −½ of its lower right block.
+    ///
+    /// # Panics
+    /// If `d_mu` is not (6+n)×(6+n) or `b2` is not n×n.
+    pub fn d_mu_with_b2(&mut self, mu: Twist<T>, d_mu: &mut DMatrix<T>, b2: &mut DMatrix<T>) {
+        let n = self.model.dof();
+        assert_eq!(b2.shape(), (n, n), "B_2 must be n×n");
+        self.d_mu(mu, d_mu);
+        let columns = d_mu.as_slice().chunks_exact(6 + n).skip(6);
+        for (column, twice) in b2.as_mut_slice().chunks_exact_mut(n.max(1)).zip(columns) {
+            column.iter_mut().zip(&twice[6..]).for_each(|(entry, &twice)| *entry = minus_half(twice));
+        }
+    }
+}
+
+/// B_2 is −½ of the curvature that momentum feels; 0 has no sign.
+#[inline(always)]
+fn minus_half<T: Real>(x: T) -> T {
+    x * -T::from_f64(0.5) + T::zero()
 }
 
 impl<T: Real> Moving<'_, '_, '_, T> {
@@ -119,8 +141,8 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         for i in 0..joints {
             let end = bodies[i + 1].end - 1;
             let z: [T; 3] = data.turn[i].into();
-            g.dot_both(data.reaction[i].to_array(), &data.connection_rows, z, i..end, row);
-            g.dot_both((-data.connection[i]).to_array(), &data.connection_rows, z, end..joints, row);
+            row.dot_both(data.reaction[i].to_array(), g, z, &data.connection_rows, i..end);
+            row.dot_both((-data.connection[i]).to_array(), g, z, &data.connection_rows, end..joints);
             out.row(i, i..joints, |j| row[j]);
         }
         for j in 0..joints {
@@ -128,8 +150,8 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             let connection: [T; 3] = data.connection[j].angular.into();
             let reaction: [T; 3] = data.reaction[j].angular.into();
             let (above, aside) = (data.wrench_outside[j].to_array(), (-data.wrench[j]).to_array());
-            data.connection_rows.dot_both(above, below, reaction, j + 1..end, row);
-            data.connection_rows.dot_both(aside, z, connection, end..joints, row);
+            row.dot_both(above, &data.connection_rows, reaction, below, j + 1..end);
+            row.dot_both(aside, &data.connection_rows, connection, z, end..joints);
             out.column(j, j + 1..joints, |i| row[i]);
         }
     }

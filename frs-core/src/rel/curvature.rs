@@ -42,11 +42,11 @@ impl<T: Real> Shape<'_, '_, T> {
         for (axis, component) in out.angular.iter_mut().enumerate() {
             let unit = Vector3::from_fn(|row, _| if row == axis { T::one() } else { T::zero() });
             let omega = self.data.locked.solve(unit);
-            self.curvature_of_momentum(omega, unit, T::one(), Square::new(self.model, component, 0));
+            self.curvature_of_momentum(omega, unit, Square::new(self.model, component, 0));
         }
     }
 
-    /// `factor·⟨m, 𝓑_ω(e_i, e_j)⟩` into a block, for an angular momentum `m = Jω` about the centre of mass.
+    /// `⟨m, 𝓑_ω(e_i, e_j)⟩` into a block, for an angular momentum `m = Jω` about the centre of mass.
     ///
     /// Where joint i is above j, `(m×ω̂_i + J̇ᵒ_i ω)·A_j + 2m(ω×v̂_i)·A_v,j − ω̂_i·(J̇_j ω)`; where neither is above the other,
     /// the same with `−A_i` for `ŝ_i` and `−J̇_i` for `J̇ᵒ_i`. Source: docs/mathematics.md §3.4.
@@ -54,7 +54,6 @@ impl<T: Real> Shape<'_, '_, T> {
         &mut self,
         omega: Vector3<T>,
         momentum: Vector3<T>,
-        factor: T,
         mut out: Square<'_, '_, T>,
     ) {
         let data = &mut *self.data;
@@ -75,13 +74,11 @@ impl<T: Real> Shape<'_, '_, T> {
             let (connection, reaction): ([T; 3], [T; 3]) =
                 ((-data.connection[i].angular).into(), data.reaction[i].angular.into());
             let (below, beside) = (below[i].to_array(), beside[i].to_array());
-            data.three_rows.dot_both(reaction, &data.connection_rows, below, i..end, row);
-            data.three_rows.dot_both(connection, &data.connection_rows, beside, end..joints, row);
+            row.dot_both(reaction, &data.three_rows, below, &data.connection_rows, i..end);
+            row.dot_both(connection, &data.three_rows, beside, &data.connection_rows, end..joints);
             row[i] = T::zero();
-            row[i + 1..].iter_mut().for_each(|entry| *entry *= factor);
-            out.lower(i, -T::one(), row);
+            out.both(i, -T::one(), row);
         }
-        out.mirror(-T::one());
     }
 
     /// The curvature `𝓑(x, y)` on two shape directions (length n), a twist in the base frame, in O(n).

@@ -28,11 +28,10 @@ impl<T: Real> Shape<'_, '_, T> {
         let mut out = Square::new(model, out, 0);
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            data.connection_rows.dot(data.outside[i].to_array(), i..end, row);
-            data.inside_rows.dot((-data.connection[i]).to_array(), end..joints, row);
-            out.lower(i, T::one(), row);
+            row.dot(data.outside[i].to_array(), &data.connection_rows, i..end);
+            row.dot((-data.connection[i]).to_array(), &data.inside_rows, end..joints);
+            out.both(i, T::one(), row);
         }
-        out.mirror(T::one());
     }
 
     /// The shape inertia by the textbook form `Λ_q = M_q − A_lᵀ Λ_b A_l`, for comparison.
@@ -47,12 +46,11 @@ impl<T: Real> Shape<'_, '_, T> {
         let mut out = Square::new(model, out, 0);
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            data.inside_rows.dot(data.screw[i].to_array(), i..end, row);
-            row[end..].fill(T::zero());
-            data.inside_rows.add_dot((-data.connection[i]).to_array(), i..joints, row);
-            out.lower(i, T::one(), row);
+            let (screw, minus_connection) = (data.screw[i].to_array(), (-data.connection[i]).to_array());
+            row.dot_both(screw, &data.inside_rows, minus_connection, &data.inside_rows, i..end);
+            row.dot(minus_connection, &data.inside_rows, end..joints);
+            out.both(i, T::one(), row);
         }
-        out.mirror(T::one());
     }
 
     /// The rotational inertia about the centre of mass, base axes, with joints locked.

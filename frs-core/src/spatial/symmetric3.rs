@@ -64,6 +64,21 @@ impl<T: Real> Symmetric3<T> {
         }
     }
 
+    /// [`rotated`](Self::rotated) with a multiple of 1, which no rotation changes, left aside: the diagonal entry of axis `least`.
+    ///
+    /// It leaves a zero, of a sphere's inertia nothing, to rotate; where it is the least of the diagonal, no digit is lost.
+    #[inline(always)]
+    pub fn rotated_beside(self, r: &Matrix3<T>, least: usize) -> Self {
+        let aside = [self.xx, self.yy, self.zz][least];
+        self.plus_multiple(-aside).rotated(r).plus_multiple(aside)
+    }
+
+    /// `self + factor·1`.
+    #[inline(always)]
+    fn plus_multiple(self, factor: T) -> Self {
+        Self { xx: self.xx + factor, yy: self.yy + factor, zz: self.zz + factor, ..self }
+    }
+
     /// `−a× b× − b× a× = 2(a·b)·1 − a bᵀ − b aᵀ`: the rate of a rotational inertia whose first moment `a` moves at `b`.
     #[inline(always)]
     pub fn outer(a: Vector3<T>, b: Vector3<T>) -> Self {

@@ -1,116 +1,128 @@
 //! Vectors over the joints, component by component, so that loops over pairs of joints run along memory.
 
-use std::ops::Range;
+use std::ops::{Deref, DerefMut, Range};
 
 use crate::Real;
 
-/// Joints worked on at once: one 256-bit register of doubles.
-const LANES: usize = 4;
+/// Joints worked on at once: two 256-bit registers of doubles.
+const LANES: usize = 8;
 
-/// `R` numbers for each joint, stored as `R` rows over all joints.
+/// `R` numbers for each joint, stored in groups of [`LANES`] joints: all first numbers of a group, then all second ones, ….
 ///
-/// Loops run in whole groups of lanes: they write up to [`LANES`] − 1 entries beyond the end of their range, so ranges of
-/// one row are filled from left to right, and rows are longer than the joints by [`LANES`]. Each joint's own order of
-/// operations is that of a plain loop.
+/// Each joint's own order of operations is that of a plain loop.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns<T, const R: usize> {
-    data: Vec<T>,
-    stride: usize,
+    groups: Vec<[[T; LANES]; R]>,
 }
 
-/// Room for one row over `joints` joints, with the lanes beyond the end.
-pub(crate) fn row<T: Real>(joints: usize) -> Vec<T> {
-    vec![T::zero(); joints + LANES]
+/// A number for each joint, in the groups of [`Columns`].
+#[derive(Clone, Debug)]
+pub(crate) struct Row<T> {
+    groups: Vec<[T; LANES]>,
 }
 
 impl<T: Real, const R: usize> Columns<T, R> {
     pub fn new(joints: usize) -> Self {
-        let stride = joints + LANES;
-        Self { data: vec![T::zero(); R * stride], stride }
+        Self { groups: vec![[[T::zero(); LANES]; R]; joints.div_ceil(LANES)] }
     }
 
     /// Sets the `R` numbers of joint `j`.
     #[inline(always)]
     pub fn set(&mut self, j: usize, value: [T; R]) {
-        let last = (R - 1) * self.stride;
-        let data = &mut self.data[j..][..=last];
-        for (r, x) in value.into_iter().enumerate() {
-            data[r * self.stride] = x;
+        let group = &mut self.groups[j / LANES];
+        for (row, x) in group.iter_mut().zip(value) {
+            row[j % LANES] = x;
         }
     }
 
     /// The `R` numbers of joint `j`.
     pub fn get(&self, j: usize) -> [T; R] {
-        std::array::from_fn(|r| self.data[r * self.stride + j])
+        self.groups[j / LANES].map(|row| row[j % LANES])
+    }
+}
+
+impl<T: Real> Row<T> {
+    pub fn new(joints: usize) -> Self {
+        Self { groups: vec![[T::zero(); LANES]; joints.div_ceil(LANES)] }
     }
 
-    /// `out[j] = Σ_r coefficients[r]·self[j][r]` over the first `S` rows, for the joints in `range`.
+    /// `self[j] = Σ_r coefficients[r]·columns[j][r]` over the first `S` numbers, for the joints in `range`.
+    ///
+    /// Entries before the range stay, those behind it are lost.
     #[inline(always)]
-    pub fn dot<const S: usize>(&self, coefficients: [T; S], range: Range<usize>, out: &mut [T]) {
-        if range.is_empty() {
-            return;
-        }
-        let rows = self.rows(&range);
-        for (k, out) in lanes_mut(out, &range).iter_mut().enumerate() {
-            *out = add_dot(&rows, coefficients, k, [T::zero(); LANES]);
-        }
-    }
-
-    /// `out[j] = Σ_r coefficients[r]·self[j][r] + Σ_r others[r]·other[j][r]`, term by term, for the joints in `range`.
-    #[inline(always)]
-    pub fn dot_both<const S: usize, const Q: usize, const P: usize>(
-        &self,
+    pub fn dot<const S: usize, const R: usize>(
+        &mut self,
         coefficients: [T; S],
-        other: &Columns<T, Q>,
-        others: [T; P],
+        columns: &Columns<T, R>,
         range: Range<usize>,
-        out: &mut [T],
     ) {
-        if range.is_empty() {
-            return;
+        let Some(groups) = groups(&range) else { return };
+        let kept = self.groups[groups.start];
+        let rows = self.groups[groups.clone()].iter_mut().zip(&columns.groups[groups.clone()]);
+        for (row, columns) in rows {
+            *row = add_dot(columns, coefficients, [T::zero(); LANES]);
         }
-        let (rows, other_rows) = (self.rows(&range), other.rows(&range));
-        for (k, out) in lanes_mut(out, &range).iter_mut().enumerate() {
-            *out = add_dot(&other_rows, others, k, add_dot(&rows, coefficients, k, [T::zero(); LANES]));
-        }
+        self.restore(&range, kept);
     }
 
-    /// `out[j] += Σ_r coefficients[r]·self[j][r]`, term by term, for the joints in `range`.
+    /// `self[j] = Σ_r coefficients[r]·columns[j][r] + Σ_r others[r]·other[j][r]`, term by term, for the joints in `range`.
+    ///
+    /// Entries before the range stay, those behind it are lost.
     #[inline(always)]
-    pub fn add_dot<const S: usize>(&self, coefficients: [T; S], range: Range<usize>, out: &mut [T]) {
-        let rows = self.rows(&range);
-        for (k, out) in lanes_mut(out, &range).iter_mut().enumerate() {
-            *out = add_dot(&rows, coefficients, k, *out);
+    pub fn dot_both<const S: usize, const R: usize, const P: usize, const Q: usize>(
+        &mut self,
+        coefficients: [T; S],
+        columns: &Columns<T, R>,
+        others: [T; P],
+        other: &Columns<T, Q>,
+        range: Range<usize>,
+    ) {
+        let Some(groups) = groups(&range) else { return };
+        let kept = self.groups[groups.start];
+        let rows = self.groups[groups.clone()].iter_mut().zip(&columns.groups[groups.clone()]);
+        for ((row, columns), other) in rows.zip(&other.groups[groups.clone()]) {
+            *row = add_dot(other, others, add_dot(columns, coefficients, [T::zero(); LANES]));
         }
+        self.restore(&range, kept);
     }
 
-    /// The first `S` rows over `range`, in groups of lanes.
+    /// Puts the entries before `range` back into its first group.
     #[inline(always)]
-    fn rows<const S: usize>(&self, range: &Range<usize>) -> [&[[T; LANES]]; S] {
-        const { assert!(S <= R) };
-        let length = range.len().next_multiple_of(LANES);
-        std::array::from_fn(|r| self.data[r * self.stride + range.start..][..length].as_chunks().0)
+    fn restore(&mut self, range: &Range<usize>, kept: [T; LANES]) {
+        let (group, before) = (range.start / LANES, range.start % LANES);
+        self.groups[group][..before].copy_from_slice(&kept[..before]);
     }
 }
 
-#[inline(always)]
-fn lanes_mut<'a, T: Real>(out: &'a mut [T], range: &Range<usize>) -> &'a mut [[T; LANES]] {
-    out[range.start..][..range.len().next_multiple_of(LANES)].as_chunks_mut().0
+/// The groups that hold the joints in `range`.
+fn groups(range: &Range<usize>) -> Option<Range<usize>> {
+    (!range.is_empty()).then(|| range.start / LANES..(range.end - 1) / LANES + 1)
 }
 
-/// `sum + Σ_r coefficients[r]·rows[r][group]`, lane by lane. By value: nothing can alias the sum, so it stays in one
-/// register.
+impl<T> Deref for Row<T> {
+    type Target = [T];
+    fn deref(&self) -> &[T] {
+        self.groups.as_flattened()
+    }
+}
+
+impl<T> DerefMut for Row<T> {
+    fn deref_mut(&mut self) -> &mut [T] {
+        self.groups.as_flattened_mut()
+    }
+}
+
+/// `sum + Σ_r coefficients[r]·columns[r]`, lane by lane. By value: nothing can alias the sum, so it stays in registers.
 #[inline(always)]
-fn add_dot<T: Real, const R: usize>(
-    rows: &[&[[T; LANES]]; R],
-    coefficients: [T; R],
-    group: usize,
+fn add_dot<T: Real, const S: usize, const R: usize>(
+    columns: &[[T; LANES]; R],
+    coefficients: [T; S],
     mut sum: [T; LANES],
 ) -> [T; LANES] {
-    for (row, coefficient) in rows.iter().zip(coefficients) {
-        let values = row[group];
+    const { assert!(S <= R) };
+    for (row, coefficient) in columns.iter().zip(coefficients) {
         for lane in 0..LANES {
-            sum[lane] += coefficient * values[lane];
+            sum[lane] += coefficient * row[lane];
         }
     }
     sum

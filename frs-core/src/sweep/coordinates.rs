@@ -72,71 +72,22 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         }
     }
 
-    /// Column j of a matrix with `entry(j, i) = sign·entry(i, j)`, sign 1 or −1: `values[i]` for joints i from j on.
-    /// [`mirror`](Self::mirror) then gives the entries above the diagonal.
+    /// Column j and row j, from the diagonal on, of a matrix with `entry(j, i) = sign·entry(i, j)`, sign 1 or −1: `values[i]` for
+    /// the column's joints i.
     #[inline(always)]
-    pub fn lower(&mut self, j: usize, sign: T, values: &[T]) {
+    pub fn both(&mut self, j: usize, sign: T, values: &[T]) {
         let joints = self.model.joints();
         if self.model.has_mimic() {
             self.column(j, j..joints, |i| values[i]);
             self.row(j, j + 1..joints, |i| sign * values[i]);
         } else {
-            let column = self.first + (self.first + j) * self.stride;
-            let entries = &mut self.entries[column + j..column + joints];
-            for (entry, &value) in entries.iter_mut().zip(&values[j..joints]) {
-                *entry = value + T::zero();
+            let (values, diagonal) = (&values[j..joints], self.first + j + (self.first + j) * self.stride);
+            let column = &mut self.entries[diagonal..][..values.len()];
+            column.iter_mut().zip(values).for_each(|(entry, &value)| *entry = value + T::zero());
+            for (k, &value) in values.iter().enumerate().skip(1) {
+                self.entries[diagonal + k * self.stride] = sign * value + T::zero();
             }
         }
-    }
-
-    /// The entries above the diagonal from those below, `entry(j, i) = sign·entry(i, j)`, in tiles that registers hold.
-    ///
-    /// With mimic joints [`lower`](Self::lower) has already added both.
-    #[inline(always)]
-    pub fn mirror(&mut self, sign: T) {
-        const TILE: usize = 4;
-        if self.model.has_mimic() {
-            return;
-        }
-        let size = self.stride - self.first;
-        for right in (0..size).step_by(TILE) {
-            for upper in (0..right).step_by(TILE) {
-                if right + TILE <= size {
-                    let lower: [[T; TILE]; TILE] = std::array::from_fn(|c| self.load(right, upper + c));
-                    for column in 0..TILE {
-                        let values = lower.map(|below| sign * below[column] + T::zero());
-                        self.store(upper, right + column, values);
-                    }
-                } else {
-                    self.mirror_block(upper..upper + TILE, right..size, sign);
-                }
-            }
-            self.mirror_block(right..size, right..(right + TILE).min(size), sign);
-        }
-    }
-
-    /// The entries of a block that lie above the diagonal, one by one.
-    fn mirror_block(&mut self, rows: Range<usize>, columns: Range<usize>, sign: T) {
-        for column in columns {
-            for row in rows.start..rows.end.min(column) {
-                let [mirrored] = self.load(column, row);
-                self.store(row, column, [sign * mirrored + T::zero()]);
-            }
-        }
-    }
-
-    /// `N` entries down a column.
-    #[inline(always)]
-    fn load<const N: usize>(&self, row: usize, column: usize) -> [T; N] {
-        let start = self.first + row + (self.first + column) * self.stride;
-        let entries = &self.entries[start..start + N];
-        std::array::from_fn(|i| entries[i])
-    }
-
-    #[inline(always)]
-    fn store<const N: usize>(&mut self, row: usize, column: usize, values: [T; N]) {
-        let start = self.first + row + (self.first + column) * self.stride;
-        self.entries[start..start + N].copy_from_slice(&values);
     }
 
     /// Adds `value` of the joint pair (i, j) to the pair of their coordinates.

@@ -18,7 +18,7 @@ mod position;
 mod velocity;
 
 pub(crate) use articulated::articulated_accelerations;
-pub(crate) use columns::Columns;
+pub(crate) use columns::{Columns, Row};
 pub(crate) use composite::{outside_sums, subtree_sums};
 pub(crate) use coordinates::Square;
 pub(crate) use factor::{factor, solve};
@@ -52,6 +52,8 @@ pub struct Workspace<'m, T: Real = f64> {
 #[derive(Clone, Debug)]
 pub(crate) struct Data<T: Real> {
     // Position sweep.
+    /// Sine and cosine of each revolute joint's angle.
+    pub sin_cos: Vec<(T, T)>,
     /// Orientation of each body in base axes.
     pub rotation: Vec<Matrix3<T>>,
     /// Origin of each body's frame, from the centre of mass.
@@ -92,7 +94,7 @@ pub(crate) struct Data<T: Real> {
 
     // Scratch: written and read within one question.
     /// Per joint.
-    pub row: Vec<T>,
+    pub row: Row<T>,
     pub inverse_pivot: Vec<T>,
     pub turn: Vec<Vector3<T>>,
     pub three_rows: Columns<T, 3>,
@@ -128,6 +130,7 @@ impl<'m, T: Real> Workspace<'m, T> {
         let factor = vec![CoriolisFactor::zero(); bodies];
         let one = Symmetric3::diagonal(Vector3::repeat(T::one()));
         let data = Data {
+            sin_cos: vec![(T::zero(), T::one()); joints],
             rotation: vec![Matrix3::identity(); bodies],
             origin: vec![Vector3::zeros(); bodies],
             com: Vector3::zeros(),
@@ -147,7 +150,7 @@ impl<'m, T: Real> Workspace<'m, T> {
             rate: vec![T::zero(); joints],
             rate_more: vec![T::zero(); joints],
             velocity: twist.clone(),
-            row: columns::row(joints),
+            row: Row::new(joints),
             inverse_pivot: vec![T::zero(); joints],
             turn: vec![Vector3::zeros(); joints],
             three_rows: Columns::new(joints),

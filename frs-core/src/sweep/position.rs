@@ -5,11 +5,12 @@ use nalgebra::{Matrix3, Vector3};
 use super::Data;
 use super::composite::{outside_sums, subtree_sums};
 use crate::Real;
-use crate::model::{Model, Motion};
+use crate::model::{Body, Model, Motion};
 use crate::spatial::{Inertia, Twist};
 
 /// Fills everything in `data` that depends on `q` alone.
 pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
+    angles(model, q, data);
     kinematics(model, q, data);
     centroidal_frame(model, data);
     subtree_sums(model.bodies(), &mut data.composite, &mut data.complement);
@@ -19,25 +20,37 @@ pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
     joint_columns(model, data);
 }
 
+/// Sines and cosines of all joints, before anything waits for them.
+fn angles<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
+    const GROUP: usize = 4;
+    for (bodies, pairs) in model.bodies()[1..].chunks(GROUP).zip(data.sin_cos.chunks_mut(GROUP)) {
+        let angle = |body: &Body<T>| match body.motion {
+            Motion::Revolute => body.value(q),
+            Motion::Prismatic => T::zero(),
+        };
+        let group: [T; GROUP] = std::array::from_fn(|k| bodies.get(k).map_or_else(T::zero, angle));
+        pairs.iter_mut().zip(T::sin_cos_each(group)).for_each(|(pair, both)| *pair = both);
+    }
+}
+
 /// R_k, p_k from the base outwards; origins are still taken from the base body's origin.
 fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
     data.rotation[0] = Matrix3::identity();
     data.origin[0] = Vector3::zeros();
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
-        let value = q[body.drive.coordinate] * body.drive.ratio + body.drive.offset;
         let parent = data.rotation[body.parent];
         let rotation = parent * body.placement.rotation;
         let origin = data.origin[body.parent] + parent * body.placement.translation;
         match body.motion {
             Motion::Revolute => {
-                let (sin, cos) = value.sin_cos();
+                let (sin, cos) = data.sin_cos[k - 1];
                 let (x, y, z) = (rotation.column(0), rotation.column(1), rotation.column(2).into_owned());
                 data.rotation[k] = Matrix3::from_columns(&[x * cos + y * sin, y * cos - x * sin, z]);
                 data.origin[k] = origin;
             }
             Motion::Prismatic => {
                 data.rotation[k] = rotation;
-                data.origin[k] = origin + rotation.column(2) * value;
+                data.origin[k] = origin + rotation.column(2) * body.value(q);
             }
         }
     }
@@ -65,7 +78,8 @@ fn centroidal_frame<T: Real>(model: &Model<T>, data: &mut Data<T>) {
     for (k, body) in model.bodies().iter().enumerate() {
         data.origin[k] -= rest;
         let com = data.inertia[k].moment - rest;
-        data.inertia[k] = Inertia::from_com(body.mass, com, body.inertia.rotated(&data.rotation[k]));
+        let about_com = body.inertia.rotated_beside(&data.rotation[k], body.least_moment);
+        data.inertia[k] = Inertia::from_com(body.mass, com, about_com);
         data.composite[k] = data.inertia[k];
     }
 }

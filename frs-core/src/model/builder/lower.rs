@@ -80,6 +80,7 @@ fn body(number: usize, parent: usize, motion: Motion, placement: Pose<f64>) -> B
         mass: 0.0,
         com: Vector3::zeros(),
         inertia: Symmetric3::zero(),
+        least_moment: 0,
     }
 }
 
@@ -119,6 +120,9 @@ fn weigh_bodies(links: &[Link], bodies: &mut [Body]) {
     links.iter().for_each(|link| parts[link.body].push(link));
     for (body, parts) in bodies.iter_mut().zip(&parts) {
         Inertial { mass: body.mass, com: body.com, inertia: body.inertia } = weigh(parts);
+        let Symmetric3 { xx, yy, zz, .. } = body.inertia;
+        let least = [xx, yy, zz].into_iter().enumerate().min_by(|(_, a), (_, b)| a.total_cmp(b));
+        body.least_moment = least.map_or(0, |(axis, _)| axis);
     }
 }
 
