@@ -2,6 +2,7 @@
 //!
 //! All keys: docs/scenes.md. What is known about the momentum is not said in a scene; it follows from what is.
 
+mod added_mass;
 mod columns;
 mod force;
 mod forces;
@@ -21,7 +22,7 @@ use frs_core::spatial::Twist;
 use frs_core::{Model, Real};
 use nalgebra::Vector3;
 
-use crate::effects::{ComputedTorque, Effect, Effects, EndEffector, Regulator, Stops};
+use crate::effects::{ComputedTorque, Effect, Effects, EndEffector, Regulator, Stops, Water};
 use crate::motion::{Course, Drives};
 use crate::observer::Observer;
 use reader::{Reader, Table};
@@ -224,6 +225,7 @@ impl Scene {
                 Force::Regulator(gains) => Box::new(Regulator::new(gains.clone())),
                 Force::ComputedTorque(courses, bandwidth) => Box::new(ComputedTorque::new(courses.clone(), *bandwidth)),
                 Force::EndEffector(target) => Box::new(EndEffector::new(target.clone())),
+                Force::AddedMass(added, current) => Box::new(Water::new(added, *current, self.drives(), model.dof())),
             };
             Some((number, effect))
         });
