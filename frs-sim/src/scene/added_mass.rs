@@ -23,7 +23,7 @@ pub fn read(root: &Table<'_, '_>, model: &Model) -> Option<Named> {
             None => found = Some((vec![added], current, table.line())),
             Some((all, one, line)) => {
                 if *one != current {
-                    table.refuse(currents("line", *line, *one, table.line(), current));
+                    table.refuse(currents(&line.to_string(), *one, table.line(), current));
                 }
                 all.push(added);
             }
@@ -42,7 +42,7 @@ pub fn contradictions(root: &Table<'_, '_>, forces: &[Named]) {
     for named in forces {
         match &named.force {
             Force::Drag(drag) if drag.current != current => {
-                root.refuse(currents("[added_mass] of line", line, current, named.line, drag.current));
+                root.refuse(currents(&format!("{line} ([added_mass])"), current, named.line, drag.current));
             }
             Force::Payload(payload) if payload.twist.is_some() => root.refuse(format!(
                 "the target of line {} is taken with a jump, which [added_mass] of line {line} does not know; expected a target \
@@ -54,10 +54,8 @@ pub fn contradictions(root: &Table<'_, '_>, forces: &[Named]) {
     }
 }
 
-fn currents(first: &str, line: usize, one: [f64; 3], other_line: usize, other: [f64; 3]) -> String {
-    format!(
-        "the water moves with {one:?} in {first} {line} and with {other:?} in line {other_line}; expected one current"
-    )
+fn currents(line: &str, one: [f64; 3], other_line: usize, other: [f64; 3]) -> String {
+    format!("the water moves with {one:?} in line {line} and with {other:?} in line {other_line}; expected one current")
 }
 
 const WHAT: &str =
