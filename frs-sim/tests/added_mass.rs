@@ -3,10 +3,11 @@
 use std::ops::ControlFlow;
 
 use frs_core::derivatives::Dual;
+use frs_core::extended::DoubleDouble;
 use frs_core::spatial::{Pose, Twist, Wrench};
 use frs_core::{Model, Real, Workspace, urdf};
 use frs_sim::effects::AddedMass;
-use frs_sim::integrate::Tangent;
+use frs_sim::integrate::{State, Tangent};
 use frs_sim::run::{End, Record, Sample, equations, run};
 use frs_sim::scene::{Case, Force, Scene};
 use nalgebra::{Matrix6xX, Vector3};
@@ -328,4 +329,41 @@ fn water_drives_the_momentum() {
     let record = flown(&model, text);
     let last = record.samples.last().unwrap();
     assert!(last.momentum.force.norm() > 0.05, "{:?}", last.momentum);
+}
+
+/// μ̂ follows μ though the water takes momentum: F₁ tells of it.
+#[test]
+fn an_observer_is_told_what_the_water_does() {
+    let model = satellite();
+    let record = flown(&model, &format!("{SWING}[observer]\ngain = 10\n{WATER}"));
+    let energy = |sample: &Sample| sample.observation.as_ref().unwrap().lyapunov;
+    let fallen = energy(record.samples.last().unwrap()) / energy(&record.samples[0]);
+    // e^(−2 k t), but for what the turning inertia adds.
+    assert!(fallen < 1e-7, "{fallen:e}");
+}
+
+/// The wrenches of heavy water are large and nearly cancel what else there is: so many digits are lost. 31 digits tell.
+#[test]
+fn heavy_water_costs_as_many_digits_as_it_exceeds_the_robot() {
+    let model = satellite();
+    let wide: Model<DoubleDouble> = model.cast().orthonormalised();
+    for heavier in [1e-3_f64, 1.0, 1e3, 1e6] {
+        let inertia = [0.1, 0.2, 0.3, 4.0, 5.0, 6.0].map(|x| x * heavier);
+        let text = format!("{SWING}[added_mass]\nlink = 'base'\ninertia = {inertia:?}\n[spring]\nstiffness = 1\n");
+        let scene = scene(&model, &text);
+        let mut equations = equations::<f64>(&scene, &model, 0.0);
+        let state = equations.start(&scene.start);
+        let mut rate = Tangent::zero(state.flat.len());
+        equations.rate(0.0, &state, &mut rate);
+        let mut exact = frs_sim::run::equations::<DoubleDouble>(&scene, &wide, 0.0);
+        let number = DoubleDouble::from;
+        let pose = Pose::new(state.pose.rotation.map(number), state.pose.translation.map(number)).orthonormalised();
+        let wide_state = State { pose, flat: state.flat.iter().map(|x| number(*x)).collect() };
+        let mut wide_rate = Tangent::zero(state.flat.len());
+        exact.rate(number(0.0), &wide_state, &mut wide_rate);
+        let expected: Vec<f64> = wide_rate.flat.iter().map(|x| x.high()).collect();
+        let size = expected.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let error = rate.flat.iter().zip(&expected).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / size;
+        assert!(error < 1e-13 * heavier.max(1.0), "{heavier:e}: {error:e}");
+    }
 }
