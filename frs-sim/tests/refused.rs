@@ -158,11 +158,6 @@ fn what_is_wrong_is_told_in_place() {
             "[[added_mass]]\nlink = 'base'\ninertia = [1, 1, 1, 1, 1, 1]\n[drag]\nlink = 'base'\ncurrent = [1, 0, 0]",
             "scene.toml:1:1: the water moves with [0.0, 0.0, 0.0] in line 3 ([added_mass]) and with [1.0, 0.0, 0.0] in line 6",
         ),
-        (
-            "[[added_mass]]\nlink = 'base'\ninertia = [1, 1, 1, 1, 1, 1]\n[payload]\nlink = 'link_7'\nmass = 1\n\
-             inertia = [1, 1, 1, 0, 0, 0]\ngrasp = 0.2\ntwist = [0, 0, 0, 1, 0, 0]",
-            "scene.toml:1:1: the target of line 6 is taken with a jump, which [added_mass] of line 3 does not know; expected",
-        ),
         ("duration = 1", "scene.toml:3:1: this is not TOML: duplicate key"),
         ("x = [1", "scene.toml:3:7: this is not TOML: "),
     ];

@@ -89,13 +89,48 @@ impl<T: Real> Water<T> {
         }
     }
 
+    /// Each link, and the momentum `M_A V_k` that its water has where the current is still; and the energy of all, J.
+    pub(crate) fn momenta(&self, robot: &Moving<'_, '_, '_, T>, mu: Twist<T>) -> (Vec<(usize, Wrench<T>)>, T) {
+        let mut twice = T::zero();
+        let each = self.links.iter().zip(&self.around).map(|(&link, around)| {
+            let twist = robot.link_twist(link, mu);
+            let momentum = around.momentum(twist);
+            twice += twist.dot(momentum);
+            (link, momentum)
+        });
+        (each.collect(), twice * T::from_f64(0.5))
+    }
+
+    /// Adds what the water does to a robot at rest under impulses, for which accelerations are as velocities; those of joints on a course are
+    /// in `rates`.
+    pub(crate) fn add_impulses(
+        &mut self,
+        instant: &Instant<'_, T>,
+        robot: &mut Moving<'_, '_, '_, T>,
+        load: &mut Load<T>,
+        rates: &[T],
+    ) {
+        self.xi_dot.fill(T::zero());
+        if let Some(drives) = &self.drives {
+            drives.put_given(rates, &mut self.xi_dot[6..]);
+        }
+        self.push(instant, robot, load);
+    }
+
+    /// Adds the wrenches to the load, where `xi_dot` has the accelerations of joints on a course and is 0 elsewhere.
+    fn push(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
+        self.at_rates(instant, robot);
+        self.solve(instant, robot, load);
+        for (around, &link) in self.around.iter().zip(&self.links) {
+            let carried = around.carried.iter().zip(&self.xi_dot);
+            let wrench = carried.fold(around.wrench, |wrench, (&carried, &rate)| wrench - carried * rate);
+            load.base_wrench += robot.add_link_wrench(link, wrench, &mut load.tau);
+        }
+    }
+
     /// J and the wrenches where `ξ̇ = 0`, but for joints on a course.
     fn at_rates(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>) {
-        let Self { links, around, current, drives, connection: jacobian, accelerations, xi_dot, .. } = self;
-        xi_dot.fill(T::zero());
-        if let Some(drives) = drives {
-            drives.put_accelerations(instant.time, &mut xi_dot[6..]);
-        }
+        let Self { links, around, current, connection: jacobian, accelerations, xi_dot, .. } = self;
         robot.link_accelerations(instant.mu, xi_dot, links, accelerations);
         for ((around, &link), acceleration) in around.iter_mut().zip(&*links).zip(accelerations) {
             let pose = robot.link_pose(link);
@@ -172,13 +207,11 @@ impl<T: Real> Around<T> {
 
 impl<T: Real> Loads<T> for Water<T> {
     fn add(&mut self, instant: &Instant<'_, T>, robot: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
-        self.at_rates(instant, robot);
-        self.solve(instant, robot, load);
-        for (around, &link) in self.around.iter().zip(&self.links) {
-            let carried = around.carried.iter().zip(&self.xi_dot);
-            let wrench = carried.fold(around.wrench, |wrench, (&carried, &rate)| wrench - carried * rate);
-            load.base_wrench += robot.add_link_wrench(link, wrench, &mut load.tau);
+        self.xi_dot.fill(T::zero());
+        if let Some(drives) = &self.drives {
+            drives.put_accelerations(instant.time, &mut self.xi_dot[6..]);
         }
+        self.push(instant, robot, load);
     }
 }
 

@@ -105,6 +105,13 @@ impl<T: Real> Drives<T> {
         }
     }
 
+    /// Of joints on a course, what `all` has.
+    pub(crate) fn put_given(&self, all: &[T], out: &mut [T]) {
+        for ((out, &one), _) in out.iter_mut().zip(all).zip(&self.given).filter(|(_, given)| **given) {
+            *out = one;
+        }
+    }
+
     /// Adds the rotors to an inertia in ξ, of which the lower triangle counts, and lets joints on a course not feel a `force` in ξ.
     pub(crate) fn hold(&self, inertia: &mut DMatrix<T>, force: &mut [T]) {
         for (i, (&rotor, &given)) in (6..).zip(self.rotor.iter().zip(&self.given)) {

@@ -40,16 +40,11 @@ pub fn contradictions(root: &Table<'_, '_>, forces: &[Named]) {
     });
     let Some((current, line)) = water else { return };
     for named in forces {
-        match &named.force {
-            Force::Drag(drag) if drag.current != current => {
-                root.refuse(currents(&format!("{line} ([added_mass])"), current, named.line, drag.current));
-            }
-            Force::Payload(payload) if payload.twist.is_some() => root.refuse(format!(
-                "the target of line {} is taken with a jump, which [added_mass] of line {line} does not know; expected a target \
-                 that moves as the link does, or no added mass",
-                named.line
-            )),
-            _ => {}
+        if let Force::Drag(drag) = &named.force
+            && drag.current != current
+        {
+            let line = format!("{line} ([added_mass])");
+            root.refuse(currents(&line, current, named.line, drag.current));
         }
     }
 }
