@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use frs::model::Inertial;
 use frs::nalgebra::{Matrix3, Vector3};
-use frs::spatial::Pose;
+use frs::spatial::{Pose, Symmetric3, Twist};
 use frs::{Model, Workspace};
 use parquet::column::reader::get_typed_column_reader;
 use parquet::data_type::DoubleType;
@@ -237,6 +238,19 @@ fn a_target_flies_as_long_as_nobody_holds_it() {
         let goal = Vector3::from_row_slice(&goal) * motion["unit"].as_f64().unwrap();
         assert!((goal - Vector3::new(0.1, 0.2, 0.9)).norm() < ROUNDED);
     }
+    // It leaves as fast as the hand was.
+    let row = rows.iter().find(|row| row[0] == 0.3).unwrap();
+    let own = model.links()[model.link("link_7").unwrap()].inertial;
+    let inertia = Symmetric3::diagonal(Vector3::new(0.12, 0.12, 0.1));
+    let both = own.joined(Inertial { mass: 8.0, com: Vector3::new(0.0, 0.0, 0.25), inertia });
+    let laden = model.with_inertial("link_7", both).unwrap();
+    let mut work = Workspace::new(&laden);
+    let mut shape = work.shape(&row[13..20]);
+    let hand = shape.link_pose(model.link("link_7").unwrap()).rotation;
+    let mu = Twist::from_array(std::array::from_fn(|i| row[27 + i]));
+    let twist = shape.moving(&row[20..27]).link_twist(model.link("link_7").unwrap(), mu);
+    let velocity = Matrix3::from_row_slice(&row[4..13]) * hand * twist.at(Vector3::new(0.0, 0.0, 0.25)).linear;
+    assert!((last - left_at - velocity * 0.2).norm() < ROUNDED, "{velocity}");
     assert!((last - left_at).norm() > 0.01 && (taken_at - middle(&motion, 0, first)).norm() > 0.04);
 }
 

@@ -87,8 +87,8 @@ fn places(
     samples: &[Sample],
     shown: &[usize],
 ) -> Option<Vec<Pose<f64>>> {
-    let mut work = Workspace::new(model);
-    let mut place = |sample: &Sample| {
+    let place = |model: &Model, sample: &Sample| {
+        let mut work = Workspace::new(model);
         let mut shape = work.shape(&sample.q);
         let robot = shape.moving(&sample.qd);
         (sample.pose * robot.link_pose(payload.link), robot.link_twist(payload.link, sample.mu))
@@ -96,10 +96,11 @@ fn places(
     let time = |i: &usize| samples[*i].time;
     let before = shown.iter().filter(|i| payload.grasp.is_some_and(|grasp| time(i) < grasp));
     let after = shown.iter().filter(|i| payload.release.is_some_and(|release| time(i) >= release));
-    let mut flown = |event: f64, given: Option<Twist<f64>>, times: Vec<f64>| {
+    let flown = |event: f64, given: Option<Twist<f64>>, times: Vec<f64>| {
         // Of the sample before it; the hand keeps its velocity in between.
         let sample = samples.iter().rfind(|sample| sample.time <= event)?;
-        let (pose, own) = place(sample);
+        // μ is that of the robot with what it held until then.
+        let (pose, own) = place(&scene.laden(model, event.next_down()), sample);
         let pose = pose * Pose::exp(own * (event - sample.time));
         let twist = given.map_or(own, |given| {
             let turn = pose.rotation.transpose();
@@ -125,7 +126,7 @@ fn places(
             (shown.len() - then.len(), then)
         }
     };
-    let held: Vec<_> = shown[found.len()..end].iter().map(|i| place(&samples[*i]).0).collect();
+    let held: Vec<_> = shown[found.len()..end].iter().map(|i| place(model, &samples[*i]).0).collect();
     found.extend(held.into_iter().chain(then));
     Some(found)
 }
