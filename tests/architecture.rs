@@ -4,15 +4,16 @@ use std::fs;
 use std::path::Path;
 
 /// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real` and `Model` stand at the crate's root.
-const ARROWS: [(&str, &[&str]); 15] = [
+const ARROWS: [(&str, &[&str]); 16] = [
     ("turn.rs", &[]),
     ("real.rs", &["turn"]),
     ("spatial", &["Real"]),
+    ("ldl.rs", &["Real"]),
     ("model", &["Real", "spatial", "model"]),
     ("urdf", &["Model", "model", "spatial", "urdf"]),
     ("sweep", &["Real", "model", "spatial", "sweep"]),
-    ("rel", &["Real", "Model", "model", "spatial", "sweep"]),
-    ("hamel", &["Real", "model", "spatial", "sweep"]),
+    ("rel", &["Real", "Model", "ldl", "model", "spatial", "sweep"]),
+    ("hamel", &["Real", "ldl", "model", "spatial", "sweep"]),
     ("derivatives", &["Real"]),
     ("extended.rs", &["Real"]),
     ("enclosure.rs", &["Real", "extended"]),

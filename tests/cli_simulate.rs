@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use frs::model::Inertial;
 use frs::nalgebra::{Matrix3, Vector3};
-use frs::spatial::Pose;
+use frs::spatial::{Pose, Symmetric3, Twist};
 use frs::{Model, Workspace};
 use parquet::column::reader::get_typed_column_reader;
 use parquet::data_type::DoubleType;
@@ -71,7 +72,7 @@ fn a_table_and_pictures_are_written_and_told() {
     let told = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(told.contains("momentum") && told.contains("driven") && told.contains("trajectory.csv"), "{told}");
-    let pictures = ["energy", "locked_velocity", "momentum", "shape", "shape_rates", "torques"];
+    let pictures = ["decoupling", "energy", "locked_velocity", "momentum", "shape", "shape_rates", "torques"];
     for picture in pictures {
         let drawn = std::fs::read_to_string(out.join(picture).with_extension("svg")).unwrap();
         assert!(drawn.starts_with("<svg") && drawn.ends_with("</svg>\n") && !drawn.contains("NaN"), "{picture}");
@@ -186,6 +187,92 @@ fn joints_of_a_report_are_where_the_core_puts_them() {
         }
         let com = pose.transform(shape.com()) / unit;
         assert!((seen(points.len() / 3 - 1) - com).amax() < ROUNDING, "centre of mass at {time} s");
+    }
+}
+
+/// The middle of a box whose corners begin with a point, m.
+fn middle(motion: &Value, frame: usize, first: usize) -> Vector3<f64> {
+    let points = numbers(&motion["points"][frame]);
+    let corner = |i: usize| Vector3::from_row_slice(&points[3 * i..3 * i + 3]);
+    (first..first + 8).map(corner).sum::<Vector3<f64>>() * (0.125 * motion["unit"].as_f64().unwrap())
+}
+
+/// A target comes with its velocity, is held, and leaves with what it then has; a goal stands still.
+#[test]
+fn a_target_flies_as_long_as_nobody_holds_it() {
+    const VELOCITY: [f64; 3] = [-0.02, 0.3, 0.1];
+    /// Units are 0.1 mm; eight corners are rounded, and so is the middle.
+    const ROUNDED: f64 = 2e-4;
+    let payload = "[payload]\nlink = 'link_7'\nmass = 8\ncom = [0, 0, 0.25]\ninertia = [0.12, 0.12, 0.1, 0, 0, 0]\n";
+    let times = "grasp = 0.15\nrelease = 0.3\ntwist = [0.5, 1, -3, -0.02, 0.3, 0.1]\n";
+    let hand = "[end_effector]\nlink = 'link_7'\nposition = [0.1, 0.2, 0.9]\nstiffness = 10\ndamping = 1\n";
+    let path = scene("target", &format!("[start]\nq = {{ joint_2 = 0.5 }}\n{payload}{times}{hand}"));
+    let page = report(&path, 0);
+    assert!(page.contains("bodies that it takes or lets go") && page.contains("where hands are to be"));
+    let motion = motion(&page);
+    let (_, rows) = trajectory(&path.with_file_name("out"));
+    let times = numbers(&motion["times"]);
+    let (taken, mark) = (&motion["boxes"][0], motion["marks"][0]["point"].as_u64().unwrap() as usize);
+    let first = taken["first"].as_u64().unwrap() as usize;
+    assert_eq!((first, mark), (motion["robot"].as_u64().unwrap() as usize, first + 8));
+    assert_eq!((taken["grasp"].as_f64(), taken["release"].as_f64()), (Some(0.15), Some(0.3)));
+    let model = Model::from_urdf(frs::urdf::LWR_SATELLITE).unwrap();
+    let mut work = Workspace::new(&model);
+    let mut held = |time: f64| {
+        let row = rows.iter().find(|row| row[0] == time).unwrap();
+        let pose = Pose::new(Matrix3::from_row_slice(&row[4..13]), Vector3::from_row_slice(&row[1..4]));
+        let link = work.shape(&row[13..20]).link_pose(model.link("link_7").unwrap());
+        (pose * link).transform(Vector3::new(0.0, 0.0, 0.25))
+    };
+    let (taken_at, left_at) = (held(0.15), held(0.3));
+    let last = middle(&motion, times.len() - 1, first);
+    for (frame, &time) in times.iter().enumerate() {
+        let expected = match time {
+            time if time < 0.15 => taken_at + Vector3::from(VELOCITY) * (time - 0.15),
+            time if time < 0.3 => held(time),
+            _ => left_at + (last - left_at) * ((time - 0.3) / 0.2),
+        };
+        let error = (middle(&motion, frame, first) - expected).norm();
+        assert!(error < ROUNDED, "{time}: {error}");
+        let goal = numbers(&motion["points"][frame])[3 * mark..3 * mark + 3].to_vec();
+        let goal = Vector3::from_row_slice(&goal) * motion["unit"].as_f64().unwrap();
+        assert!((goal - Vector3::new(0.1, 0.2, 0.9)).norm() < ROUNDED);
+    }
+    // It leaves as fast as the hand was.
+    let row = rows.iter().find(|row| row[0] == 0.3).unwrap();
+    let own = model.links()[model.link("link_7").unwrap()].inertial;
+    let inertia = Symmetric3::diagonal(Vector3::new(0.12, 0.12, 0.1));
+    let both = own.joined(Inertial { mass: 8.0, com: Vector3::new(0.0, 0.0, 0.25), inertia });
+    let laden = model.with_inertial("link_7", both).unwrap();
+    let mut work = Workspace::new(&laden);
+    let mut shape = work.shape(&row[13..20]);
+    let hand = shape.link_pose(model.link("link_7").unwrap()).rotation;
+    let mu = Twist::from_array(std::array::from_fn(|i| row[27 + i]));
+    let twist = shape.moving(&row[20..27]).link_twist(model.link("link_7").unwrap(), mu);
+    let velocity = Matrix3::from_row_slice(&row[4..13]) * hand * twist.at(Vector3::new(0.0, 0.0, 0.25)).linear;
+    assert!((last - left_at - velocity * 0.2).norm() < ROUNDED, "{velocity}");
+    assert!((last - left_at).norm() > 0.01 && (taken_at - middle(&motion, 0, first)).norm() > 0.04);
+}
+
+/// The picture of the documentation is the one that is drawn, but for the last digit of a pixel.
+#[test]
+fn the_papers_figure_is_the_one_that_is_drawn() {
+    const PIXELS: f64 = 0.15;
+    let out = folder("figure");
+    let output = frs(&["simulate", "scenes/paper_tau_bar.toml", "--out", out.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let [drawn, kept] = [out.join("decoupling.svg"), Path::new(ROOT).join("docs/scenes/decoupling.svg")].map(|path| {
+        let text = std::fs::read_to_string(path).unwrap();
+        let pieces = text.split([' ', '"', 'M', 'L', '<', '>']).filter(|piece| !piece.is_empty());
+        pieces.map(str::to_owned).collect::<Vec<_>>()
+    });
+    assert!(drawn.len() == kept.len() && drawn.len() > 5000, "{} and {} pieces", drawn.len(), kept.len());
+    for (one, other) in drawn.iter().zip(&kept) {
+        let near = match (one.parse::<f64>(), other.parse::<f64>()) {
+            (Ok(one), Ok(other)) => (one - other).abs() < PIXELS,
+            _ => one == other,
+        };
+        assert!(near, "{one} {other}");
     }
 }
 

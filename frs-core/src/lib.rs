@@ -10,6 +10,7 @@ mod floating_base;
 pub mod generated;
 mod hamel;
 pub mod lanes;
+pub mod ldl;
 pub mod model;
 mod quantity;
 mod real;

@@ -128,6 +128,36 @@ fn what_is_wrong_is_told_in_place() {
             "scene.toml:6:13: computed_torque.set_point: found 1 values; expected 2, one for each time",
         ),
         ("[end_effector]\nlink = 'link_7'", "scene.toml:3:1: end_effector.position: missing; expected x, y, z"),
+        (
+            "[added_mass]\nlink = 'base'",
+            "scene.toml:3:1: added_mass.inertia: missing; expected six numbers, of turning",
+        ),
+        (
+            "[added_mass]\nlink = 'base'\ninertia = [1, 1, 1, -1, 1, 1]",
+            "scene.toml:5:11: added_mass.inertia: found an eigenvalue of -1; expected none below 0",
+        ),
+        (
+            "[added_mass]\nlink = 'base'\ninertia = [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 2, 1, 0, 0, 0], \
+             [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]",
+            "scene.toml:5:11: added_mass.inertia: found 2 in row 3, column 2 and 0 across the diagonal; expected",
+        ),
+        (
+            "[added_mass]\nlink = 'base'\ninertia = [[1, 0, 0, 0, 0, 0], [0, 1]]",
+            "scene.toml:5:11: added_mass.inertia: found 2 rows; expected 6",
+        ),
+        (
+            "[added_mass]\nlink = 'base'\ninertia = [[1, 0, 0, 0, 0, 0], [0, 1], 1, 1, 1, 1]",
+            "scene.toml:5:32: added_mass.inertia: found 2 numbers; expected 6: a row",
+        ),
+        (
+            "[[added_mass]]\nlink = 'base'\ninertia = [1, 1, 1, 1, 1, 1]\n[[added_mass]]\nlink = 'link_7'\n\
+             inertia = [1, 1, 1, 1, 1, 1]\ncurrent = [1, 0, 0]",
+            "scene.toml:6:1: added_mass: the water moves with [0.0, 0.0, 0.0] in line 3 and with [1.0, 0.0, 0.0] in line 6",
+        ),
+        (
+            "[[added_mass]]\nlink = 'base'\ninertia = [1, 1, 1, 1, 1, 1]\n[drag]\nlink = 'base'\ncurrent = [1, 0, 0]",
+            "scene.toml:1:1: the water moves with [0.0, 0.0, 0.0] in line 3 ([added_mass]) and with [1.0, 0.0, 0.0] in line 6",
+        ),
         ("duration = 1", "scene.toml:3:1: this is not TOML: duplicate key"),
         ("x = [1", "scene.toml:3:7: this is not TOML: "),
     ];

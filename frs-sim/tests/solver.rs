@@ -26,6 +26,9 @@ const PULSE: &str = "[wrench]\nforce = [3, 0, 4]\nmoment = [1, 2, 0]\naxes = 'wo
 /// Joints that follow a course and joints that turn rotors.
 const DRIVEN: &str = "[rotors]\ninertia = 0.05\n[[prescribed]]\njoint = 'joint_2'\nsinusoid = { offset = 0.5, amplitude = 0.3, rate = 4 }\n";
 
+/// What the hand and the base set in motion.
+const WATER: &str = "[[added_mass]]\nlink = 'link_7'\ninertia = [0.1, 0.1, 0.1, 1, 2, 3]\n[[added_mass]]\nlink = 'base'\ninertia = [0.1, 0.2, 0.3, 2, 3, 4]\n";
+
 /// A body is taken, and let go.
 const PAYLOAD: &str = "[payload]\nlink = 'link_7'\nmass = 3\ninertia = [0.1, 0.1, 0.1, 0, 0, 0]\ngrasp = 0.1\nrelease = 0.3\ntwist = [0.1, 0, 0, 0, 0.2, 0]\n";
 
@@ -70,6 +73,8 @@ fn every_set_of_equations_and_every_route_gives_one_motion() {
         format!("{PUSHED}{DRIVEN}"),
         format!("{PUSHED}{PULSE}{DRIVEN}"),
         format!("{PUSHED}{PAYLOAD}"),
+        format!("{PUSHED}{WATER}"),
+        format!("{PUSHED}{PULSE}{DRIVEN}{WATER}"),
     ] {
         let expected = accurate(&text);
         for (name, equations) in EQUATIONS {

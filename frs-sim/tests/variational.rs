@@ -23,21 +23,30 @@ fn stored(state: &Canonical) -> f64 {
     0.5 * STIFFNESS * state.q.iter().map(|q| q * q).sum::<f64>()
 }
 
+/// A satellite with an arm, a robot in a plane, and a body without joints.
 #[test]
-fn it_has_order_two() {
+fn it_has_order_two_on_three_motions() {
+    let satellite = ([0.1, -0.4, 0.3, 1.2, 0.0, -0.7, 0.2], [0.5, -0.2, 0.1, 0.3, -0.4, 0.2, 0.6]);
+    has_order_two(&Model::from_urdf(urdf::LWR_SATELLITE).unwrap(), &satellite.0, &satellite.1);
+    let planar = Model::from_urdf(include_str!("../../robots/planar_three_link.urdf")).unwrap();
+    has_order_two(&planar, &[0.5, -0.3], &[0.2, 0.4]);
+    let inertial = "<mass value='2'/><inertia ixx='0.1' iyy='0.2' izz='0.25' ixy='0' ixz='0.02' iyz='0'/>";
+    let body = format!("<robot name='body'><link name='body'><inertial>{inertial}</inertial></link></robot>");
+    has_order_two(&Model::from_urdf(&body).unwrap(), &[], &[]);
+}
+
+fn has_order_two(model: &Model, q: &[f64], qd: &[f64]) {
     /// What the next power of h still contributes.
     const TOLERANCE: f64 = 0.05;
     const DURATION: f64 = 1.0;
-    let model = Model::from_urdf(urdf::LWR_SATELLITE).unwrap();
-    let (q, qd) = ([0.1, -0.4, 0.3, 1.2, 0.0, -0.7, 0.2], [0.5, -0.2, 0.1, 0.3, -0.4, 0.2, 0.6]);
-    let mut variational = Variational::new(&model, springs);
-    let start = variational.state(pose(), &q, &qd, Twist::from_array(MU));
+    let mut variational = Variational::new(model, springs);
+    let start = variational.state(pose(), q, qd, Twist::from_array(MU));
 
-    let mut work = Workspace::new(&model);
-    let momentum = work.shape(&q).centroidal_momentum(Twist::from_array(MU));
+    let mut work = Workspace::new(model);
+    let momentum = work.shape(q).centroidal_momentum(Twist::from_array(MU));
     let momentum = Pose::new(pose().rotation, Vector3::zeros()).act_wrench(momentum);
-    let mut motion = Motion::new(&model, Conserved { momentum }, springs);
-    let state = motion.state(pose(), &q, &qd, Twist::zero());
+    let mut motion = Motion::new(model, Conserved { momentum }, springs);
+    let state = motion.state(pose(), q, qd, Twist::zero());
     let mut exact = Adaptive::new(&DOP853, state, 0.0, 1e-13);
     while exact.time() < DURATION {
         exact.advance(&mut motion, DURATION).unwrap();
@@ -53,7 +62,7 @@ fn it_has_order_two() {
         numbers.map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() + turn
     });
     let orders = [errors[0] / errors[1], errors[1] / errors[2]].map(f64::log2);
-    assert!(orders.iter().all(|order| (order - 2.0).abs() < TOLERANCE), "{orders:?} of {errors:?}");
+    assert!(orders.iter().all(|order| (order - 2.0).abs() < TOLERANCE), "{}: {orders:?} of {errors:?}", model.name());
 }
 
 /// A million steps: the energy swings about what it was, and the momentum has the bits that it had.

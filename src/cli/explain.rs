@@ -158,7 +158,12 @@ fn equations(scene: &Scene) -> String {
     } else {
         ""
     };
-    format!("  {inertia} q̈ = {shape}{given}\n  {momentum}")
+    let water = if any(|force| matches!(force, Force::AddedMass(..))) {
+        "\n  (Λ + Σ Jᵀ M_A J) ξ̇ = f + Σ Jᵀ (ad_Vᵀ M_A V − M_A V̇⁰) gives the water's wrenches, f all that is above, J = [X_k J̃_k]"
+    } else {
+        ""
+    };
+    format!("  {inertia} q̈ = {shape}{given}\n  {momentum}{water}")
 }
 
 fn left_out(out: &mut impl Write, scene: &Scene) -> io::Result<()> {

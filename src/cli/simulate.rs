@@ -2,6 +2,7 @@
 
 mod chart;
 mod checkpoint;
+mod decoupling;
 mod pictures;
 mod report;
 mod summary;
@@ -108,7 +109,7 @@ impl Simulate {
         let rows = rows(&record);
         let mut files = vec![("trajectory.csv", trajectory::table(&columns, &rows))];
         files.extend(charts.iter().map(|(name, chart)| (*name, chart.svg())));
-        files.push(("report.html", report::page(&self.scene, model, &record.samples, &summary, &charts)?));
+        files.push(("report.html", report::page(&self.scene, scene, model, &record.samples, &summary, &charts)?));
         for (name, text) in &files {
             write(&self.out.join(name), text)?;
         }

@@ -3,8 +3,9 @@
 use nalgebra::DMatrix;
 
 use crate::Real;
+use crate::ldl::{factor, solve};
 use crate::spatial::{Twist, Wrench};
-use crate::sweep::{Moving, factor, solve};
+use crate::sweep::Moving;
 
 impl<T: Real> Moving<'_, '_, '_, T> {
     /// `[V̇₁; q̈] = M⁻¹ ([F₁; τ] − C V)` (length 6+n, base frame) of a base moving with `V₁ = base_twist`, factoring M whole: O((6+n)³).

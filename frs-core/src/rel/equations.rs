@@ -1,8 +1,9 @@
 //! The REL equations solved: for the accelerations, and for the forces.
 
 use crate::Real;
+use crate::ldl::{factor, solve};
 use crate::spatial::{Twist, Wrench};
-use crate::sweep::{Data, Moving, articulated_accelerations, factor, newton_euler, project, solve};
+use crate::sweep::{Data, Moving, articulated_accelerations, newton_euler, project};
 
 use super::vectors::turning;
 

@@ -4,7 +4,7 @@ use nalgebra::Matrix6xX;
 
 use crate::Real;
 use crate::spatial::{Pose, Twist, Wrench};
-use crate::sweep::{Moving, Shape};
+use crate::sweep::{Moving, Shape, newton_euler};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The pose of link number `link` ([`Model::link`](crate::Model::link)) in the base frame.
@@ -85,6 +85,31 @@ impl<T: Real> Shape<'_, '_, T> {
 }
 
 impl<T: Real> Moving<'_, '_, '_, T> {
+    /// The rates `V̇_k` of the body twists of links (their own frames), into `out`, where the motion changes by `ξ̇ = [μ̇; q̈]` (length 6+n):
+    /// `V̇_k = X_k μ̇ + J̃_k q̈` and what the motion itself adds. One sweep for all.
+    ///
+    /// # Panics
+    /// If `xi_dot` does not have 6+n entries, or `out` not one for each of `links`.
+    pub fn link_accelerations(&mut self, mu: Twist<T>, xi_dot: &[T], links: &[usize], out: &mut [Twist<T>]) {
+        assert_eq!(xi_dot.len(), 6 + self.model.dof(), "ξ̇ must have 6+n entries");
+        assert_eq!(links.len(), out.len(), "out must have one entry per link");
+        let (com, qdd) = (self.com(), &xi_dot[6..]);
+        let (mu, mu_dot) = (mu.at(com), Twist::from_array(std::array::from_fn(|i| xi_dot[i])).at(com));
+        let force = self.locked_momentum(mu_dot) + self.locked_rate() * mu - self.momentum_rate(mu);
+        let (model, data) = (self.model, &mut *self.data);
+        newton_euler(model, data, mu, Twist::zero(), |j| {
+            let drive = model.bodies()[j + 1].drive;
+            qdd[drive.coordinate] * drive.ratio
+        });
+        // With the base's acceleration 0 this is what the bodies would need together; the base has what the force is more.
+        let needed = self.data.wrench.iter().fold(Wrench::zero(), |sum, wrench| sum + *wrench);
+        let base = self.locked_solve(force - needed);
+        for (out, &link) in out.iter_mut().zip(links) {
+            let body = model.links()[link].body;
+            *out = self.centroidal_pose(link).act_inverse(self.data.twist[body] + base);
+        }
+    }
+
     /// The body twist `V_k = X_k μ + J̃_k q̇` of a link (its own frame) at the locked velocity `mu` (base frame).
     pub fn link_twist(&self, link: usize, mu: Twist<T>) -> Twist<T> {
         let body = self.model.links()[link].body;

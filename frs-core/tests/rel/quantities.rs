@@ -1,7 +1,7 @@
 //! Every public quantity equals the sum over links that defines it.
 
 use frs_core::Curvature;
-use frs_core::spatial::{Pose, Wrench};
+use frs_core::spatial::{Pose, Twist, Wrench};
 use nalgebra::{DVector, Matrix3, Matrix6xX, Vector1, Vector3, Vector6};
 use proptest::prelude::*;
 
@@ -199,6 +199,25 @@ proptest! {
                 let expected = own.dot(&wrench.to_vector());
                 let size = own.norm() + 1.0;
                 close(&Vector1::new(power / size), &Vector1::new(expected / size), ROUNDING)?;
+            }
+            Ok(())
+        })?;
+    }
+
+    /// `V̇_k = X_k μ̇ + Ẋ_k μ + J̃_k q̈ + dJ̃_k/dt q̇`.
+    #[test]
+    fn link_accelerations(case in case()) {
+        case.judge(|spec, robot| {
+            // Any acceleration will do: [v₁; y].
+            let xi_rate = stack(&case.v1, &case.y);
+            let number = |name: &str| robot.model().link(name).expect("every link is in the model");
+            let links: Vec<usize> = case.robot.links.iter().map(|link| number(&link.name)).collect();
+            let mut found = vec![Twist::from_array([f64::NAN; 6]); links.len()];
+            robot.link_accelerations(twist(&case.mu), xi_rate.as_slice(), &links, &mut found);
+            for (own, found) in spec.links.iter().zip(found) {
+                let turning = own.x_rate * case.mu + &own.jt_rate * &case.qd;
+                let expected = own.x * case.v1 + &own.jt * &case.y + turning;
+                close(&found.to_vector(), &expected, ROUNDING)?;
             }
             Ok(())
         })?;

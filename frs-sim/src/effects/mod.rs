@@ -1,5 +1,6 @@
 //! Forces that a scene can name, one file each.
 
+mod added_mass;
 mod computed_torque;
 mod contact;
 mod drag;
@@ -16,6 +17,7 @@ use frs_core::{Moving, Real};
 
 use crate::motion::{Instant, Load, Loads};
 
+pub use added_mass::{AddedMass, Water};
 pub use computed_torque::ComputedTorque;
 pub use contact::Contact;
 pub use drag::Drag;

@@ -2,6 +2,7 @@
 
 use frs_core::spatial::Twist;
 use frs_core::{Moving, Real};
+use nalgebra::DMatrix;
 
 use super::Load;
 use crate::signal::Signal;
@@ -91,6 +92,34 @@ impl<T: Real> Drives<T> {
         for (i, course) in self.courses.iter().enumerate() {
             if let Some(course) = course {
                 [q[i], qd[i], qdd[i]] = course.at(time);
+            }
+        }
+    }
+
+    /// Accelerations of the joints on a course, where `qdd` has those of all.
+    pub(crate) fn put_accelerations(&self, time: T, qdd: &mut [T]) {
+        for (qdd, course) in qdd.iter_mut().zip(&self.courses) {
+            if let Some(course) = course {
+                [_, _, *qdd] = course.at(time);
+            }
+        }
+    }
+
+    /// Of joints on a course, what `all` has.
+    pub(crate) fn put_given(&self, all: &[T], out: &mut [T]) {
+        for ((out, &one), _) in out.iter_mut().zip(all).zip(&self.given).filter(|(_, given)| **given) {
+            *out = one;
+        }
+    }
+
+    /// Adds the rotors to an inertia in ξ, of which the lower triangle counts, and lets joints on a course not feel a `force` in ξ.
+    pub(crate) fn hold(&self, inertia: &mut DMatrix<T>, force: &mut [T]) {
+        for (i, (&rotor, &given)) in (6..).zip(self.rotor.iter().zip(&self.given)) {
+            inertia[(i, i)] += rotor;
+            if given {
+                inertia.row_mut(i).fill(T::zero());
+                inertia.column_mut(i).fill(T::zero());
+                (inertia[(i, i)], force[i]) = (T::one(), T::zero());
             }
         }
     }

@@ -5,6 +5,7 @@
 //! not name is not computed.
 
 mod drives;
+mod free_flight;
 mod loads;
 mod momentum;
 mod variational;
@@ -17,6 +18,7 @@ use frs_core::{Model, Moving, Real, Route, Workspace};
 use crate::integrate::{State, System, Tangent};
 
 pub use drives::{Course, Drives};
+pub use free_flight::free_flight;
 pub use loads::{Instant, Load, Loads};
 pub use momentum::{Ballistic, Conserved, Driven, Hamel, Momentum, Zero};
 pub use variational::{Canonical, Variational, Velocities};

@@ -209,7 +209,13 @@ impl<'s, 'm, M: Momentum<f64>> Flight<'s, 'm, M> {
             state.pose.translation = place - state.pose.rotation * com;
         }
         let before = state.pose;
-        let changed = self.system.hand_over(&self.models[self.phase], self.scene.payloads(), time, &mut state);
+        let changed = self.system.hand_over(
+            &self.models[self.phase],
+            self.scene.payloads(),
+            self.scene.still_water(),
+            time,
+            &mut state,
+        );
         if let Some(watch) = &mut self.watch {
             watch.hand_over((&before, com), (&state.pose, self.system.com(time, &state)));
         }

@@ -4,8 +4,9 @@ use frs_core::Model;
 use frs_core::spatial::{Pose, Twist, Wrench};
 use nalgebra::Vector3;
 
+use crate::effects::Water;
 use crate::integrate::State;
-use crate::motion::{Load, Momentum};
+use crate::motion::{Instant, Load, Momentum};
 use crate::scene::Payload;
 
 use super::metered::Metered;
@@ -22,11 +23,13 @@ pub struct Changed {
 
 impl<'m, M: Momentum<f64>> Metered<'m, M> {
     /// Goes on with the robot `after`, which has of `payloads` those that it has at `time`, and before had others. The energy that this
-    /// gives or takes is what payloads brought.
+    /// gives or takes is what payloads brought, but for what the water takes, if there is some: its number among the forces, and what it is
+    /// while it is still.
     pub fn hand_over<'p>(
         &mut self,
         after: &'m Model,
         payloads: impl Iterator<Item = &'p Payload>,
+        mut water: Option<(usize, Water)>,
         time: f64,
         state: &mut State,
     ) -> Changed {
@@ -38,7 +41,11 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
         let at_rest = vec![0.0; q.len()];
 
         let mut load = Load::zero(q.len());
+        let mut lost = 0.0;
         self.motion.ask(time, &own, |robot, mu| {
+            let (carried, stirred) =
+                water.as_ref().map_or_else(Default::default, |(_, water)| water.momenta(robot, mu));
+            lost = stirred;
             let came_and_went: Vec<(f64, &Payload, Twist<f64>)> = payloads
                 .filter_map(|payload| {
                     let own = robot.link_twist(payload.link, mu);
@@ -58,6 +65,9 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
             let xi: Vec<f64> = mu.to_array().iter().chain(&qd).copied().collect();
             // At rest, accelerations and forces are as velocities and momenta.
             load.base_wrench = rest.inverse_dynamics(Twist::zero(), &xi, &mut load.tau);
+            for (link, momentum) in carried {
+                load.base_wrench += rest.add_link_wrench(link, momentum, &mut load.tau);
+            }
             for (sign, payload, twist) in came_and_went {
                 let momentum = payload.inertial.momentum(twist) * sign;
                 load.base_wrench += rest.add_link_wrench(payload.link, momentum, &mut load.tau);
@@ -69,12 +79,16 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
         let (com, mass) = (shape.com(), shape.locked_inertia().mass);
         let mut rest = shape.moving(&at_rest);
         let mut rates = qd;
+        if let Some(drives) = self.motion.drives() {
+            drives.add_rotors(&rates, &mut load.tau);
+        }
+        if let Some((_, water)) = &mut water {
+            let instant = Instant { time, pose: &state.pose, q: &q, qd: &at_rest, mu: Twist::zero() };
+            water.add_impulses(&instant, &mut rest, &mut load, &rates);
+        }
         match self.motion.drives() {
             None => rest.shape_acceleration(Twist::zero(), load.base_wrench, &load.tau, &mut rates),
-            Some(drives) => {
-                drives.add_rotors(&rates, &mut load.tau);
-                drives.accelerations(&mut rest, Twist::zero(), &mut load, &mut rates);
-            }
+            Some(drives) => drives.accelerations(&mut rest, Twist::zero(), &mut load, &mut rates),
         }
         let mu = rest.locked_acceleration(Twist::zero(), load.base_wrench);
 
@@ -82,9 +96,15 @@ impl<'m, M: Momentum<f64>> Metered<'m, M> {
         let momentum = turned.act_wrench(load.base_wrench.at(com));
         self.motion.change(after, time, momentum, mass);
         let own = self.motion.state(state.pose, &q, &rates, mu);
-        state.flat[..own.flat.len()].copy_from_slice(&own.flat);
-        *state.flat.last_mut().expect("what payloads brought is the last number") +=
-            self.motion.kinetic_energy(time, &own) - energy;
+        let numbers = own.flat.len();
+        state.flat[..numbers].copy_from_slice(&own.flat);
+        let mut brought = self.motion.kinetic_energy(time, &own) - energy;
+        if let Some((number, water)) = water {
+            lost -= self.motion.ask(time, &own, |robot, mu| water.momenta(robot, mu).1);
+            state.flat[numbers + number] += lost;
+            brought -= lost;
+        }
+        *state.flat.last_mut().expect("what payloads brought is the last number") += brought;
         Changed { momentum, com: state.pose.transform(com), mass }
     }
 }

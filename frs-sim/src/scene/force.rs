@@ -2,7 +2,7 @@
 
 use super::payload::Payload;
 use crate::effects::{
-    Contact, Coulomb, Decoupling, Drag, Gains, Gravity, JointTorque, LinkWrench, Spring, Target, Viscous,
+    AddedMass, Contact, Coulomb, Decoupling, Drag, Gains, Gravity, JointTorque, LinkWrench, Spring, Target, Viscous,
 };
 use crate::motion::Course;
 use crate::signal::Signal;
@@ -45,6 +45,8 @@ pub enum Force {
     ComputedTorque(Vec<Course>, f64),
     /// `[end_effector]`
     EndEffector(Target),
+    /// `[added_mass]`, all of them: links, and how the water moves (m/s, world axes)
+    AddedMass(Vec<AddedMass>, [f64; 3]),
 }
 
 /// An effect and where the scene names it.
@@ -56,8 +58,8 @@ pub struct Named {
     pub line: usize,
 }
 
-/// Keys of a scene that are effects.
-pub const EFFECTS: [&str; 14] = [
+/// Keys of a scene that are effects, in the order in which they act.
+pub const EFFECTS: [&str; 15] = [
     "gravity",
     "wrench",
     "drag",
@@ -72,6 +74,7 @@ pub const EFFECTS: [&str; 14] = [
     "regulator",
     "computed_torque",
     "end_effector",
+    "added_mass",
 ];
 
 impl Force {
@@ -92,12 +95,13 @@ impl Force {
             Self::Regulator(_) => "regulator",
             Self::ComputedTorque(..) => "computed_torque",
             Self::EndEffector(_) => "end_effector",
+            Self::AddedMass(..) => "added_mass",
         }
     }
 
     /// Whether it can change the momentum about the centre of mass.
     pub fn drives_momentum(&self) -> bool {
-        matches!(self, Self::Wrench(_) | Self::Drag(_) | Self::Contact(_))
+        matches!(self, Self::Wrench(_) | Self::Drag(_) | Self::Contact(_) | Self::AddedMass(..))
     }
 
     /// The name of its work; none for what does none: rotors are kinetic energy, and payloads are told together.
@@ -133,6 +137,7 @@ impl Force {
             },
             Self::ComputedTorque(..) => "τ += Λ_q (q̈_d − 2 ω ė − ω² e) + Γ'_q q̇ + 2 B_2 q̇ − c(μ)",
             Self::EndEffector(_) => "τ −= J̃_kᵀ [0; R_kᵀ K (x − x_d) + D v_k] + c(μ) + D_q q̇",
+            Self::AddedMass(..) => "F₁ += X_kᵀ F_k, τ += J_kᵀ F_k,  F_k = ad_Vᵀ M_A V − M_A V̇",
         }
     }
 

@@ -2,6 +2,7 @@
 
 use frs_core::Model;
 
+use super::added_mass;
 use super::columns;
 use super::force::{EFFECTS, Force, Named};
 use super::payload;
@@ -16,6 +17,10 @@ use crate::signal::Signal;
 pub fn read(root: &Table<'_, '_>, model: &Model, duration: f64) -> Vec<Named> {
     let mut forces = Vec::new();
     for key in EFFECTS {
+        if key == "added_mass" {
+            forces.extend(added_mass::read(root, model));
+            continue;
+        }
         for table in root.tables(key) {
             let read = match key {
                 "gravity" => gravity(&table).into_iter().collect(),
@@ -41,6 +46,7 @@ pub fn read(root: &Table<'_, '_>, model: &Model, duration: f64) -> Vec<Named> {
 
 /// Notes forces that cannot be together.
 pub fn contradictions(root: &Table<'_, '_>, model: &Model, forces: &[Named]) {
+    added_mass::contradictions(root, forces);
     let mut lines: Vec<Option<usize>> = vec![None; model.dof()];
     for named in forces {
         if let Force::Prescribed(i, _) = named.force

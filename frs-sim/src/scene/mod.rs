@@ -2,6 +2,7 @@
 //!
 //! All keys: docs/scenes.md. What is known about the momentum is not said in a scene; it follows from what is.
 
+mod added_mass;
 mod columns;
 mod force;
 mod forces;
@@ -21,7 +22,7 @@ use frs_core::spatial::Twist;
 use frs_core::{Model, Real};
 use nalgebra::Vector3;
 
-use crate::effects::{ComputedTorque, Effect, Effects, EndEffector, Regulator, Stops};
+use crate::effects::{AddedMass, ComputedTorque, Effect, Effects, EndEffector, Regulator, Stops, Water};
 use crate::motion::{Course, Drives};
 use crate::observer::Observer;
 use reader::{Reader, Table};
@@ -224,10 +225,23 @@ impl Scene {
                 Force::Regulator(gains) => Box::new(Regulator::new(gains.clone())),
                 Force::ComputedTorque(courses, bandwidth) => Box::new(ComputedTorque::new(courses.clone(), *bandwidth)),
                 Force::EndEffector(target) => Box::new(EndEffector::new(target.clone())),
+                Force::AddedMass(added, current) => Box::new(self.water(added, *current)),
             };
             Some((number, effect))
         });
         Effects(each.collect())
+    }
+
+    /// What the water is to an impulse, and its number among the forces; none if the scene names none.
+    pub(crate) fn still_water(&self) -> Option<(usize, Water)> {
+        self.forces.iter().enumerate().find_map(|(number, named)| match &named.force {
+            Force::AddedMass(added, _) => Some((number, self.water(added, [0.0; 3]))),
+            _ => None,
+        })
+    }
+
+    fn water<T: Real>(&self, added: &[AddedMass], current: [f64; 3]) -> Water<T> {
+        Water::new(added, current, self.drives(), self.start.q.len())
     }
 
     /// Rotors and courses of the joints; none if the scene names none.

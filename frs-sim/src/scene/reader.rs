@@ -262,6 +262,11 @@ impl<'r, 't> Item<'r, 't> {
         <[f64; N]>::try_from(list).ok().or_else(|| self.refuse(format!("found {count} numbers; expected {N}: {what}")))
     }
 
+    /// Whether this is a list of lists.
+    pub fn is_nested(&self) -> bool {
+        matches!(self.value, DeValue::Array(entries) if entries.iter().any(|entry| matches!(entry.get_ref(), DeValue::Array(_))))
+    }
+
     /// The entries of a list.
     pub fn items(&self, what: &str) -> Option<Vec<Self>> {
         let DeValue::Array(entries) = self.value else { return self.expected(what) };

@@ -6,7 +6,7 @@ use frs_codegen::record::{Operation, Place, Recorded, record};
 use frs_codegen::{Counts, Graph, Precision};
 use frs_sim::motion::{Instant, Load, Loads};
 use frs_sim::run::equations;
-use frs_sim::scene::Scene;
+use frs_sim::scene::{Case, Equations, Scene};
 
 use crate::cli::recording::{Inputs, Recording};
 
@@ -46,7 +46,11 @@ fn of_phase(scene: &Scene, model: &Model, time: f64) -> [Counts; 2] {
 
 /// What an effect performs by itself, while it acts and touches what it can touch.
 fn of_effect(scene: &Scene, model: &Model, number: usize) -> Option<Counts> {
-    let alone = Scene { forces: vec![scene.forces[number].clone()], ..scene.clone() };
+    let mut alone = Scene { forces: vec![scene.forces[number].clone()], ..scene.clone() };
+    if scene.case() != Case::Ballistic {
+        // Alone, gravity would be known to move the centre of mass and nothing else.
+        alone.solver.equations = Equations::Integrated;
+    }
     let first = alone.forces[0].force.knots().first().copied().unwrap_or(0.0);
     if alone.effects::<f64>(model).0.is_empty() {
         return None;

@@ -7,6 +7,7 @@ use frs_sim::run::Sample;
 use frs_sim::scene::Scene;
 
 use super::chart::{Chart, Panel};
+use super::decoupling;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -83,7 +84,9 @@ pub fn all(scene: &Scene, model: &Model, samples: &[Sample]) -> Vec<(&'static st
         ),
     ];
     let observer = observed.map(|panels| ("observer.svg", "Error of the observed locked velocity, base frame", panels));
-    let drawn = pictures.into_iter().chain(observer).map(|(name, title, panels)| {
+    let decoupling = decoupling::panels(scene, model, samples);
+    let decoupling = decoupling.map(|panels| ("decoupling.svg", "Decoupling torques along this motion", panels));
+    let drawn = pictures.into_iter().chain(decoupling).chain(observer).map(|(name, title, panels)| {
         (name, title, panels.into_iter().filter(|panel| !panel.lines.is_empty()).collect::<Vec<_>>())
     });
     let drawn = drawn.filter(|(_, _, panels)| !panels.is_empty());

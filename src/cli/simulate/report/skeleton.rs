@@ -1,19 +1,18 @@
 //! What is seen of a robot that has no looks: its joints, the lines between them, and the base as a box.
 
-use frs::model::{Body, Motion};
-use frs::nalgebra::{SymmetricEigen, Vector3};
+use frs::model::{Body, Inertial, Motion};
+use frs::nalgebra::Vector3;
 use frs::spatial::Pose;
 use frs::{Model, Workspace};
 use frs_sim::run::Sample;
 use serde::Serialize;
 
-/// Corners of the base's box are the first points; bits 0, 1, 2 of a corner's number tell its side along each axis.
-const CORNERS: usize = 8;
+use super::cuboid;
 
-/// The point in the middle of the box: the base's centre of mass.
-const BASE: usize = CORNERS;
+/// The point in the middle of the base's box, whose corners are the first points: the base's centre of mass.
+const BASE: usize = 8;
 
-/// Points of the robot and what joins them. After them comes one more point, the robot's centre of mass.
+/// Points of the robot and what joins them. After them, and those of what is beside it, comes the robot's centre of mass.
 pub struct Skeleton {
     points: Vec<Fixed>,
     pub joints: Vec<Joint>,
@@ -40,14 +39,11 @@ impl Skeleton {
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies();
         let to_root = model.links()[0].placement.inverse();
-        let half = half_edges(&bodies[0]);
-        let mut points: Vec<Fixed> = (0..CORNERS)
-            .map(|corner| {
-                let sides = (0..3).map(|axis| half[axis] * if corner >> axis & 1 == 0 { -1.0 } else { 1.0 });
-                Fixed { link: 0, at: to_root.transform(bodies[0].com + sides.sum::<Vector3<f64>>()) }
-            })
-            .collect();
-        points.push(Fixed { link: 0, at: to_root.transform(bodies[0].com) });
+        let Body { mass, com, inertia, .. } = bodies[0];
+        let corners = cuboid::corners(&Inertial { mass, com, inertia });
+        let mut points: Vec<Fixed> =
+            corners.map(|corner| Fixed { link: 0, at: to_root.transform(corner) }).into_iter().collect();
+        points.push(Fixed { link: 0, at: to_root.transform(com) });
         let (mut joints, mut segments) = (Vec::new(), Vec::new());
         // The point of each body; a body without a link, inside a planar joint, has its parent's.
         let mut origin = vec![BASE];
@@ -72,41 +68,41 @@ impl Skeleton {
         Self { points, joints, segments }
     }
 
-    /// Numbers of a frame.
-    pub fn numbers(&self) -> usize {
-        3 * (self.points.len() + 1)
+    /// How many points there are.
+    pub fn len(&self) -> usize {
+        self.points.len()
     }
 
-    /// The unit, m, and for each sample where the points are in the world, in units: x, y, z of the first, of the second, ….
+    /// The unit, m, and for each sample where the points are in the world, in units: x, y, z of the first, of the second, …; then those `beside` the
+    /// robot, then its centre of mass.
     ///
     /// The unit is the power of ten by which the robot's size has five digits.
-    pub fn frames<'s>(&self, model: &Model, samples: impl Iterator<Item = &'s Sample>) -> (f64, Vec<Vec<i64>>) {
+    pub fn frames<'s>(
+        &self,
+        model: &Model,
+        samples: impl Iterator<Item = &'s Sample>,
+        beside: &[Vec<Vector3<f64>>],
+    ) -> (f64, Vec<Vec<i64>>) {
         let mut work = Workspace::new(model);
-        let places: Vec<_> = samples.map(|sample| self.places(&mut work, sample)).collect();
+        let samples: Vec<_> = samples.collect();
+        let places: Vec<_> = samples.iter().map(|sample| self.places(&mut work, sample)).collect();
         let from_base =
             |points: &Vec<Vector3<f64>>| points.iter().map(|p| (p - points[BASE]).norm()).fold(0.0, f64::max);
         let size = places.first().map_or(0.0, from_base);
         let unit = if size > 0.0 { 10.0_f64.powf(size.log10().floor() - 4.0) } else { 1.0 };
-        let whole = |points: &Vec<Vector3<f64>>| points.iter().flatten().map(|x| (x / unit).round() as i64).collect();
-        (unit, places.iter().map(whole).collect())
+        let whole = |point: &Vector3<f64>| [point.x, point.y, point.z].map(|x| (x / unit).round() as i64);
+        let frames = places.iter().zip(beside).zip(&samples);
+        let frame = frames
+            .map(|((own, beside), sample)| own.iter().chain(beside).chain([&sample.com]).flat_map(whole).collect());
+        (unit, frame.collect())
     }
 
     fn places(&self, work: &mut Workspace, sample: &Sample) -> Vec<Vector3<f64>> {
         let links = work.model().links().len();
         let shape = work.shape(&sample.q);
         let poses: Vec<Pose<f64>> = (0..links).map(|link| sample.pose * shape.link_pose(link)).collect();
-        let points = self.points.iter().map(|point| poses[point.link].transform(point.at));
-        points.chain([sample.com]).collect()
+        self.points.iter().map(|point| poses[point.link].transform(point.at)).collect()
     }
-}
-
-/// Half the edges of the box that has the body's mass and inertia: `a² = 6 (I_b + I_c − I_a) / m` for its edges a, b, c.
-fn half_edges(body: &Body) -> [Vector3<f64>; 3] {
-    let axes = SymmetricEigen::new(body.inertia.to_matrix());
-    [0, 1, 2].map(|i| {
-        let square = 6.0 * (axes.eigenvalues.sum() - 2.0 * axes.eigenvalues[i]) / body.mass;
-        axes.eigenvectors.column(i) * (0.5 * square.max(0.0).sqrt())
-    })
 }
 
 /// Of a body's links and its centre of mass, the one that is farthest from its joint, in the body's frame.

@@ -1,6 +1,6 @@
 // The robot on a canvas. Points are [x, y, z] in the world, m; what is farther away is painted first.
 
-const CORNERS = 8, BASE = 8;  // The first points are the corners of the base's box, then comes its middle.
+const CORNERS = 8, BASE = 8;  // The first points are the corners of the base's box, then comes its middle. The last is the centre of mass.
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -24,9 +24,12 @@ class View {
     this.canvas = canvas;
     this.pen = canvas.getContext('2d');
     this.motion = motion;
-    const first = frames[0], whole = frames.flat();
-    const [low, high] = [Math.min, Math.max].map(end => [0, 1, 2].map(i => whole.reduce((m, p) => end(m, p[i]), first[0][i])));
+    const first = frames[0].slice(0, motion.robot);
     this.size = Math.max(...first.map(p => Math.hypot(...minus(p, first[BASE]))), 1e-9);
+    // What flies away leaves the picture.
+    const near = frame => frame.filter((p, i) => i < motion.robot || Math.hypot(...minus(p, frame[BASE])) < 1.8 * this.size);
+    const whole = frames.flatMap(near);
+    const [low, high] = [Math.min, Math.max].map(end => [0, 1, 2].map(i => whole.reduce((m, p) => end(m, p[i]), first[0][i])));
     this.middle = mix(low, high, 0.5);
     this.reach = Math.max(0.5 * Math.max(...minus(high, low)), 0.5 * this.size);
     this.floor = low[2];
@@ -34,7 +37,7 @@ class View {
     const lengths = motion.segments.map(([a, b]) => Math.hypot(...minus(first[a], first[b])));
     const long = lengths.filter(length => length > 1e-3 * this.size).sort((a, b) => a - b);
     this.thickness = Math.min(0.24 * (long[long.length >> 1] ?? this.size), 0.06 * this.size);
-    this.paths = [BASE, first.length - 1].map(point => frames.map(frame => frame[point]));
+    this.paths = [BASE, frames[0].length - 1].map(point => frames.map(frame => frame[point]));
     this.travels = this.reach > 1.5 * this.size;
     this.reset(this.travels);
   }
@@ -116,21 +119,31 @@ class View {
     pen.fillText(text, x + 6, y - 5);
   }
 
-  // What is to be painted of the robot: each with its depth.
-  parts(points, colour) {
-    const { pen, thickness } = this, seen = points.map(point => this.seen(point)), middle = points[BASE];
-    const parts = FACES.map(face => {
+  // The faces of a box that begins with a corner, each with its depth; light is what strikes it from above.
+  box(points, seen, first, rgb, solid) {
+    const { pen } = this, middle = mean(points.slice(first, first + CORNERS));
+    return FACES.map(face => face.map(corner => first + corner)).map(face => {
       const centre = mean(face.map(corner => points[corner])), out = minus(centre, middle);
       const light = Math.abs(dot(out, [0.36, -0.48, 0.8])) / (Math.hypot(...out) || 1);
       return [this.seen(centre)[2], () => {
         pen.beginPath();
         face.forEach((corner, i) => pen[i ? 'lineTo' : 'moveTo'](seen[corner][0], seen[corner][1]));
         pen.closePath();
-        pen.fillStyle = `rgba(${colour.box}, ${0.1 + 0.22 * light})`;
+        pen.fillStyle = `rgba(${rgb}, ${solid * (0.1 + 0.22 * light)})`;
         pen.fill();
-        Object.assign(pen, { strokeStyle: `rgba(${colour.box}, 0.75)`, lineWidth: 1.2 });
+        Object.assign(pen, { strokeStyle: `rgba(${rgb}, ${0.75 * solid})`, lineWidth: 1.2 });
         pen.stroke();
       }];
+    });
+  }
+
+  // What is to be painted of the robot and the bodies that it takes: each with its depth.
+  parts(points, frame, colour) {
+    const { pen, thickness, motion: { boxes, times } } = this, seen = points.map(point => this.seen(point)), time = times[frame];
+    const parts = this.box(points, seen, 0, colour.box, 1);
+    boxes.forEach(({ first, grasp, release }) => {
+      const flies = (grasp !== null && time < grasp) || (release !== null && time >= release);
+      parts.push(...this.box(points, seen, first, colour.load, flies ? 0.6 : 1));
     });
     // A joint lies on the segments that meet in it.
     const above = seen.map(([, , depth]) => depth);
@@ -157,6 +170,16 @@ class View {
     return parts;
   }
 
+  // A cross where a hand is to be.
+  mark(point, colour) {
+    const [x, y, depth] = this.seen(point), { pen } = this, r = 8;
+    if (depth <= 0) return;
+    pen.beginPath();
+    [[r, 0], [0, r]].forEach(([a, b]) => { pen.moveTo(x - a, y - b); pen.lineTo(x + a, y + b); });
+    Object.assign(pen, { strokeStyle: `rgb(${colour.load})`, lineWidth: 2.4 });
+    pen.stroke();
+  }
+
   // A circle in quarters, as on drawings.
   centre(point, colour) {
     const [x, y] = this.seen(point), { pen } = this, r = 6;
@@ -175,7 +198,7 @@ class View {
 
   draw(points, frame, { follow, paths, names }) {
     const style = getComputedStyle(document.documentElement), of = name => style.getPropertyValue(`--${name}`).trim();
-    const colour = Object.fromEntries(['link', 'edge', 'joint', 'box', 'com', 'card'].map(name => [name, of(name)]));
+    const colour = Object.fromEntries(['link', 'edge', 'joint', 'box', 'load', 'com', 'card'].map(name => [name, of(name)]));
     this.aim(follow ? points[BASE] : this.middle);
     this.ground(of('grid'));
     if (paths) {
@@ -185,9 +208,14 @@ class View {
         this.line([...path.slice(0, frame + 1), ends[i]], [of('accent'), colour.com][i], 1.6, 0.9);
       });
     }
-    this.parts(points, colour).sort((a, b) => b[0] - a[0]).forEach(([, paint]) => paint());
+    this.parts(points, frame, colour).sort((a, b) => b[0] - a[0]).forEach(([, paint]) => paint());
     this.centre(points.at(-1), colour);
-    if (names) this.motion.joints.forEach(({ point, name }) => this.word(name, points[point], of('text')));
+    const { joints, boxes, marks } = this.motion;
+    marks.forEach(({ point }) => this.mark(points[point], colour));
+    if (names) {
+      [...joints, ...marks].forEach(({ point, name }) => this.word(name, points[point], of('text')));
+      boxes.forEach(({ first, name }) => this.word(name, mean(points.slice(first, first + CORNERS)), of('text')));
+    }
     this.pen.font = '12px Helvetica, Arial, sans-serif';
     this.pen.fillStyle = of('faint');
     this.pen.fillText(`grid ${Number(this.step.toPrecision(1))} m`, 14, this.height - 12);
