@@ -1,0 +1,62 @@
+"""Programs that take part in the race of a robot, each on a pipe (serve.hpp says what they are asked)."""
+
+import json
+import shutil
+import subprocess
+
+import numpy as np
+
+import build
+
+# Where Pinocchio has our velocities.
+LINEAR_FIRST = lambda nv: np.r_[3:6, 0:3, 6:nv]
+
+
+class Program:
+    """A program with one contestant or several; `order` is where it has our velocities, `truth` what it must say."""
+
+    def __init__(self, command, truth, order):
+        self.command, self.truth, self.order = [str(word) for word in command], truth, order
+        self.process, self.works = None, {}
+
+    def start(self, cpu):
+        pin = ["taskset", "-c", cpu] if shutil.which("taskset") else []
+        self.process = subprocess.Popen([*pin, *self.command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.works = self.ask("list")
+        return self
+
+    def ask(self, *words):
+        try:
+            self.process.stdin.write(" ".join(map(str, words)) + "\n")
+            self.process.stdin.flush()
+            line = self.process.stdout.readline()
+        except BrokenPipeError:
+            line = ""
+        if not line:
+            build.stop(f"{self.command[0]} ended with code {self.process.wait()} when asked {' '.join(map(str, words))}")
+        return json.loads(line)
+
+    def end(self):
+        self.process.stdin.close()
+        self.process.wait()
+
+
+def of(robot, folder, programs, compiled):
+    """The programs of one robot; `compiled` are the quantities that we compile at run time."""
+    name, nv = robot.path.stem, robot.model.nv
+    file = lambda ending: folder / f"{name}.{ending}"
+    straight = np.arange(nv)
+    own = Program([programs["frs"] / f"race_{name}", robot.path, file("own"), ",".join(compiled) or "-"], "reduced",
+                  np.arange(6 + robot.n))
+    found = [own]
+    for peer in ("pinocchio", "pinocchio_gcc", "pinocchio_wheel"):
+        if peer in programs:
+            found.append(Program([programs[peer], peer, file("txt")], "tree", LINEAR_FIRST(nv)))
+    if name in programs["casadi"]:
+        found.append(Program([programs["casadi"][name], "casadi", file("tree")], "tree", straight))
+    if name in programs["mujoco_orders"]:
+        order = programs["mujoco_orders"][name]
+        found.append(Program([programs["mujoco"], "mujoco", file("mjb"), file("mujoco")], "tree", order))
+    if "dynibo" in programs and not robot.has_mimic:
+        found.append(Program([programs["dynibo"], robot.path, file("tree")], "tree", straight))
+    return found
