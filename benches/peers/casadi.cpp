@@ -41,7 +41,7 @@ struct Answer
     Parts parts() const
     {
         Parts found;
-        for (std::size_t k = 0; k < outputs.size(); ++k) found.emplace_back(function.name(casadi_int(k)), outputs[k]);
+        for (std::size_t k = 0; k < outputs.size(); ++k) found.emplace_back(function.name(static_cast<casadi_int>(k)), outputs[k]);
         return found;
     }
 };

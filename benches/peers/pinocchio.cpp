@@ -170,8 +170,10 @@ int main(int count, char **arguments)
 
     const auto mass = [&](auto) { return Parts{{"mass", flat(MatrixXd(data.M.selfadjointView<Eigen::Upper>()))}}; };
     const auto inertia = [&](auto) {
+        // Of symmetric matrices Pinocchio computes the upper halves.
         const Square6 locked = data.M.topLeftCorner<6, 6>().selfadjointView<Eigen::Upper>();
-        return Parts{{"locked_inertia", flat(locked)}, {"connection", flat(split.connection)}, {"shape_inertia", flat(split.shape)}};
+        const MatrixXd shape = split.shape.selfadjointView<Eigen::Upper>();
+        return Parts{{"locked_inertia", flat(locked)}, {"connection", flat(split.connection)}, {"shape_inertia", flat(shape)}};
     };
     const auto matrices = [&](auto s) {
         auto parts = inertia(s);

@@ -15,6 +15,14 @@ from reference import ad, angular_first
 SAME = 1e-12  # of a part's largest number
 SAME_SINGLE = 2e-3  # of it, in single precision
 
+# Parts of answers. Rows and columns of a matrix; whether a vector holds velocities or their like.
+MATRICES = {
+    "mass": ("all", "all"), "locked_inertia": ("base", "base"), "connection": ("base", "joints"),
+    "shape_inertia": ("joints", "joints"), "coriolis": ("all", "all"), "d_mu": ("all", "all"), "d_qdot": ("all", "all"),
+    "b2": ("joints", "joints"),
+}
+VECTORS = {"com": False, "acceleration": True, "classical_acceleration": True, "xi_dot": True}
+
 
 @dataclass
 class Own:
@@ -106,17 +114,12 @@ class Truth:
     def laid_out(self, name, numbers, order):
         """A part as a matrix or a vector, in our order; matrices come by columns."""
         n = self.M.shape[0] - 6
-        joints = order[6:] - 6
         if name == "curvature":
             return numbers.reshape(3, n, n).transpose(0, 2, 1)
-        if len(numbers) in (3, 6 + n):
-            return numbers[order] if len(numbers) > 3 else numbers
-        rows, columns = {"locked_inertia": (6, 6), "connection": (6, n), "shape_inertia": (n, n), "b2": (n, n)}.get(
-            name, (6 + n, 6 + n)
-        )
-        pick = lambda length: {6: order[:6], n: joints}.get(length, order)
-        rows = order[:6] if name == "connection" else pick(rows)
-        columns = joints if name == "connection" else pick(columns)
+        if name in VECTORS:
+            return numbers[order] if VECTORS[name] else numbers
+        places = {"base": order[:6], "joints": order[6:] - 6, "all": order}
+        rows, columns = (places[side] for side in MATRICES[name])
         return numbers.reshape(len(columns), len(rows)).T[np.ix_(rows, columns)]
 
     def see_mass(self, value):

@@ -76,6 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bases = states.iter().map(base).collect::<Result<_, _>>()?;
     let forces = states.iter().map(|state| [&state.wrench[..], &state.tau].concat()).collect();
     let size = robot.generalized_count();
-    let contestant = Dynibo { robot, bases, forces, states, mass: vec![0.0; size * size], acceleration: vec![0.0; size] };
+    let contestant =
+        Dynibo { robot, bases, forces, states, mass: vec![0.0; size * size], acceleration: vec![0.0; size] };
     Ok(serve(vec![("dynibo", Box::new(contestant))])?)
 }

@@ -17,7 +17,8 @@ use crate::states::{State, states};
 const STACK: usize = 256 << 20;
 
 /// Arguments of every program, in this order.
-const ARGUMENTS: &str = "expected ROBOT.urdf, its states, and the quantities to compile at run time, with commas between";
+const ARGUMENTS: &str =
+    "expected ROBOT.urdf, its states, and the quantities to compile at run time, with commas between";
 
 /// Serves the core in all widths, code compiled at run time, and what `generated` adds.
 ///

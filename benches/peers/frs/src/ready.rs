@@ -14,7 +14,7 @@ use crate::work::Work;
 pub struct Ready<T, R> {
     robot: R,
     states: Vec<State<T>>,
-    /// A set of outputs for each quantity of a work.
+    /// A set of outputs for each quantity.
     answers: Vec<(Quantity, Vec<Vec<T>>)>,
     gravity: [T; 3],
 }
@@ -23,9 +23,9 @@ impl<T: Number, R: FloatingBase<T>> Ready<T, R> {
     /// For `robot`, at these states.
     pub fn new(robot: R, states: &[State]) -> Self {
         let n = robot.dof();
-        let quantities = Work::ALL.into_iter().flat_map(Work::quantities).copied().filter(|&q| robot.answers(q));
         let room = |quantity: Quantity| quantity.outputs().map(|output| vec![T::zero(); output.len(n)]).collect();
-        let answers = quantities.map(|quantity| (quantity, room(quantity))).collect();
+        let known = Quantity::ALL.into_iter().filter(|&quantity| robot.answers(quantity));
+        let answers = known.map(|quantity| (quantity, room(quantity))).collect();
         Self { robot, states: grouped(states), answers, gravity: [T::zero(); 3] }
     }
 

@@ -26,7 +26,9 @@ pub struct State<T = f64> {
 /// If the file cannot be read, or holds other numbers.
 pub fn states(path: &str, n: usize) -> io::Result<Vec<State>> {
     let text = fs::read_to_string(path)?;
-    text.lines().map(|line| state(line, n).ok_or_else(|| io::Error::other(format!("{path}: {n} coordinates")))).collect()
+    text.lines()
+        .map(|line| state(line, n).ok_or_else(|| io::Error::other(format!("{path}: {n} coordinates"))))
+        .collect()
 }
 
 fn state(line: &str, n: usize) -> Option<State> {
