@@ -38,7 +38,7 @@ LANES = {"core_4": 4, "core_8": 8, "generated_4": 4, "generated_8": 8, "single_8
 LONGEST = {"inertia": 50, "matrices": 50, "all_d": 35, "forward": 100, "curvature": 35}
 LONGEST_IN_LANES = {"inertia": 50, "matrices": 35, "forward": 50}
 # The same for CasADi, whose C takes minutes to compile beyond.
-LONGEST_SYMBOLIC = {"inertia": 35, "matrices": 12, "forward": 35, "curvature": 8}
+LONGEST_SYMBOLIC = {"inertia": 35, "matrices": 12, "forward": 35, "curvature": 12}
 
 
 def robots(quick, prefix, chains):

@@ -7,6 +7,7 @@ algorithms differ by more than their rounding.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import pinocchio as pin
@@ -72,8 +73,14 @@ class Truth:
         self.shape = M[6:, 6:] - self.connection.T @ M[:6, 6:]
         self.mu = V[:6] + self.connection @ V[6:]
         self.xi = np.concatenate([self.mu, V[6:]])
-        self.bias = C(V) @ V
-        self.drift = self.drift_at(self.mu, V[6:])
+
+    @cached_property
+    def bias(self):
+        return self.C(self.V) @ self.V
+
+    @cached_property
+    def drift(self):
+        return self.drift_at(self.mu, self.V[6:])
 
     def drift_at(self, mu, qd):
         """(D_q̇ − D_μ) ξ: upper rows by the balance of momentum in the moving base, lower ones less A_lᵀ times the base's."""

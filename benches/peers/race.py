@@ -6,19 +6,21 @@ import sys
 from pathlib import Path
 
 import build
-import casadi  # noqa: F401  missing packages are told before anything is compiled
 import chains
 import code_size
+import contestants
 import crate
 import describe
 import machine
 import measure
+import mujoco_model
 import plan
 import scene
-
+import symbolic
+import symbolic_works
+from question import Question
 from reference import angular_first
 from robot import Robot
-from question import Question
 
 
 def prepared(folder, robots):
@@ -32,8 +34,6 @@ def prepared(folder, robots):
 
 
 def mujoco_order(folder, robot, questions):
-    import mujoco_model
-
     try:
         return mujoco_model.write(folder, robot, questions)
     except ValueError as error:
@@ -41,21 +41,19 @@ def mujoco_order(folder, robot, questions):
         return None
 
 
-def symbolic(out, robots):
-    """CasADi's programs and the operations that it counts."""
-    import symbolic_works
-
-    programs, counts = {}, {}
+def casadi(out, robots):
+    """CasADi's programs; C is written again when a robot or an algorithm changes."""
+    programs = {}
+    texts = [Path(module.__file__).read_text() for module in (symbolic, symbolic_works)]
     for name, robot in robots.items():
         works = [work for work, longest in plan.LONGEST_SYMBOLIC.items() if robot.model.nv - 6 <= longest]
         if not works:
             continue
         folder = out / "casadi" / name
         stamp = folder / "stamp"
-        wanted = robot.path.read_text() + "".join((plan.ROOT / "benches/peers" / source).read_text() for source in (
-            "symbolic.py", "symbolic_works.py")) + " ".join(works)
+        wanted = "\n".join([robot.path.read_text(), *texts, *works])
         if not stamp.exists() or stamp.read_text() != wanted:
-            counts[name] = symbolic_works.write(folder, robot.model, works)
+            symbolic_works.write(folder, robot.model, works)
             stamp.write_text(wanted)
         programs[name] = build.casadi(folder, name)
     return programs
@@ -85,10 +83,8 @@ def main():
     packages = [word for name in robots for word in ("-p", f"race_{name}")]
     programs["frs"] = build.cargo(out / "crate", target, *packages)
     programs["dynibo"] = build.cargo(plan.ROOT / "benches/peers/dynibo", target) / "beside-dynibo"
-    programs["casadi"] = symbolic(out, robots)
+    programs["casadi"] = casadi(out, robots)
     questions, programs["mujoco_orders"] = prepared(out / "states", robots)
-
-    import contestants
 
     found = {"machine": machine.described(options.cpu, build.clang()), "robots": {}}
     for name, robot in robots.items():

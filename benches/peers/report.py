@@ -1,6 +1,9 @@
-"""The tables of a race: report.py RACE.json  prints Markdown."""
+"""The tables of a race: report.py RACE.json [FILE]  prints Markdown, or puts it between the marks of a file."""
 
+import contextlib
+import io
 import sys
+from pathlib import Path
 
 import growth
 import plan
@@ -17,6 +20,7 @@ HEADINGS = {
     "forward_factored": "ξ̇ by factoring Λ_q, against `aba`",
     "curvature": "𝓑_ω of all pairs, against `crba`, split, and C in (μ, q̇) for three momenta",
 }
+BEGIN, END = "<!-- race -->", "<!-- /race -->"
 PEERS = ["pinocchio_gcc", "pinocchio_wheel", "casadi", "mujoco", "dynibo"]
 OURS = ["core", "core_4", "core_8", "compiled", "generated", "generated_4", "generated_8", "single_8"]
 TITLES = {
@@ -89,7 +93,7 @@ def cold_table(robots):
     table("Warm / cold, µs a state", ["robot", "work", "Pinocchio, clang", "core", "at run time", "generated"], rows)
 
 
-def main(path):
+def tables(path):
     machine, robots, costs = read(path)
     print(" · ".join(f"{what} {which}" for what, which in machine.items()))
     print(f"\nLargest difference of answers: {worst(robots)}.")
@@ -115,5 +119,16 @@ def worst(robots):
     return "; in single precision ".join(told)
 
 
+def main(race, file=None):
+    if file is None:
+        return tables(race)
+    text = io.StringIO()
+    with contextlib.redirect_stdout(text):
+        tables(race)
+    before, _, rest = Path(file).read_text().partition(BEGIN)
+    _, _, after = rest.partition(END)
+    Path(file).write_text(f"{before}{BEGIN}\n{text.getvalue()}{END}{after}")
+
+
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(*sys.argv[1:])

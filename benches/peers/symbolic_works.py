@@ -96,7 +96,7 @@ def functions(model, works):
 
 
 def write(folder, model, works):
-    """works.c and works.h; how many operations CasADi counts in each work."""
+    """works.c and works.h, and list.h with what is in them."""
     folder.mkdir(parents=True, exist_ok=True)
     made = list(functions(model, works))
     generator = ca.CodeGenerator("works.c", {"with_header": True})
@@ -105,4 +105,3 @@ def write(folder, model, works):
     generator.generate(f"{folder}/")
     listed = " ".join(f"W({function.name()})" for function in made)
     (folder / "list.h").write_text(f"#define WORKS {listed}\n#define JOINTS {model.nv - 6}\n")
-    return {function.name(): function.n_instructions() for function in made}
