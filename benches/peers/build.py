@@ -75,7 +75,10 @@ def casadi(folder, name):
 
 
 def cargo(folder, target, *arguments):
-    """Runs cargo for this processor."""
+    """Runs cargo for this processor, with the versions of our own lock file."""
+    lock = folder / "Cargo.lock"
+    if not lock.exists():
+        shutil.copy(HERE.parents[1] / "Cargo.lock", lock)
     environment = os.environ | {"RUSTFLAGS": "-C target-cpu=native"}
     command = ["cargo", "build", "--release", "--target-dir", target, *arguments]
     if subprocess.run(command, cwd=folder, env=environment, stdout=sys.stderr).returncode:

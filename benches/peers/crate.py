@@ -4,7 +4,6 @@ The library keeps the functions apart from the program, so that each stays a sym
 """
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -78,7 +77,4 @@ def write(folder, frs, robots):
     members = sorted(path.parent.name for path in folder.glob("*/Cargo.toml"))
     listed = ", ".join(f'"{member}"' for member in members)
     settle(folder / "Cargo.toml", MANIFEST.format(members=listed))
-    lock = folder / "Cargo.lock"
-    if not lock.exists():
-        shutil.copy(plan.ROOT / "Cargo.lock", lock)
     return texts

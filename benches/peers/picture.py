@@ -11,7 +11,7 @@ from matplotlib import pyplot  # noqa: E402
 import growth  # noqa: E402
 from figures import read  # noqa: E402
 
-WORKS = {"inertia": "Λ_b, A_l, Λ_q", "matrices": "Λ_b, A_l, Λ_q, D_μ, B_2", "forward": "ξ̇", "curvature": "𝓑_ω"}
+WORKS = {"inertia": "Λ_b, A_l, Λ_q", "matrices": "Λ_b, A_l, Λ_q, D_μ, B_2", "forward": "ξ̇", "curvature": "curvature"}
 COLOURS = {
     "casadi": ("CasADi's C", "#b0b0b0"), "mujoco": ("MuJoCo", "#8a8a8a"), "dynibo": ("dynibo", "#666666"),
     "core": ("core", "#9ecae1"), "compiled": ("compiled at run time", "#4292c6"), "generated": ("generated", "#08519c"),
@@ -29,8 +29,10 @@ def ratios(robots, path):
             label, colour = COLOURS[one]
             bars = [(k + (place - (len(here) - 1) / 2) * width, robot.times_faster(one, work)) for k, robot in enumerate(robots)]
             bars = [(x, height) for x, height in bars if height]
-            drawn = axis.bar(*zip(*bars), width, label=label, color=colour)
-            axis.bar_label(drawn, fmt="%.2g", fontsize=6, rotation=90, padding=2)
+            places, heights = zip(*bars)
+            # From the line up, or down.
+            drawn = axis.bar(places, [height - 1 for height in heights], width, bottom=1, label=label, color=colour)
+            axis.bar_label(drawn, [f"{height:.2g}" for height in heights], fontsize=6, rotation=90, padding=2)
         axis.axhline(1.0, color="black", linewidth=0.8)
         axis.set_yscale("log")
         axis.margins(y=0.15)

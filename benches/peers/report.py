@@ -50,6 +50,8 @@ def work_table(work, robots):
     here = [one for one in PEERS + OURS if any(robot.times_faster(one, work) for robot in robots)]
     if not any(one in OURS for one in here):
         return
+    # For comparison with tables that leave this out.
+    untransformed = work == "matrices"
     rows = []
     for robot in robots:
         peer = plan.WORKS[work][1]
@@ -57,8 +59,9 @@ def work_table(work, robots):
             continue
         low, high = robot.tenths("pinocchio", peer)
         time = f"{micro(robot.time('pinocchio', peer))} ({micro(low)}–{micro(high)})"
-        rows.append([robot.name, str(robot.n), time, *(times(robot.times_faster(one, work)) for one in here)])
-    titles = [TITLES.get(one, one) for one in here]
+        alone = [times(robot.time("pinocchio", peer) / robot.time("pinocchio", "mass_coriolis"))] if untransformed else []
+        rows.append([robot.name, str(robot.n), time, *alone, *(times(robot.times_faster(one, work)) for one in here)])
+    titles = ["as they are"] * untransformed + [TITLES.get(one, one) for one in here]
     table(HEADINGS[work], ["robot", "n", "Pinocchio, clang, µs (10–90 %)", *titles], rows)
 
 
