@@ -1,5 +1,6 @@
 """Programs that take part in the race of a robot, each on a pipe (serve.hpp says what they are asked)."""
 
+import contextlib
 import json
 import shutil
 import subprocess
@@ -13,17 +14,19 @@ LINEAR_FIRST = lambda nv: np.r_[3:6, 0:3, 6:nv]
 
 
 class Program:
-    """A program with one contestant or several; `order` is where it has our velocities, `truth` what it must say."""
+    """A program with one contestant or several; `order` is where it has our velocities, `truth` what it must say.
 
-    def __init__(self, command, truth, order):
-        self.command, self.truth, self.order = [str(word) for word in command], truth, order
+    A choosy one may refuse a robot.
+    """
+
+    def __init__(self, command, truth, order, choosy=False):
+        self.command, self.truth, self.order, self.choosy = [str(word) for word in command], truth, order, choosy
         self.process, self.works = None, {}
 
     def start(self, cpu):
         pin = ["taskset", "-c", cpu] if shutil.which("taskset") else []
         self.process = subprocess.Popen([*pin, *self.command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         self.works = self.ask("list")
-        return self
 
     def ask(self, *words):
         try:
@@ -32,12 +35,15 @@ class Program:
             line = self.process.stdout.readline()
         except BrokenPipeError:
             line = ""
+        if not line and self.choosy and words == ("list",):
+            return {}
         if not line:
             build.stop(f"{self.command[0]} ended with code {self.process.wait()} when asked {' '.join(map(str, words))}")
         return json.loads(line)
 
     def end(self):
-        self.process.stdin.close()
+        with contextlib.suppress(BrokenPipeError):
+            self.process.stdin.close()
         self.process.wait()
 
 
@@ -57,6 +63,6 @@ def of(robot, folder, programs, compiled):
     if name in programs["mujoco_orders"]:
         order = programs["mujoco_orders"][name]
         found.append(Program([programs["mujoco"], "mujoco", file("mjb"), file("mujoco")], "tree", order))
-    if "dynibo" in programs and not robot.has_mimic:
-        found.append(Program([programs["dynibo"], robot.path, file("tree")], "tree", straight))
+    names = ",".join(joint for joint, _ in robot.joints)
+    found.append(Program([programs["dynibo"], robot.path, file("tree"), names], "tree", straight, choosy=True))
     return found
