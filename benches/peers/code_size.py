@@ -54,11 +54,11 @@ def reach(found, name):
 
 def of(program, name, texts):
     """{form: {quantity: {operations, bytes, stack}}}"""
-    found = symbols(program, f"race_{name}") if shutil.which("objdump") else {}
+    found = symbols(program, f"code_{name}") if shutil.which("objdump") else {}
     counted = lambda text: {function: int(count) for count, function in COUNTED.findall(text)}
     return {
         form: {
-            function: {"operations": count} | reach(found, f"race_{name}::{form}::{function}")
+            function: {"operations": count} | reach(found, f"code_{name}::{form}::{function}")
             for function, count in counted(text).items()
         }
         for form, text in texts.items()

@@ -4,6 +4,7 @@ import contextlib
 import json
 import shutil
 import subprocess
+from pathlib import Path
 
 import numpy as np
 
@@ -36,6 +37,7 @@ class Program:
         except BrokenPipeError:
             line = ""
         if not line and self.choosy and words == ("list",):
+            build.say(f"{Path(self.command[0]).name} refuses {Path(self.command[1]).stem}, see above")
             return {}
         if not line:
             build.stop(f"{self.command[0]} ended with code {self.process.wait()} when asked {' '.join(map(str, words))}")

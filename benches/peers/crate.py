@@ -1,6 +1,7 @@
-"""Writes our side as a cargo workspace: for each robot a library of its generated code, and a program around it.
+"""Writes our side as a cargo workspace: for each robot a package of its generated code, and one of the program around it.
 
-The library keeps the functions apart from the program, so that each stays a symbol whose size can be read.
+The code stands apart so that it is compiled again only when it changes, and so that each function stays a symbol whose size
+can be read.
 """
 
 import re
@@ -16,14 +17,22 @@ resolver = "3"
 [profile.release]
 opt-level = 3
 """
-PACKAGE = """[package]
+CODE = """[package]
+name = "code_{name}"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+frs-core = {{ path = "{root}/frs-core" }}
+"""
+RACE = """[package]
 name = "race_{name}"
 version = "0.0.0"
 edition = "2024"
 
 [dependencies]
-beside = {{ path = "{here}/frs" }}
-frs-core = {{ path = "{root}/frs-core" }}
+beside = {{ path = "{root}/benches/peers/frs" }}
+code_{name} = {{ path = "code" }}
 """
 MAIN = """//! The race of {name}.
 
@@ -34,7 +43,7 @@ fn main() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {{
     }})
 }}
 """
-CONTESTANT = '            ("{form}", Box::new(beside::Ready::new(race_{name}::{form}::{type}, states))),\n'
+CONTESTANT = '            ("{form}", Box::new(beside::Ready::new(code_{name}::{form}::{type}, states))),\n'
 
 
 def settle(path, text):
@@ -52,19 +61,20 @@ def generate(frs, urdf, form, works):
 
 
 def package(folder, frs, name, urdf, n):
-    """The package of one robot."""
+    """The packages of one robot."""
     modules = {}
     for form in plan.FORMS:
         works = plan.generated_works(form, n)
         if works:
             modules[form] = generate(frs, urdf, form, works)
-            settle(folder / "src" / f"{form}.rs", modules[form])
+            settle(folder / "code/src" / f"{form}.rs", modules[form])
     types = {form: re.search(r"^pub struct (\w+);", text, re.M)[1] for form, text in modules.items()}
     contestants = [CONTESTANT.format(form=form, name=name, type=kind) for form, kind in types.items()]
     main = MAIN.format(name=name, states="states" if types else "_", contestants="".join(contestants))
     library = f"//! {name}, generated.\n\n" + "".join(f"pub mod {form};\n" for form in modules)
-    settle(folder / "Cargo.toml", PACKAGE.format(name=name, here=plan.ROOT / "benches/peers", root=plan.ROOT))
-    settle(folder / "src/lib.rs", library)
+    settle(folder / "code/Cargo.toml", CODE.format(name=name, root=plan.ROOT))
+    settle(folder / "code/src/lib.rs", library)
+    settle(folder / "Cargo.toml", RACE.format(name=name, root=plan.ROOT))
     settle(folder / "src/main.rs", main)
     return modules
 
@@ -75,6 +85,6 @@ def write(folder, frs, robots):
     texts = {name: package(folder / name, frs, name, urdf, n) for name, (urdf, n) in robots.items()}
     # What an earlier run wrote stays a member, so that cargo keeps what it compiled.
     members = sorted(path.parent.name for path in folder.glob("*/Cargo.toml"))
-    listed = ", ".join(f'"{member}"' for member in members)
+    listed = ", ".join(f'"{member}", "{member}/code"' for member in members)
     settle(folder / "Cargo.toml", MANIFEST.format(members=listed))
     return texts
