@@ -1,8 +1,6 @@
-"""Serial chains of random links, for timings beyond the largest robots: chains.py FOLDER N..."""
+"""Serial chains of random links, for timings beyond the largest robots."""
 
 import random
-import sys
-from pathlib import Path
 
 LINK = """  <link name="link_{k}">
     <inertial><origin xyz="{centre}" rpy="{turn}"/><mass value="{mass}"/>
@@ -36,8 +34,8 @@ def chain(n):
     return f'<?xml version="1.0"?>\n<robot name="chain_{n}">\n{body}</robot>\n'
 
 
-if __name__ == "__main__":
-    folder = Path(sys.argv[1])
+def write(folder, lengths):
+    """chain_N.urdf of each length."""
     folder.mkdir(parents=True, exist_ok=True)
-    for n in map(int, sys.argv[2:]):
+    for n in lengths:
         (folder / f"chain_{n}.urdf").write_text(chain(n))

@@ -1,60 +1,69 @@
-"""Runs the two timing programs in turn, robot by robot and round by round, so that a disturbance hits both.
+"""Compares the answers of all contestants, then times them in turn: work by work, round by round, on one core."""
 
-    measure.py --rounds N --samples N --cpu K SAMPLES.json URDF...
-
-PINOCCHIO_TIMES and FRS_TIMES name the programs (without FRS_TIMES only Pinocchio is measured), DESCRIPTIONS the folder
-that describe.py filled. SAMPLES.json receives [{"robot", "n", "side", "work", "ns": [[a round's samples], ...]}].
-"""
-
-import argparse
-import json
-import os
-import shutil
-import subprocess
+import statistics
 import sys
-from pathlib import Path
+
+import build
+import question
+
+COMPARED = 16  # states
+COMPARED_LARGE = 4  # of robots beyond a hundred joints
+PASSES = 3  # over every 32 states, a sample; the fastest one counts
+COLD_ROUNDS = 3
+TOLD = 5  # differences, at most
+SINGLE = "single"  # contestants of this name compute in single precision
 
 
-def timings(command, pin):
-    done = subprocess.run([*pin, *command], capture_output=True, text=True)
-    if done.returncode:
-        print(f"peers: {Path(command[0]).name} ended with code {done.returncode}: {done.stderr.strip()}", file=sys.stderr)
-        sys.exit(2)
-    return [json.loads(line) for line in done.stdout.splitlines()]
+def compare(programs, questions, n):
+    """The largest error of each contestant's work; stops if one is not the same."""
+    found, wrong = {}, []
+    for state, asked in enumerate(questions[: COMPARED if n <= 100 else COMPARED_LARGE]):
+        for program in programs:
+            truth = getattr(asked, program.truth)
+            for contestant, works in program.works.items():
+                for work in works:
+                    errors = truth.errors(program.ask("answer", contestant, work, state), program.order)
+                    worst = max(errors.values(), default=0.0)
+                    key = (contestant, work)
+                    found[key] = max(found.get(key, 0.0), worst)
+                    limit = question.SAME_SINGLE if contestant.startswith(SINGLE) else question.SAME
+                    if not worst <= limit:
+                        wrong.append(f"{contestant} {work} at state {state}: {errors}")
+    if wrong:
+        build.say(f"{questions[0].robot.path.stem}: not the same numbers:\n  " + "\n  ".join(wrong[:TOLD]))
+        sys.exit(1)
+    return found
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--rounds", type=int, default=9)
-    parser.add_argument("--samples", type=int, default=5)
-    parser.add_argument("--cpu", default="1" if (os.cpu_count() or 1) > 1 else "0")
-    parser.add_argument("output", type=Path)
-    parser.add_argument("urdf", nargs="+", type=Path)
-    options = parser.parse_args()
+def turns(programs, backwards):
+    """(program, contestant, work), so that those who do the same work follow each other."""
+    everyone = [(p, c, w) for p in programs for c, works in p.works.items() for w in works]
+    return sorted(everyone, key=lambda turn: turn[2].removesuffix("_local").removesuffix("_world"), reverse=backwards)
 
-    pin = ["taskset", "-c", options.cpu] if shutil.which("taskset") else []
-    if not pin:
-        print("peers: no taskset here, so the programs may wander between cores", file=sys.stderr)
-    samples = ["--samples", str(options.samples)]
+
+def race(programs, rounds):
+    """Samples {(contestant, work): [ns a round]}, warm and cold, and cycles a nanosecond round by round."""
+    warm, cold, clock = {}, {}, []
+    for number in range(rounds):
+        # Whoever runs second finds the core warm: take turns at that, too.
+        for program, contestant, work in turns(programs, number % 2 == 1):
+            warm.setdefault((contestant, work), []).append(program.ask("time", contestant, work, PASSES))
+            if number < COLD_ROUNDS:
+                cold.setdefault((contestant, work), []).append(statistics.median(program.ask("cold", contestant, work)))
+        clock.append(programs[0].ask("clock"))
+    return warm, cold, clock
+
+
+def measured(programs, questions, n, cpu, rounds):
+    """All of one robot, as JSON has it."""
+    for program in programs:
+        program.start(cpu)
+    errors = compare(programs, questions, n)
+    warm, cold, clock = race(programs, rounds)
+    for program in programs:
+        program.end()
     found = {}
-    for turn in range(options.rounds):
-        for path in options.urdf:
-            if sys.stderr.isatty():
-                print(f"\r\x1b[K[round {turn + 1}/{options.rounds}] {path.stem}", end="", file=sys.stderr, flush=True)
-            description = f"{os.environ['DESCRIPTIONS']}/{path.stem}.txt"
-            sides = {"pinocchio": [os.environ["PINOCCHIO_TIMES"], description, *samples]}
-            if os.environ.get("FRS_TIMES"):
-                sides["frs"] = [os.environ["FRS_TIMES"], str(path), *samples]
-            # Whoever runs second finds the core warm: take turns at that too.
-            for side in sorted(sides, reverse=turn % 2 == 1):
-                for line in timings(sides[side], pin):
-                    key = (path.stem, side, line["work"])
-                    entry = {"robot": path.stem, "n": line["n"], "side": side, "work": line["work"], "ns": []}
-                    found.setdefault(key, entry)["ns"].append(line["ns"])
-    if sys.stderr.isatty():
-        print("\r\x1b[K", end="", file=sys.stderr)
-    options.output.write_text(json.dumps(list(found.values())))
-
-
-if __name__ == "__main__":
-    main()
+    for (contestant, work), times in warm.items():
+        entry = {"error": errors[contestant, work], "ns": times, "cold_ns": cold[contestant, work]}
+        found.setdefault(contestant, {})[work] = entry
+    return {"n": n, "clock": clock, "contestants": found}

@@ -1,40 +1,22 @@
-// Times Pinocchio's algorithms on the robots that describe.py wrote:  pinocchio_times DESCRIPTION... --samples N
-//
-// Prints one JSON line a robot and work: {"robot", "n", "work", "ns": [N samples]}; a sample is the mean time of a call
-// over all states of the file. Before timing, the results of the first state are compared with those of the wheel.
+// Pinocchio's algorithms on a robot that describe.py wrote:  pinocchio_times CONTESTANT DESCRIPTION   (serve.hpp says what it is asked)
 
-#include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <array>
 #include <fstream>
-#include <functional>
 #include <map>
-#include <string>
-#include <vector>
 
 #include <pinocchio/multibody.hpp>
 
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
-#include <pinocchio/algorithm/jacobian.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
-#ifdef PINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION
-#error "the algorithms would be the wheel's, not compiled here for this processor"
-#endif
+#include "serve.hpp"
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Base = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 using Square6 = Eigen::Matrix<double, 6, 6>;
-
-[[noreturn]] static void fail(const std::string &message)
-{
-    std::fprintf(stderr, "pinocchio_times: %s\n", message.c_str());
-    std::exit(2);
-}
 
 static pinocchio::JointModel joint(const std::string &kind, const Vector3d &axis)
 {
@@ -65,7 +47,6 @@ struct Robot
     std::string name;
     pinocchio::Model model;
     std::vector<VectorXd> q, v, tau;
-    VectorXd bias, acceleration; // of the first state, computed by the wheel
 };
 
 static Robot read(const char *path)
@@ -116,9 +97,6 @@ static Robot read(const char *path)
         robot.v.push_back(vector(nv));
         robot.tau.push_back(vector(nv));
     }
-    expect("expected");
-    robot.bias = vector(nv);
-    robot.acceleration = vector(nv);
     return robot;
 }
 
@@ -155,105 +133,89 @@ struct Split
         coriolis.bottomRows(n).noalias() -= connection.transpose() * coriolis.topRows<6>();
     }
 
+    // The velocity whose momentum is one about an axis of the base. Linear first, as all of Pinocchio.
+    Eigen::Matrix<double, 6, 1> velocity_of(Eigen::Index axis) const
+    {
+        return factor.solve(Eigen::Matrix<double, 6, 1>::Unit(3 + axis));
+    }
+
   private:
     Eigen::LLT<Square6> factor;
 };
 
-static void check(const Robot &robot, pinocchio::Data &data)
+// The motion of all as one body with a momentum of one about an axis: its C holds that row of the curvature.
+static VectorXd turning(const Split &split, Eigen::Index axis, Eigen::Index nv)
 {
-    const auto near = [&](const char *what, const VectorXd &ours, const VectorXd &wheel) {
-        const double error = (ours - wheel).cwiseAbs().maxCoeff() / wheel.cwiseAbs().maxCoeff();
-        if (!(error <= 1e-9)) fail(robot.name + ": " + what + " differs from the wheel's by " + std::to_string(error));
-    };
-    const auto &q = robot.q[0], &v = robot.v[0], &tau = robot.tau[0];
-    near("C(q, v) v", pinocchio::computeCoriolisMatrix(robot.model, data, q, v) * v, robot.bias);
-    near("rnea", pinocchio::rnea(robot.model, data, q, v, robot.acceleration), tau);
-    for (const auto convention : {pinocchio::Convention::LOCAL, pinocchio::Convention::WORLD})
-    {
-        pinocchio::crba(robot.model, data, q, convention);
-        near("M a", data.M.selfadjointView<Eigen::Upper>() * robot.acceleration, tau - robot.bias);
-        near("aba", pinocchio::aba(robot.model, data, q, v, tau, convention), robot.acceleration);
-    }
+    VectorXd v = VectorXd::Zero(nv);
+    v.head<6>() = split.velocity_of(axis);
+    return v;
+}
 
-    // The split velocities: their bias must be the one of (V₁, q̇), its lower rows less A_lᵀ times the upper ones.
-    Split split;
-    pinocchio::crba(robot.model, data, q, pinocchio::Convention::WORLD);
-    split.inertia(data);
-    pinocchio::computeCoriolisMatrix(robot.model, data, q, v);
-    split.velocity(data);
-    VectorXd xi = v, bias = robot.bias;
-    xi.head<6>() += split.connection * v.tail(v.size() - 6);
-    bias.tail(v.size() - 6) -= split.connection.transpose() * bias.head<6>();
-    // C_ξ ξ also carries M Ṫ ξ, whose upper rows are −Λ_b Ȧ_l q̇ and whose lower rows the split cancels.
-    bias.head<6>() -= split.gathered * v.tail(v.size() - 6);
-    near("C in (μ, q̇)", split.coriolis * xi, bias);
+static std::vector<double> flat(const MatrixXd &matrix)
+{
+    return {matrix.data(), matrix.data() + matrix.size()};
 }
 
 int main(int count, char **arguments)
 {
     using namespace pinocchio;
-    int samples = 5;
-    std::vector<const char *> paths;
-    for (int i = 1; i < count; ++i)
-    {
-        if (std::string(arguments[i]) != "--samples") paths.push_back(arguments[i]);
-        else if (++i == count || (samples = std::atoi(arguments[i])) < 1) fail("--samples takes a positive number");
-    }
-    if (paths.empty()) fail("name at least one description (describe.py writes them)");
+    if (count != 3) fail("expected CONTESTANT DESCRIPTION");
+    const Robot robot = read(arguments[2]);
+    const auto &model = robot.model;
+    const auto nv = model.nv;
+    const auto &q = robot.q, &v = robot.v, &tau = robot.tau;
+    Data data(model);
+    Split split;
+    std::array<MatrixXd, 3> curvature;
 
-    for (const char *path : paths)
-    {
-        const Robot robot = read(path);
-        const auto &model = robot.model;
-        Data data(model);
-        Split split;
-        const std::vector<VectorXd> &q = robot.q, &v = robot.v, &tau = robot.tau;
-        check(robot, data);
+    const auto mass = [&](auto) { return Parts{{"mass", flat(MatrixXd(data.M.selfadjointView<Eigen::Upper>()))}}; };
+    const auto inertia = [&](auto) {
+        // Of symmetric matrices Pinocchio computes the upper halves.
+        const Square6 locked = data.M.topLeftCorner<6, 6>().selfadjointView<Eigen::Upper>();
+        const MatrixXd shape = split.shape.selfadjointView<Eigen::Upper>();
+        return Parts{{"locked_inertia", flat(locked)}, {"connection", flat(split.connection)}, {"shape_inertia", flat(shape)}};
+    };
+    const auto matrices = [&](auto s) {
+        auto parts = inertia(s);
+        parts.emplace_back("coriolis", flat(split.coriolis));
+        return parts;
+    };
+    const auto acceleration = [&](auto) { return Parts{{"acceleration", flat(data.ddq)}}; };
+    const auto curved = [&](auto) {
+        MatrixXd layers(nv - 6, 3 * (nv - 6));
+        layers << curvature[0], curvature[1], curvature[2];
+        return Parts{{"curvature", flat(layers)}};
+    };
 
-        // Small robots are faster in joint frames, large ones in the world's: measure both, the report takes the better.
-        using Work = std::pair<std::string, std::function<void(std::size_t)>>;
-        std::vector<Work> works = {
-            {"kinematics", [&](auto s) { computeJointJacobians(model, data, q[s]); }},
-            {"coriolis", [&](auto s) { computeCoriolisMatrix(model, data, q[s], v[s]); }},
-            {"rnea", [&](auto s) { rnea(model, data, q[s], v[s], tau[s]); }},
+    // Small robots are faster in joint frames, large ones in the world's: both are measured, the faster one counts.
+    std::vector<Work> works;
+    for (const auto convention : {Convention::LOCAL, Convention::WORLD})
+    {
+        const std::string suffix = convention == Convention::WORLD ? "_world" : "_local";
+        const auto add = [&](const char *name, auto call, auto parts) {
+            works.push_back({name + suffix, call, [call, parts](std::size_t s) { return call(s), parts(s); }});
         };
-        for (const auto convention : {Convention::LOCAL, Convention::WORLD})
-        {
-            const std::string suffix = convention == Convention::WORLD ? "_world" : "_local";
-            const std::vector<Work> both = {
-                {"aba", [&, convention](auto s) { aba(model, data, q[s], v[s], tau[s], convention); }},
-                {"crba", [&, convention](auto s) { crba(model, data, q[s], convention); }},
-                {"crba_split",
-                 [&, convention](auto s) {
-                     crba(model, data, q[s], convention);
-                     split.inertia(data);
-                 }},
-                {"crba_coriolis",
-                 [&, convention](auto s) {
-                     crba(model, data, q[s], convention);
-                     computeCoriolisMatrix(model, data, q[s], v[s]);
-                 }},
-                {"crba_coriolis_split",
-                 [&, convention](auto s) {
-                     crba(model, data, q[s], convention);
-                     split.inertia(data);
-                     computeCoriolisMatrix(model, data, q[s], v[s]);
-                     split.velocity(data);
-                 }},
-            };
-            for (const auto &[work, call] : both) works.emplace_back(work + suffix, call);
-        }
-        for (const auto &[work, call] : works)
-        {
-            std::printf("{\"robot\":\"%s\",\"n\":%d,\"work\":\"%s\",\"ns\":[", robot.name.c_str(), model.nv - 6, work.c_str());
-            for (int sample = -1; sample < samples; ++sample) // the first warms the caches
-            {
-                const auto start = std::chrono::steady_clock::now();
-                for (std::size_t s = 0; s < q.size(); ++s) call(s);
-                const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
-                if (sample >= 0) std::printf("%s%.1f", sample ? "," : "", spent.count() / double(q.size()));
-            }
-            std::printf("]}\n");
-        }
+        const auto crba = [&, convention](std::size_t s) { pinocchio::crba(model, data, q[s], convention); };
+        add("mass", crba, mass);
+        add("inertia", [&, crba](std::size_t s) { crba(s), split.inertia(data); }, inertia);
+        add("mass_coriolis", [&, crba](std::size_t s) { crba(s), computeCoriolisMatrix(model, data, q[s], v[s]); }, mass);
+        add("matrices",
+            [&, crba](std::size_t s) {
+                crba(s), split.inertia(data);
+                computeCoriolisMatrix(model, data, q[s], v[s]), split.velocity(data);
+            },
+            matrices);
+        add("forward", [&, convention](std::size_t s) { aba(model, data, q[s], v[s], tau[s], convention); }, acceleration);
+        add("curvature",
+            [&, crba](std::size_t s) {
+                crba(s), split.inertia(data);
+                for (int axis = 0; axis < 3; ++axis)
+                {
+                    computeCoriolisMatrix(model, data, q[s], turning(split, axis, nv)), split.velocity(data);
+                    curvature[axis] = -2.0 * split.coriolis.bottomRightCorner(nv - 6, nv - 6);
+                }
+            },
+            curved);
     }
+    Server(arguments[1], q.size(), works).serve();
 }
