@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::{robot, whole};
+use super::{robot, whole};
 
 const HOUR: f64 = 3600.0;
 

@@ -8,7 +8,7 @@ use frs_sim::scene::{Scene, Solver};
 use frs_sim::study::{Number, fly};
 use nalgebra::Matrix3;
 
-use crate::{robot, scene};
+use super::{robot, scene};
 
 const TURNS: u32 = 100_000;
 

@@ -15,7 +15,7 @@ use frs_sim::scene::{Scene, Solver};
 use frs_sim::study::fly;
 use nalgebra::Vector3;
 
-use crate::scene;
+use super::scene;
 
 const INERTIA: [f64; 3] = [1.0, 2.0, 2.5];
 

@@ -3,7 +3,7 @@
 use frs_core::Workspace;
 use nalgebra::DMatrix;
 
-use crate::{robot, scene};
+use super::{robot, scene};
 use frs_sim::integrate::IntegrationError;
 use frs_sim::run::{End, Record, run};
 use std::ops::ControlFlow;

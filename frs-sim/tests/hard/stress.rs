@@ -6,7 +6,7 @@ use frs_sim::scene::{Scene, Solver};
 use frs_sim::study::{Truth, Variant};
 use nalgebra::Vector3;
 
-use crate::{robot, scene, whole};
+use super::{robot, scene, whole};
 
 /// Torques that jump, and blows of 1 ms, of 1 μs and of 1 ns.
 const JUMPING: &str = "robot = 'lwr_satellite.urdf'
