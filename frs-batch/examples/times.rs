@@ -12,14 +12,14 @@ fn main() {
             let t = Instant::now();
             let recording = Recording::new(&model, quantity).unwrap();
             println!("{name} {} steps {} slots {} in {:?}", quantity.name(), recording.steps(), recording.slots(), t.elapsed());
-            let states = 2048;
+            let states = 1024;
             let mut seed = fastrand::Rng::with_seed(1);
             let inputs: Vec<Array2<f64>> = quantity.inputs().map(|a| Array2::from_shape_fn((states, a.len(model.dof())), |_| seed.f64() - 0.5)).collect();
             let mut outputs: Vec<Array2<f64>> = quantity.outputs().map(|a| Array2::zeros((states, a.len(model.dof())))).collect();
             let inputs: Vec<_> = inputs.iter().map(|a| a.view()).collect();
             let mut time = |what: &str, f: &mut dyn FnMut(Vec<ArrayViewMut2<f64>>)| {
                 let mut best = f64::INFINITY;
-                for _ in 0..15 {
+                for _ in 0..60 {
                     let t = Instant::now();
                     f(outputs.iter_mut().map(|a| a.view_mut()).collect());
                     best = best.min(t.elapsed().as_secs_f64());

@@ -47,22 +47,22 @@ impl Instructions {
 
     /// Performs `steps` by these instructions, or as compiled where the processor has them not; returns by which.
     #[allow(unsafe_code, reason = "only the processor can say at run time whether it has these instructions")]
-    pub(crate) fn perform(self, steps: &[Step], memory: &mut [Block], write: &mut dyn FnMut(u32, &Block)) -> Self {
+    pub(crate) fn perform(self, steps: &[Step], memory: &mut [Block]) -> Self {
         match self {
             #[cfg(target_arch = "x86_64")]
             Self::Avx512 if self.are_here() => {
                 // SAFETY: the processor has just said that it has AVX-512F.
-                unsafe { perform_avx512(steps, memory, write) };
+                unsafe { perform_avx512(steps, memory) };
                 Self::Avx512
             }
             #[cfg(target_arch = "x86_64")]
             Self::Avx2 if self.are_here() => {
                 // SAFETY: the processor has just said that it has AVX2.
-                unsafe { perform_avx2(steps, memory, write) };
+                unsafe { perform_avx2(steps, memory) };
                 Self::Avx2
             }
             _ => {
-                perform(steps, memory, write);
+                perform(steps, memory);
                 Self::Compiled
             }
         }
@@ -72,13 +72,13 @@ impl Instructions {
 /// [`perform`] by AVX2.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn perform_avx2(steps: &[Step], memory: &mut [Block], write: &mut dyn FnMut(u32, &Block)) {
-    perform(steps, memory, write);
+fn perform_avx2(steps: &[Step], memory: &mut [Block]) {
+    perform(steps, memory);
 }
 
 /// [`perform`] by AVX-512.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f")]
-fn perform_avx512(steps: &[Step], memory: &mut [Block], write: &mut dyn FnMut(u32, &Block)) {
-    perform(steps, memory, write);
+fn perform_avx512(steps: &[Step], memory: &mut [Block]) {
+    perform(steps, memory);
 }

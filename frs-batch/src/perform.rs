@@ -5,7 +5,7 @@ use frs_core::lanes::F64x8;
 use crate::steps::{Code, Step};
 
 /// Numbers that a processor treats at once, at most.
-const WIDTH: usize = F64x8::LANES;
+pub const WIDTH: usize = F64x8::LANES;
 
 /// States of a block. What a step costs beside its arithmetic is shared by them; the values that wait stay in the nearer caches.
 pub const STATES: usize = 32;
@@ -22,11 +22,11 @@ impl Block {
     }
 }
 
-/// Performs `steps` in `memory`; `write` takes the outputs, by their numbers.
+/// Performs `steps` in `memory`.
 ///
-/// It is inlined into functions that may use wider instructions than the rest of the program: so is all that it calls, but for `write`.
+/// It is inlined into functions that may use wider instructions than the rest of the program, and so is what it calls for sums and products.
 #[inline(always)]
-pub fn perform(steps: &[Step], memory: &mut [Block], write: &mut dyn FnMut(u32, &Block)) {
+pub fn perform(steps: &[Step], memory: &mut [Block]) {
     for step in steps {
         match step.code {
             Code::Add => each(step, memory, |[a, b, _]| a + b),
@@ -39,7 +39,6 @@ pub fn perform(steps: &[Step], memory: &mut [Block], write: &mut dyn FnMut(u32, 
             Code::Neg => each(step, memory, |[a, ..]| -a),
             Code::Sqrt => each(step, memory, |[a, ..]| a.sqrt()),
             Code::Turn => turn(step, memory),
-            Code::Write => write(step.to, &memory[step.from[0] as usize]),
         }
     }
 }

@@ -16,8 +16,6 @@ pub struct Recording {
     pub(crate) quantity: Quantity,
     pub(crate) dof: usize,
     pub(crate) steps: Steps,
-    /// Which entry of which output each number is.
-    pub(crate) entries: Vec<[usize; 2]>,
 }
 
 impl Recording {
@@ -35,14 +33,10 @@ impl Recording {
         };
         let program = Program::new(model, &Options { outputs: Some(vec![quantity]), links, ..Options::default() })?;
         let outputs = program.functions.iter().flat_map(|function| &function.outputs);
-        let (mut places, mut entries) = (Vec::new(), Vec::new());
-        for (number, output) in outputs.enumerate() {
-            entries.extend((0..output.places.len()).map(|entry| [number, entry]));
-            places.extend_from_slice(&output.places);
-        }
+        let places: Vec<_> = outputs.flat_map(|output| &output.places).copied().collect();
         let inputs = program.inputs.iter().map(|input| input.len as u32).sum();
         let steps = Steps::new(program.graph.operations(), &places, inputs);
-        Ok(Self { quantity, dof: model.dof(), steps, entries })
+        Ok(Self { quantity, dof: model.dof(), steps })
     }
 
     /// What it takes to perform it, by the widest instructions of this processor; one for each thread.
@@ -55,7 +49,7 @@ impl Recording {
         Blocks::new(self, instructions)
     }
 
-    /// How many steps it has: arithmetic, and writing.
+    /// How many steps it has: operations, of which a product and a sum that alone reads it are one.
     pub fn steps(&self) -> usize {
         self.steps.steps.len()
     }

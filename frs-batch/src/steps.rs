@@ -29,8 +29,6 @@ pub enum Code {
     Sqrt,
     /// sin a, and cos a into the slot behind.
     Turn,
-    /// Output number `to` is a.
-    Write,
 }
 
 /// A step: what it does, the slots it reads, and the slot of its value.
@@ -47,13 +45,15 @@ pub struct Step {
 /// The steps of a recording.
 ///
 /// Slots hold the constants, then the inputs, then sines and cosines, then what else is computed; one of the last is taken again when nobody
-/// reads its value any more.
+/// reads its value any more. Outputs are read at the end.
 #[derive(Clone, Debug)]
 pub struct Steps {
     /// The steps.
     pub steps: Vec<Step>,
     /// The constants.
     pub constants: Vec<f64>,
+    /// The slot of each output.
+    pub outputs: Vec<u32>,
     /// Number of slots.
     pub slots: usize,
 }
@@ -73,52 +73,52 @@ impl Steps {
         }
         let mut count = constants.len() as u32 + inputs;
         let mut turns: HashMap<Place, u32> = HashMap::new();
-        // Each with the place by which it is due.
-        let mut steps: Vec<(Place, Step)> = Vec::new();
+        let mut steps = Vec::new();
         for (place, &operation) in live() {
             match operation {
                 Operation::Constant(_) => {}
                 Operation::Input(number) => slots[place as usize] = Some(constants.len() as u32 + number),
                 Operation::Sin(angle) | Operation::Cos(angle) => {
                     let sine = *turns.entry(angle).or_insert_with(|| {
-                        steps.push((place, Step { code: Code::Turn, to: count, from: [angle; 3] }));
+                        steps.push(Step { code: Code::Turn, to: count, from: [angle; 3] });
                         count += 2;
                         count - 2
                     });
                     slots[place as usize] = Some(sine + u32::from(operation == Operation::Cos(angle)));
                 }
-                _ => steps.extend(fusion.step(place).map(|step| (place, step))),
+                _ => steps.extend(fusion.step(place)),
             }
         }
-        let writes = (0..).zip(outputs);
-        steps.extend(writes.map(|(to, &place)| (place, Step { code: Code::Write, to, from: [place; 3] })));
-        // Stable: a value is written as soon as it is computed.
-        steps.sort_by_key(|&(place, _)| place);
-        let mut steps: Vec<Step> = steps.into_iter().map(|(_, step)| step).collect();
-        let slots = lay(&mut steps, slots, count);
-        Self { steps, constants, slots }
+        let count = lay(&mut steps, outputs, &mut slots, count);
+        let outputs = outputs.iter().map(|&place| slots[place as usize].unwrap_or(0)).collect();
+        Self { steps, constants, outputs, slots: count }
     }
 }
 
-/// Gives every step its slots instead of places: those known in `slots`, and from number `count` on those that are taken again. Returns their number.
-fn lay(steps: &mut [Step], mut slots: Vec<Option<u32>>, mut count: u32) -> usize {
-    let mut last = vec![0; slots.len()];
+/// Gives every step its slots instead of places: those known in `slots`, and from number `count` on those that are taken again. Returns the number
+/// of all.
+fn lay(steps: &mut [Step], outputs: &[Place], slots: &mut [Option<u32>], mut count: u32) -> usize {
+    /// The step after which a slot is free: none, for what stays.
+    const NEVER: usize = usize::MAX;
+    let mut last = vec![NEVER; slots.len()];
     for (number, step) in steps.iter().enumerate() {
-        step.from.iter().for_each(|&place| last[place as usize] = number);
+        let computed = step.from.iter().filter(|&&place| slots[place as usize].is_none());
+        computed.for_each(|&place| last[place as usize] = number);
     }
-    let kept: Vec<bool> = slots.iter().map(Option::is_some).collect();
+    outputs.iter().for_each(|&place| last[place as usize] = NEVER);
     let mut free = Vec::new();
     for (number, step) in steps.iter_mut().enumerate() {
+        let places = step.from;
+        step.from = places.map(|place| slots[place as usize].unwrap_or(0));
         // A step reads everything before it writes: its value may go where it has read.
-        for place in step.from {
-            if last[place as usize] == number && !kept[place as usize] {
+        for place in places {
+            if last[place as usize] == number {
                 // Read twice, it is given back once.
-                last[place as usize] = usize::MAX;
+                last[place as usize] = NEVER;
                 free.extend(slots[place as usize]);
             }
         }
-        step.from = step.from.map(|place| slots[place as usize].unwrap_or(0));
-        if !matches!(step.code, Code::Write | Code::Turn) {
+        if step.code != Code::Turn {
             let slot = free.pop().unwrap_or_else(|| {
                 count += 1;
                 count - 1
