@@ -15,6 +15,7 @@ use crate::recording::Recording;
 pub struct Blocks<'r> {
     recording: &'r Recording,
     instructions: Instructions,
+    performed: Option<Instructions>,
     memory: Vec<Block>,
 }
 
@@ -23,12 +24,17 @@ impl<'r> Blocks<'r> {
         let steps = &recording.steps;
         let mut memory = vec![Block::splat(0.0); steps.slots];
         memory.iter_mut().zip(&steps.constants).for_each(|(block, constant)| *block = Block::splat(*constant));
-        Self { recording, instructions, memory }
+        Self { recording, instructions, performed: None, memory }
     }
 
-    /// The instructions that perform it; after an answer, those that did.
+    /// The instructions that it is to be performed by.
     pub fn instructions(&self) -> Instructions {
         self.instructions
+    }
+
+    /// Those that performed it last; none before the first answer.
+    pub fn performed(&self) -> Option<Instructions> {
+        self.performed
     }
 }
 
@@ -57,7 +63,7 @@ impl Group for Blocks<'_> {
             let numbers = block.0.as_flattened_mut();
             numbers.iter_mut().enumerate().for_each(|(state, number)| *number = column[state.min(last)]);
         }
-        self.instructions = self.instructions.perform(&steps.steps, &mut self.memory);
+        self.performed = Some(self.instructions.perform(&steps.steps, &mut self.memory));
         let mut slots = steps.outputs.as_slice();
         for array in outputs {
             let (of_array, rest) = slots.split_at(array.ncols());

@@ -4,7 +4,7 @@ use frs_core::Real;
 use frs_core::lanes::{F32x8, F64x4, F64x8};
 
 /// A scalar with [`LANES`](Self::LANES) states in it.
-pub trait Lane: Real {
+pub trait Lane: Real + Send + Sync {
     /// The number of one state.
     type Element: Copy + Send + Sync;
 
