@@ -26,8 +26,8 @@ use super::super::{Failure, options};
 pub struct BatchArgs {
     /// Evaluate one quantity at every state of this file, on all threads, and write --out.
     ///
-    /// .npy: a state a row, the inputs of the quantity beside each other, in the order that --help of --quantity gives; f8 or f4, C or Fortran
-    /// order. .parquet: a column of numbers for each input, found by its name: q.NAME, qd.NAME, tau.NAME for each coordinate,
+    /// .npy: a state a row, the inputs of the quantity beside each other in the order of docs/batch.md, q first; f8 or f4, C or Fortran order. A
+    /// file of another width is told what is expected. .parquet: a column of numbers for each input, found by its name: q.NAME, qd.NAME, tau.NAME for each coordinate,
     /// mu.omega_x … mu.v_z, base_wrench.moment_x … base_wrench.force_z, gravity.x …; others are not read.
     #[arg(long, value_name = "STATES.npy|.parquet", requires_all = ["quantity", "out"], conflicts_with_all = ["states", "only"])]
     batch: Option<PathBuf>,
