@@ -95,7 +95,9 @@ fn a_file_of_states_gives_the_cores_bits_in_either_order_and_in_any_portions() {
     write(&folder, "rows.npy", Order::C, 9, &numbers);
     write(&folder, "columns.npy", Order::Fortran, 9, &numbers);
     let expected = expected(&model, Quantity::Matrices, &numbers);
-    for (from, more) in [("rows.npy", ["--threads", "1"]), ("columns.npy", ["--threads", "3"]), ("rows.npy", ["--memory", "1"])] {
+    for (from, more) in
+        [("rows.npy", ["--threads", "1"]), ("columns.npy", ["--threads", "3"]), ("rows.npy", ["--memory", "1"])]
+    {
         let output = eval(&folder, CHASER, "matrices", from, "out.npy", &more);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let (shape, found) = read(&folder, "out.npy");
@@ -107,12 +109,14 @@ fn a_file_of_states_gives_the_cores_bits_in_either_order_and_in_any_portions() {
 /// Writes numbers as a Parquet file with these columns, in groups of so many rows; a column whose name begins with `?` may lack numbers.
 fn write_columns(path: &Path, names: &[&str], rows: &[Vec<f64>], group: usize) {
     let field = |name: &&str| {
-        let (name, repetition) = name.strip_prefix('?').map_or((*name, Repetition::REQUIRED), |name| (name, Repetition::OPTIONAL));
+        let (name, repetition) =
+            name.strip_prefix('?').map_or((*name, Repetition::REQUIRED), |name| (name, Repetition::OPTIONAL));
         Arc::new(Type::primitive_type_builder(name, Physical::DOUBLE).with_repetition(repetition).build().unwrap())
     };
     let schema = Type::group_type_builder("states").with_fields(names.iter().map(field).collect()).build().unwrap();
     let properties = WriterProperties::builder().set_compression(Compression::SNAPPY).build();
-    let mut file = SerializedFileWriter::new(File::create(path).unwrap(), Arc::new(schema), Arc::new(properties)).unwrap();
+    let mut file =
+        SerializedFileWriter::new(File::create(path).unwrap(), Arc::new(schema), Arc::new(properties)).unwrap();
     for rows in rows.chunks(group) {
         let mut group = file.next_row_group().unwrap();
         for (number, name) in names.iter().enumerate() {
@@ -145,7 +149,15 @@ fn columns_are_found_by_name_in_any_order_and_any_groups() {
     write(&folder, "states.npy", Order::C, 8, &numbers);
     let coordinates: Vec<String> = model.coordinates().iter().map(|c| format!("q.{}", c.name)).collect();
     let names = [
-        "mu.v_z", "time", &coordinates[1], "mu.omega_x", "mu.omega_y", &format!("?{}", coordinates[0]), "mu.omega_z", "mu.v_x", "mu.v_y",
+        "mu.v_z",
+        "time",
+        &coordinates[1],
+        "mu.omega_x",
+        "mu.omega_y",
+        &format!("?{}", coordinates[0]),
+        "mu.omega_z",
+        "mu.v_x",
+        "mu.v_y",
     ];
     let order = [7, usize::MAX, 1, 2, 3, 0, 4, 5, 6];
     let rows = numbers.chunks(8).map(|row| order.iter().map(|&i| row.get(i).copied().unwrap_or(0.5)).collect());
@@ -159,14 +171,20 @@ fn columns_are_found_by_name_in_any_order_and_any_groups() {
     assert!(direct == expected(&model, Quantity::Momentum, &numbers) && direct == read(&folder, "out.npy").1);
     let (columns, found) = read_columns(&folder.join("out.parquet"));
     assert!(found == direct);
-    assert_eq!(columns[..2].join(" ") + " " + &columns[11], "body_momentum.moment_x body_momentum.moment_y centroidal_momentum.force_z");
+    assert_eq!(
+        columns[..2].join(" ") + " " + &columns[11],
+        "body_momentum.moment_x body_momentum.moment_y centroidal_momentum.force_z"
+    );
 
     // A row without a number, and a file without a column.
     rows[500][5] = f64::NAN;
     write_columns(&folder.join("gap.parquet"), &names, &rows, 1000);
     write_columns(&folder.join("without.parquet"), &names[..8], &rows, 1000);
     let missing = "without.parquet: these columns are missing: mu.v_y; the file has: mu.v_z, time, ";
-    for (from, part) in [("gap.parquet", &*format!("column {} has rows without a number", coordinates[0])), ("without.parquet", missing)] {
+    for (from, part) in [
+        ("gap.parquet", &*format!("column {} has rows without a number", coordinates[0])),
+        ("without.parquet", missing),
+    ] {
         let output = eval(&folder, PLANAR, "momentum", from, "no.npy", &[]);
         let said = text(&output.stderr);
         assert!(output.status.code() == Some(2) && said.contains(part), "{said}");
@@ -209,7 +227,11 @@ fn what_is_wrong_with_a_file_is_told_in_place_and_nothing_is_written() {
         ("text.npy", "out.npy", "text.npy: this is no .npy file"),
         ("text.parquet", "out.npy", "text.parquet: this is no Parquet file"),
         ("nowhere.npy", "out.npy", "nowhere.npy: cannot be opened"),
-        ("narrow.csv", "out.npy", "narrow.csv: this is no file of states; expected a name that ends in .npy or .parquet"),
+        (
+            "narrow.csv",
+            "out.npy",
+            "narrow.csv: this is no file of states; expected a name that ends in .npy or .parquet",
+        ),
         ("infinite.npy", "nowhere/out.npy", "nowhere/out.npy: cannot be written"),
     ] {
         let before = std::fs::read_dir(&folder).unwrap().count();
@@ -219,7 +241,10 @@ fn what_is_wrong_with_a_file_is_told_in_place_and_nothing_is_written() {
         assert_eq!(std::fs::read_dir(&folder).unwrap().count(), before, "{from}: something was left");
     }
     let output = eval(&folder, CHASER, "kinematics", "narrow.npy", "out.npy", &["--link", "nothing"]);
-    assert!(output.status.code() == Some(2) && text(&output.stderr).contains("--link 'nothing': the robot has no such link"));
+    assert!(
+        output.status.code() == Some(2)
+            && text(&output.stderr).contains("--link 'nothing': the robot has no such link")
+    );
 }
 
 #[test]
@@ -234,7 +259,10 @@ fn answers_that_are_not_finite_are_counted_and_written() {
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("2 states, row 1 (from 0) first, have answers that are not finite"), "{said}");
     let (_, found) = read(&folder, "out.npy");
-    assert_eq!(found.iter().map(|bits| f64::from_bits(*bits).is_finite()).collect::<Vec<_>>(), [true, false, true, false]);
+    assert_eq!(
+        found.iter().map(|bits| f64::from_bits(*bits).is_finite()).collect::<Vec<_>>(),
+        [true, false, true, false]
+    );
 }
 
 /// A million states of 80 MB pass through a program that never holds half as much.
@@ -245,7 +273,18 @@ fn a_million_states_pass_through_little_memory() {
     write(&folder, "states.npy", Order::C, 10, &states(1_000_000, 10));
     let mut child = Command::new(env!("CARGO_BIN_EXE_frs"))
         .current_dir(&folder)
-        .args(["eval", PLANAR, "--quantity", "kinetic_energy", "--batch", "states.npy", "--out", "out.npy", "--memory", "4"])
+        .args([
+            "eval",
+            PLANAR,
+            "--quantity",
+            "kinetic_energy",
+            "--batch",
+            "states.npy",
+            "--out",
+            "out.npy",
+            "--memory",
+            "4",
+        ])
         .stdout(Stdio::null())
         .spawn()
         .unwrap();

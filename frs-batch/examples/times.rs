@@ -20,7 +20,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let pools = [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build());
     let [one, two] = pools;
     let (one, two) = (one?, two?);
-    println!("| robot (n) | quantity | one state | 4 lanes | 8 lanes | blocks, as compiled | AVX2 | AVX-512 | 8 lanes, 2 threads | blocks, 2 threads |");
+    println!(
+        "| robot (n) | quantity | one state | 4 lanes | 8 lanes | blocks, as compiled | AVX2 | AVX-512 | 8 lanes, 2 threads | blocks, 2 threads |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     for urdf in ["lwr_satellite", "humanoid"] {
         let path = format!("{}/../robots/{urdf}.urdf", env!("CARGO_MANIFEST_DIR"));
@@ -73,7 +75,11 @@ impl States {
     }
 
     /// A call, in microseconds per state.
-    fn way<'a, G: Group<Element = f64>>(&'a self, pool: &'a ThreadPool, robot: impl Fn() -> G + Sync + Send + 'a) -> Box<dyn FnMut() -> f64 + 'a> {
+    fn way<'a, G: Group<Element = f64>>(
+        &'a self,
+        pool: &'a ThreadPool,
+        robot: impl Fn() -> G + Sync + Send + 'a,
+    ) -> Box<dyn FnMut() -> f64 + 'a> {
         let mut outputs: Vec<Array2<f64>> =
             self.quantity.outputs().map(|output| Array2::zeros((STATES, output.len(self.dof)))).collect();
         Box::new(move || {

@@ -24,11 +24,15 @@ impl<'a> Fusion<'a> {
                 operations[place].operands().for_each(|operand| uses[operand as usize] += 1);
             }
         }
-        let product = |place: Place| matches!(operations[place as usize], Operation::Mul(..)) && uses[place as usize] == 1;
+        let product =
+            |place: Place| matches!(operations[place as usize], Operation::Mul(..)) && uses[place as usize] == 1;
         for (place, operation) in operations.iter().enumerate() {
             if let (Operation::Add(a, b) | Operation::Sub(a, b), true) = (*operation, uses[place] > 0) {
                 // One of two.
-                [b, a].into_iter().find(|&operand| product(operand)).inspect(|&operand| absorbed[operand as usize] = true);
+                [b, a]
+                    .into_iter()
+                    .find(|&operand| product(operand))
+                    .inspect(|&operand| absorbed[operand as usize] = true);
             }
         }
         Self { operations, uses, absorbed }

@@ -1,7 +1,7 @@
 //! Numbers that are one state or several states side by side.
 
 use frs_core::Real;
-use frs_core::lanes::{F32x8, F64x4, F64x8};
+use frs_core::lanes::{F32x8, F32x16, F64x4, F64x8};
 
 /// A scalar with [`LANES`](Self::LANES) states in it.
 pub trait Lane: Real + Send + Sync {
@@ -64,3 +64,4 @@ impl_plain!(f32);
 impl_lanes!(F64x4, f64);
 impl_lanes!(F64x8, f64);
 impl_lanes!(F32x8, f32);
+impl_lanes!(F32x16, f32);

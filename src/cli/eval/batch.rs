@@ -78,7 +78,10 @@ impl Format {
         match path.extension().and_then(OsStr::to_str) {
             Some("npy") => Ok(Self::Npy),
             Some("parquet") => Ok(Self::Parquet),
-            _ => Err(Failure::Input(format!("{}: this is no file of states; expected a name that ends in .npy or .parquet", path.display()))),
+            _ => Err(Failure::Input(format!(
+                "{}: this is no file of states; expected a name that ends in .npy or .parquet",
+                path.display()
+            ))),
         }
     }
 
@@ -122,14 +125,20 @@ impl BatchArgs {
         while done < states {
             if stop.load(Ordering::Relaxed) {
                 progress.finish_and_clear();
-                return Err(Failure::Check(format!("stopped after {done} of {states} states; {} was not written", to.display())));
+                return Err(Failure::Check(format!(
+                    "stopped after {done} of {states} states; {} was not written",
+                    to.display()
+                )));
             }
             let count = chunk.min(states - done);
             let mut rows = inputs.slice_axis_mut(Axis(0), Slice::from(..count));
             source.read(&mut rows)?;
             check_finite(from, rows.view(), done, &given)?;
             let mut answers = outputs.slice_axis_mut(Axis(0), Slice::from(..count));
-            let (given, asked) = (parts(quantity.inputs(), model, rows.view()), parts_mut(quantity.outputs(), model, answers.view_mut()));
+            let (given, asked) = (
+                parts(quantity.inputs(), model, rows.view()),
+                parts_mut(quantity.outputs(), model, answers.view_mut()),
+            );
             let answered = pool.install(|| answer(|| recording.blocks(), quantity, &given, asked));
             answered.map_err(|error| Failure::Input(error.to_string()))?;
             for (row, answer) in answers.rows().into_iter().enumerate() {
@@ -170,12 +179,18 @@ impl BatchArgs {
         match (quantity, &self.link) {
             (Quantity::Kinematics(_), Some(name)) => model.link(name).map(Quantity::Kinematics).ok_or_else(|| {
                 let known: Vec<&str> = model.links().iter().map(|link| link.name.as_str()).collect();
-                Failure::Input(format!("--link '{name}': the robot has no such link; its links are: {}", known.join(", ")))
+                Failure::Input(format!(
+                    "--link '{name}': the robot has no such link; its links are: {}",
+                    known.join(", ")
+                ))
             }),
-            (Quantity::Kinematics(_), None) => Err(Failure::Input("--quantity kinematics: of no link; expected --link NAME".into())),
-            (_, Some(name)) => {
-                Err(Failure::Input(format!("--link '{name}': {} is of the whole robot; leave --link out", quantity.name())))
+            (Quantity::Kinematics(_), None) => {
+                Err(Failure::Input("--quantity kinematics: of no link; expected --link NAME".into()))
             }
+            (_, Some(name)) => Err(Failure::Input(format!(
+                "--link '{name}': {} is of the whole robot; leave --link out",
+                quantity.name()
+            ))),
             (_, None) => Ok(quantity),
         }
     }
@@ -204,7 +219,11 @@ fn check_finite(path: &Path, rows: ArrayView2<'_, f64>, before: usize, names: &[
 }
 
 /// The columns of each argument.
-fn parts<'a>(arguments: impl Iterator<Item = Argument>, model: &Model, mut rows: ArrayView2<'a, f64>) -> Vec<ArrayView2<'a, f64>> {
+fn parts<'a>(
+    arguments: impl Iterator<Item = Argument>,
+    model: &Model,
+    mut rows: ArrayView2<'a, f64>,
+) -> Vec<ArrayView2<'a, f64>> {
     arguments
         .map(|argument| {
             let (part, rest) = rows.split_at(Axis(1), argument.len(model.dof()));

@@ -22,7 +22,10 @@ impl Beside {
         let (at, to) = (PathBuf::from(at), to.to_owned());
         match File::create(&at) {
             Ok(file) => Ok(Self { file: Some(BufWriter::new(file)), at, to }),
-            Err(error) => Err(Failure::Input(format!("{}: cannot be written: {error}; --out takes a file in a folder that is there", to.display()))),
+            Err(error) => Err(Failure::Input(format!(
+                "{}: cannot be written: {error}; --out takes a file in a folder that is there",
+                to.display()
+            ))),
         }
     }
 

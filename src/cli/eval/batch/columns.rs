@@ -15,14 +15,18 @@ pub fn names(arguments: impl Iterator<Item = Argument>, model: &Model) -> Vec<St
 
 /// The arguments with their lengths, as a message tells them.
 pub fn lengths(arguments: impl Iterator<Item = Argument>, model: &Model) -> String {
-    arguments.map(|argument| format!("{} ({})", argument.name, argument.len(model.dof()))).collect::<Vec<_>>().join(", ")
+    arguments
+        .map(|argument| format!("{} ({})", argument.name, argument.len(model.dof())))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn of_argument(argument: &Argument, model: &Model) -> Vec<String> {
     let ([rows, columns], [rows_with_one, columns_with_one]) = (argument.shape(0), argument.shape(1));
     let is_vector = columns == 1 && columns_with_one == 1;
     // Momenta and forces are wrenches, everything else with six numbers is a twist.
-    let six = if is_vector && ["N", "kg·m²/s"].iter().any(|unit| argument.unit.starts_with(unit)) { WRENCH } else { TWIST };
+    let six =
+        if is_vector && ["N", "kg·m²/s"].iter().any(|unit| argument.unit.starts_with(unit)) { WRENCH } else { TWIST };
     let labels = |constant: usize, with_one: usize| -> Vec<String> {
         let fixed: &[&str] = match constant {
             6 => &six,

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use ndarray::{ArrayView2, ArrayViewMut2};
 use npyz::{DType, NpyHeader, Order, WriteOptions, WriterBuilder};
 
-use super::beside::Beside;
 use super::super::super::Failure;
+use super::beside::Beside;
 use super::{Sink, Source};
 
 /// A file of states.
@@ -33,7 +33,8 @@ impl Reader {
         let file = File::open(path).map_err(|error| failed(&format_args!("cannot be opened: {error}")))?;
         let len = file.metadata().map_or(0, |about| about.len());
         let mut file = BufReader::new(file);
-        let header = NpyHeader::from_reader(&mut file).map_err(|error| failed(&format_args!("this is no .npy file: {error}")))?;
+        let header = NpyHeader::from_reader(&mut file)
+            .map_err(|error| failed(&format_args!("this is no .npy file: {error}")))?;
         let begin = file.stream_position().map_err(|error| failed(&error))?;
         let kind = match header.dtype() {
             DType::Plain(kind) => kind.to_string(),
@@ -42,13 +43,19 @@ impl Reader {
         let size = match kind.as_str() {
             "<f8" => 8,
             "<f4" => 4,
-            _ => return Err(failed(&format_args!("numbers are of type {kind}; expected <f8 or <f4; write array.astype('<f8')"))),
+            _ => {
+                return Err(failed(&format_args!(
+                    "numbers are of type {kind}; expected <f8 or <f4; write array.astype('<f8')"
+                )));
+            }
         };
         let (states, found) = match *header.shape() {
             [states, found] => (states, found),
             ref other => {
                 let axes = other.len();
-                return Err(failed(&format_args!("the array has {axes} axes; expected 2: a state a row, of {width} numbers: {what}")));
+                return Err(failed(&format_args!(
+                    "the array has {axes} axes; expected 2: a state a row, of {width} numbers: {what}"
+                )));
             }
         };
         if found != width as u64 {
@@ -56,7 +63,9 @@ impl Reader {
         }
         let expected = begin + states * found * size as u64;
         if len < expected {
-            return Err(failed(&format_args!("the file ends after {len} bytes; expected {expected} for {states} states")));
+            return Err(failed(&format_args!(
+                "the file ends after {len} bytes; expected {expected} for {states} states"
+            )));
         }
         let states = usize::try_from(states).map_err(|error| failed(&error))?;
         Ok(Self { path: path.to_owned(), file, begin, size, order: header.order(), states, done: 0, bytes: Vec::new() })

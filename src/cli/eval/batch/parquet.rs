@@ -14,8 +14,8 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 
-use super::beside::Beside;
 use super::super::super::Failure;
+use super::beside::Beside;
 use super::{Sink, Source};
 
 /// A file of states.
@@ -36,7 +36,8 @@ impl Reader {
     pub fn open(path: &Path, names: &[String]) -> Result<Self, Failure> {
         let failed = |fact: &dyn std::fmt::Display| Failure::Input(format!("{}: {fact}", path.display()));
         let file = File::open(path).map_err(|error| failed(&format_args!("cannot be opened: {error}")))?;
-        let file = SerializedFileReader::new(file).map_err(|error| failed(&format_args!("this is no Parquet file: {error}")))?;
+        let file = SerializedFileReader::new(file)
+            .map_err(|error| failed(&format_args!("this is no Parquet file: {error}")))?;
         let schema = file.metadata().file_metadata().schema_descr_ptr();
         let (mut columns, mut missing) = (Vec::new(), Vec::new());
         for name in names {
@@ -44,16 +45,25 @@ impl Reader {
             let found = schema.columns().iter().position(|column| column.path().parts().join(".") == *name);
             match found.map(|number| (number, schema.column(number))) {
                 None => missing.push(name.as_str()),
-                Some((_, column)) if !matches!(column.physical_type(), Physical::DOUBLE | Physical::FLOAT) || column.max_rep_level() > 0 => {
+                Some((_, column))
+                    if !matches!(column.physical_type(), Physical::DOUBLE | Physical::FLOAT)
+                        || column.max_rep_level() > 0 =>
+                {
                     let kind = column.physical_type();
-                    return Err(failed(&format_args!("column {name} is of type {kind}; expected DOUBLE or FLOAT, one a row")));
+                    return Err(failed(&format_args!(
+                        "column {name} is of type {kind}; expected DOUBLE or FLOAT, one a row"
+                    )));
                 }
                 Some((number, _)) => columns.push((number, name.clone())),
             }
         }
         if !missing.is_empty() {
             let there: Vec<String> = schema.columns().iter().map(|column| column.path().parts().join(".")).collect();
-            return Err(failed(&format_args!("these columns are missing: {}; the file has: {}", missing.join(", "), there.join(", "))));
+            return Err(failed(&format_args!(
+                "these columns are missing: {}; the file has: {}",
+                missing.join(", "),
+                there.join(", ")
+            )));
         }
         let states = usize::try_from(file.metadata().file_metadata().num_rows()).map_err(|error| failed(&error))?;
         Ok(Self { path: path.to_owned(), file, columns, states, group: 0, open: (Vec::new(), 0) })
