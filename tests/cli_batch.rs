@@ -17,6 +17,7 @@ use parquet::schema::types::Type;
 use serde_json::Value;
 
 const CHASER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/robots/chaser.urdf");
+const HUMANOID: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/robots/humanoid.urdf");
 const PLANAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/robots/planar_three_link.urdf");
 
 /// A folder of a test's own, empty.
@@ -263,6 +264,27 @@ fn answers_that_are_not_finite_are_counted_and_written() {
         found.iter().map(|bits| f64::from_bits(*bits).is_finite()).collect::<Vec<_>>(),
         [true, false, true, false]
     );
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_no_half_of_a_file() {
+    let folder = folder("interrupted");
+    write(&folder, "states.npy", Order::C, 30, &states(50_000, 30));
+    let child = Command::new(env!("CARGO_BIN_EXE_frs"))
+        .current_dir(&folder)
+        .args(["eval", HUMANOID, "--quantity", "inertia", "--batch", "states.npy", "--out", "out.npy", "--memory", "1"])
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while !folder.join("out.npy.new").metadata().is_ok_and(|about| about.len() > 1 << 20) {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let output = child.wait_with_output().unwrap();
+    let said = text(&output.stderr);
+    assert!(output.status.code() == Some(1) && said.contains(" of 50000 states; out.npy was not written"), "{said}");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1, "only the states are there");
 }
 
 /// A million states of 80 MB pass through a program that never holds half as much.
