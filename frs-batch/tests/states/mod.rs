@@ -51,6 +51,7 @@ impl Order {
 
 /// The answers to the first `count` states. All arrays lie within larger ones of NaN: what is read outside would spoil answers, and what is
 /// written there is seen.
+#[allow(clippy::reversed_empty_ranges, reason = "of an array, −1 is the last row")]
 pub fn answers<G: Group<Element = f64>>(
     robot: impl Fn() -> G + Sync,
     quantity: Quantity,
@@ -59,11 +60,10 @@ pub fn answers<G: Group<Element = f64>>(
     order: Order,
     threads: usize,
 ) -> Vec<Array2<f64>> {
-    let n = inputs[0].ncols();
-    let inside = |(rows, columns): (usize, usize)| s![1..rows - 1, 1..columns - 1];
+    let (n, inside) = (inputs[0].ncols(), s![1..-1, 1..-1]);
     let given = inputs.iter().map(|array| {
         let mut all = order.nothing(count, array.ncols());
-        order.rows(all.slice_mut(inside(all.dim()))).assign(&array.slice(s![..count, ..]));
+        order.rows(all.slice_mut(inside)).assign(&array.slice(s![..count, ..]));
         all
     });
     let given: Vec<_> = given.collect();
@@ -71,13 +71,13 @@ pub fn answers<G: Group<Element = f64>>(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let robot = &robot;
     pool.install(|| {
-        let given: Vec<_> = given.iter().map(|array| order.rows(array.slice(inside(array.dim())))).collect();
-        let asked = asked.iter_mut().map(|array| order.rows(array.slice_mut(inside(array.dim())))).collect();
+        let given: Vec<_> = given.iter().map(|array| order.rows(array.slice(inside))).collect();
+        let asked = asked.iter_mut().map(|array| order.rows(array.slice_mut(inside))).collect();
         answer(robot, quantity, &given, asked).unwrap();
     });
     let found = asked.iter_mut().map(|array| {
-        let found = order.rows(array.slice(inside(array.dim()))).to_owned();
-        array.slice_mut(inside(array.dim())).fill(f64::NAN);
+        let found = order.rows(array.slice(inside)).to_owned();
+        array.slice_mut(inside).fill(f64::NAN);
         assert!(array.iter().all(|number| number.is_nan()), "something was written outside of the outputs");
         found
     });
