@@ -17,7 +17,7 @@ const SHARES: usize = 8;
 /// Computes `quantity` at every state: arrays are those that it lists, in its order, a state a row, with any strides.
 ///
 /// A matrix is a row of numbers, column by column. The states are shared among the threads of the rayon pool in which this is called; every
-/// thread asks `robot` for one of its own, once. No thread count and no [`Group`] changes a bit of a state's answer. States beyond whole groups are computed
+/// thread asks `robot` for one of its own. No thread count and no [`Group`] changes a bit of a state's answer. States beyond whole groups are computed
 /// with the last state repeated; nothing outside of the arrays is read.
 ///
 /// # Errors
@@ -41,7 +41,7 @@ pub fn answer<G: Group>(
     let tasks = Mutex::new(Task { inputs: inputs.to_vec(), outputs }.cut(share));
     // The lock is held only while a task is taken, which cannot panic.
     let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).pop();
-    rayon::broadcast(|_| {
+    let thread = || {
         let Some(mut task) = next() else { return };
         let mut robot = robot();
         loop {
@@ -51,7 +51,9 @@ pub fn answer<G: Group>(
                 None => return,
             }
         }
-    });
+    };
+    // Nobody waits for a thread that is busy elsewhere: the others leave it nothing to do.
+    rayon::scope(|scope| (0..threads).for_each(|_| scope.spawn(|_| thread())));
     Ok(())
 }
 
