@@ -24,6 +24,8 @@ pub mod conditioning;
 pub mod identities;
 pub mod plausibility;
 
+#[cfg(feature = "batch")]
+pub use frs_batch as batch;
 pub use frs_core::*;
 #[cfg(feature = "jit")]
 pub use frs_jit as jit;

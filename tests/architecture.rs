@@ -23,6 +23,32 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("generated.rs", &["Quantity"]),
 ];
 
+/// Each crate beside the façade, and those of the project on which it stands.
+const CRATES: [(&str, &[&str]); 9] = [
+    ("frs-core", &[]),
+    ("frs-batch", &["frs-codegen", "frs-core"]),
+    ("frs-codegen", &["frs-core"]),
+    ("frs-gait", &["frs-core"]),
+    ("frs-jit", &["frs-codegen", "frs-core"]),
+    ("frs-macros", &["frs-codegen", "frs-core"]),
+    ("frs-oracles", &["frs-core", "frs-macros"]),
+    ("frs-sim", &["frs-core"]),
+    ("generated", &["frs-core"]),
+];
+
+#[test]
+fn crates_stand_only_on_those_below() {
+    for (name, expected) in CRATES {
+        let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join(name).join("Cargo.toml");
+        let text = fs::read_to_string(manifest).unwrap();
+        let dependencies = text.split("\n[").find(|part| part.starts_with("dependencies]")).unwrap();
+        let own: Vec<&str> =
+            dependencies.lines().filter_map(|line| line.split_once('.').map(|(name, _)| name)).collect();
+        let own: Vec<&str> = own.into_iter().filter(|name| name.starts_with("frs-")).collect();
+        assert_eq!(own, expected, "{name} (ARCHITECTURE.md)");
+    }
+}
+
 #[test]
 fn arrows_point_one_way() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("frs-core/src");

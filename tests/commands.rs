@@ -2,6 +2,7 @@
 
 mod cli;
 mod cli_accuracy;
+mod cli_batch;
 mod cli_check;
 mod cli_curvature;
 mod cli_generate;

@@ -148,7 +148,9 @@ where
 {
     let square = y * y;
     let polynomial = |coefficients: [f64; 6]| {
-        let [a, b, c, d, e, f] = coefficients.map(&lift);
+        // One by one: `map` of an array of lanes is not inlined.
+        let [a, b, c, d, e, f] = coefficients;
+        let [a, b, c, d, e, f] = [lift(a), lift(b), lift(c), lift(d), lift(e), lift(f)];
         // In two halves, which a processor computes at once.
         let fourth = square * square;
         (a + square * b) + fourth * ((c + square * d) + fourth * (e + square * f))

@@ -1,6 +1,6 @@
 //! Every lane has the bits of the plain number, in each operation and in the core.
 
-use frs_core::lanes::{F32x8, F64x4, F64x8};
+use frs_core::lanes::{F32x8, F32x16, F64x4, F64x8};
 use frs_core::spatial::{Twist, Wrench};
 use frs_core::{Model, Real, Workspace};
 use nalgebra::DMatrix;
@@ -78,6 +78,7 @@ macro_rules! assert_operations {
 assert_operations!(four_doubles_have_the_bits_of_one, F64x4, f64, 1e-300, 1e300, uniform4);
 assert_operations!(eight_doubles_have_the_bits_of_one, F64x8, f64, 1e-300, 1e300, uniform8);
 assert_operations!(eight_singles_have_the_bits_of_one, F32x8, f32, 1e-37, 1e37, uniform8);
+assert_operations!(sixteen_singles_have_the_bits_of_one, F32x16, f32, 1e-37, 1e37, uniform16);
 
 #[test]
 fn constants_are_the_nearest_numbers_in_every_lane() {

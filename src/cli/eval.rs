@@ -1,5 +1,6 @@
 //! `frs eval`: every quantity of a robot at given states.
 
+mod batch;
 #[cfg(feature = "jit")]
 mod compiled;
 mod evaluation;
@@ -26,6 +27,8 @@ use evaluation::Evaluation;
 /// q, qd and tau may also be objects, {"joint name": value}.
 /// Each state gives one JSON line; matrices are arrays of rows. A state in which the robot is singular gives
 /// {"error": …} and exit code 1.
+///
+/// Millions of states: --batch, from and to .npy or .parquet (docs/batch.md).
 #[derive(Args)]
 #[command(verbatim_doc_comment)]
 pub struct Eval {
@@ -37,7 +40,9 @@ pub struct Eval {
     /// Compute only these quantities.
     #[arg(long, value_name = "KEY,…", value_delimiter = ',')]
     only: Option<Vec<Key>>,
-    /// Without --states: write the zero pose as a JSON line instead of tables.
+    #[command(flatten)]
+    batch: batch::BatchArgs,
+    /// Without --states: write the zero pose as a JSON line instead of tables. With --batch: print the summary as a JSON object.
     #[arg(long, conflicts_with = "states")]
     json: bool,
     /// Let machine code answer that is compiled on the spot: the same bytes. Reading and writing numbers takes most of the time
@@ -50,6 +55,9 @@ pub struct Eval {
 impl Eval {
     pub fn run(self) -> Result<(), Failure> {
         let model = self.robot.model()?;
+        if self.batch.is_asked() {
+            return self.batch.run(&model, self.json);
+        }
         let keys = self.only.clone().unwrap_or_else(|| Key::value_variants().to_vec());
         let mut evaluate = self.answering(&model, &keys);
         let mut out = BufWriter::new(io::stdout().lock());

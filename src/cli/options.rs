@@ -84,7 +84,7 @@ fn held(text: &str) -> Result<(String, f64), String> {
 }
 
 /// Reads the name of a quantity.
-fn quantity() -> impl TypedValueParser<Value = Quantity> {
+pub fn quantity() -> impl TypedValueParser<Value = Quantity> {
     let all = || Quantity::ALL.into_iter().chain([Quantity::Kinematics(0)]);
     let names = all().map(|quantity| PossibleValue::new(quantity.name()).help(quantity.meaning()));
     PossibleValuesParser::new(names)

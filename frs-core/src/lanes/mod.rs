@@ -1,4 +1,4 @@
-//! Several states at once: numbers that are four or eight numbers side by side.
+//! Several states at once: numbers that are four, eight or sixteen numbers side by side.
 //!
 //! Every operation acts on each lane by itself and leaves the bits that it would leave in the plain number: a robot over
 //! [`F64x8`] answers for eight states as eight robots over `f64` would, bit for bit.
@@ -21,7 +21,7 @@
 mod real;
 mod types;
 
-pub use types::{F32x8, F64x4, F64x8};
+pub use types::{F32x8, F32x16, F64x4, F64x8};
 
 /// The source of the lane types, for generated code that stands alone: it needs the crate `wide`, and beside it a module `turn`
 /// ([`TURN`](crate::generated::TURN)).

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use super::{F32x8, F64x4, F64x8};
+use super::{F32x8, F32x16, F64x4, F64x8};
 use crate::Real;
 
 macro_rules! impl_real {
@@ -57,3 +57,4 @@ macro_rules! impl_real {
 impl_real!(F64x4, f64);
 impl_real!(F64x8, f64);
 impl_real!(F32x8, f32);
+impl_real!(F32x16, f32);

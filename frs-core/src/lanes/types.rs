@@ -133,25 +133,40 @@ macro_rules! doubles {
     };
 }
 
+/// What singles do as doubles, eight at a time.
+macro_rules! singles {
+    ($Lanes:ident, $count:literal) => {
+        impl $Lanes {
+            /// (sin, cos) of each lane, in radians.
+            pub fn sin_cos(self) -> (Self, Self) {
+                let (mut sin, mut cos) = (self.to_array(), self.to_array());
+                for first in (0..$count).step_by(8) {
+                    let doubles = F64x8::from_array(from_fn(|lane| f64::from(sin[first + lane])));
+                    let (sines, cosines) = doubles.sin_cos();
+                    let (sines, cosines) = (sines.to_array(), cosines.to_array());
+                    for lane in 0..8 {
+                        (sin[first + lane], cos[first + lane]) = (sines[lane] as f32, cosines[lane] as f32);
+                    }
+                }
+                (Self::from_array(sin), Self::from_array(cos))
+            }
+
+            /// `below` in the lanes where `self < limit`, else `otherwise`.
+            #[inline(always)]
+            pub fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self {
+                let (value, below, otherwise) = (self.to_array(), below.to_array(), otherwise.to_array());
+                let select = |lane: usize| if f64::from(value[lane]) < limit { below[lane] } else { otherwise[lane] };
+                Self::from_array(from_fn(select))
+            }
+        }
+    };
+}
+
 lanes!(F64x4, wide::f64x4, f64, 4, "Four doubles side by side.");
 lanes!(F64x8, wide::f64x8, f64, 8, "Eight doubles side by side.");
 lanes!(F32x8, wide::f32x8, f32, 8, "Eight singles side by side.");
+lanes!(F32x16, wide::f32x16, f32, 16, "Sixteen singles side by side.");
 doubles!(F64x4, wide::f64x4);
 doubles!(F64x8, wide::f64x8);
-
-impl F32x8 {
-    /// (sin, cos) of each lane, in radians.
-    pub fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = F64x8::from_array(self.to_array().map(f64::from)).sin_cos();
-        let [sin, cos] = [sin, cos].map(|side| Self::from_array(side.to_array().map(|x| x as f32)));
-        (sin, cos)
-    }
-
-    /// `below` in the lanes where `self < limit`, else `otherwise`.
-    #[inline(always)]
-    pub fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self {
-        let (value, below, otherwise) = (self.to_array(), below.to_array(), otherwise.to_array());
-        let select = |lane: usize| if f64::from(value[lane]) < limit { below[lane] } else { otherwise[lane] };
-        Self::from_array(from_fn(select))
-    }
-}
+singles!(F32x8, 8);
+singles!(F32x16, 16);
