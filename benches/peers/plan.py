@@ -41,13 +41,13 @@ LONGEST_IN_LANES = {"inertia": 50, "matrices": 35, "forward": 50}
 LONGEST_SYMBOLIC = {"inertia": 35, "matrices": 12, "forward": 35, "curvature": 12}
 
 
-def robots(quick, prefix, chains):
+def robots(prefix, chains):
     """Name and URDF of each robot."""
     found = {name: ROOT / "robots" / f"{name}.urdf" for name in OWN}
     data = prefix / "share/example-robot-data/robots"
     found |= {name: data / folder / f"{name}.urdf" for name, folder in PUBLIC.items()}
     found |= {f"chain_{n}": chains / f"chain_{n}.urdf" for n in CHAINS}
-    return {name: path for name, path in found.items() if not quick or name in QUICK}
+    return found
 
 
 def generated_works(form, n):

@@ -73,9 +73,12 @@ def main():
 
     prefix = next(Path(sys.prefix).glob("lib/python*/site-packages/cmeel.prefix"))
     chains.write(out / "chains", plan.CHAINS)
-    paths = plan.robots(options.quick, prefix, out / "chains")
-    if options.robots:
-        paths = {name: paths[name] for name in options.robots.split(",")}
+    paths = plan.robots(prefix, out / "chains")
+    asked = options.robots.split(",") if options.robots else plan.QUICK if options.quick else paths
+    unknown = set(asked) - set(paths)
+    if unknown:
+        build.stop(f"unknown robot {', '.join(unknown)}; expected {', '.join(paths)}")
+    paths = {name: paths[name] for name in asked}
     robots = {name: Robot(path) for name, path in paths.items()}
     programs = build.pinocchio(out, prefix) | {"mujoco": build.mujoco(out)}
     frs = build.cargo(plan.ROOT, target, "--bin", "frs", "--features", "jit", "--locked") / "frs"
