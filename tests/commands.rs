@@ -2,6 +2,7 @@
 
 mod cli;
 mod cli_accuracy;
+#[path = "cli_batch/main.rs"]
 mod cli_batch;
 mod cli_check;
 mod cli_curvature;

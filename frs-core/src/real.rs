@@ -15,6 +15,9 @@ use crate::turn;
 pub trait Real:
     Scalar + Copy + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
 {
+    /// Whether a processor has several of these side by side, so that a few more than are asked for cost nothing.
+    const SIDE_BY_SIDE: bool = false;
+
     /// The number nearest to `value`; exact when this type holds every `f64`.
     fn from_f64(value: f64) -> Self;
 
@@ -39,6 +42,8 @@ pub trait Real:
 macro_rules! impl_real {
     ($float:ty, $from_f64:expr, $sin_cos:expr, $sin_cos_each:expr) => {
         impl Real for $float {
+            const SIDE_BY_SIDE: bool = true;
+
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 $from_f64(value)

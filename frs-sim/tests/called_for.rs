@@ -38,7 +38,7 @@ const EACH: [(&str, &str, isize); 19] = [
     ("regulator", "[regulator]\nset_point = {}\nstiffness = 1\ndamping = 1\ndecoupling = 'tau_bar'\n", 4173),
     ("computed_torque", "[computed_torque]\nbandwidth = 3\nset_point = {}\n", 1988),
     ("end_effector", "[end_effector]\nlink = 'link_7'\nposition = [0, 0, 1]\nstiffness = 1\ndamping = 1\n", 2227),
-    ("added_mass", "[added_mass]\nlink = 'link_7'\ninertia = [1, 1, 1, 1, 1, 1]\n", 10999),
+    ("added_mass", "[added_mass]\nlink = 'link_7'\ninertia = [1, 1, 1, 1, 1, 1]\n", 10855),
 ];
 
 fn satellite() -> Model {

@@ -9561,10 +9561,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_shoulder_yaw_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_shoulder_yaw_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_shoulder_yaw_vz * screws.inside_right_shoulder_pitch_fz;
-    let shape_inertia_12_0_15 = screws.connection_left_shoulder_yaw_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_0_16 = screws.connection_left_shoulder_yaw_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_0 = screws.connection_left_shoulder_yaw_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_shoulder_yaw_wy * screws.inside_right_elbow_pitch_my
@@ -9593,6 +9589,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_shoulder_yaw_vx * screws.inside_right_wrist_roll_fx
         + screws.connection_left_shoulder_yaw_vy * screws.inside_right_wrist_roll_fy
         + screws.connection_left_shoulder_yaw_vz * screws.inside_right_wrist_roll_fz;
+    let shape_inertia_12_0_15 = screws.connection_left_shoulder_yaw_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_0_16 = screws.connection_left_shoulder_yaw_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_12_0_17 = screws.connection_left_shoulder_yaw_vz
         * screws.inside_finger_1_slide_fz;
     let shape_inertia_12_0 = shape_inertia_12_0_15
@@ -9663,10 +9663,6 @@ fn common_inertia_forward_dynamics(
             * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_shoulder_pitch_vz
             * screws.inside_right_shoulder_pitch_fz;
-    let shape_inertia_12_1_15 = screws.connection_left_shoulder_pitch_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_1_16 = screws.connection_left_shoulder_pitch_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_1 = screws.connection_left_shoulder_pitch_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_shoulder_pitch_wy * screws.inside_right_elbow_pitch_my
@@ -9695,6 +9691,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_shoulder_pitch_vx * screws.inside_right_wrist_roll_fx
         + screws.connection_left_shoulder_pitch_vy * screws.inside_right_wrist_roll_fy
         + screws.connection_left_shoulder_pitch_vz * screws.inside_right_wrist_roll_fz;
+    let shape_inertia_12_1_15 = screws.connection_left_shoulder_pitch_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_1_16 = screws.connection_left_shoulder_pitch_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_12_1_17 = screws.connection_left_shoulder_pitch_vz
         * screws.inside_finger_1_slide_fz;
     let shape_inertia_12_1 = shape_inertia_12_1_15
@@ -9748,10 +9748,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_elbow_pitch_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_elbow_pitch_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_elbow_pitch_vz * screws.inside_right_shoulder_pitch_fz;
-    let shape_inertia_12_2_15 = screws.connection_left_elbow_pitch_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_2_16 = screws.connection_left_elbow_pitch_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_2 = screws.connection_left_elbow_pitch_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_elbow_pitch_wy * screws.inside_right_elbow_pitch_my
@@ -9780,6 +9776,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_elbow_pitch_vx * screws.inside_right_wrist_roll_fx
         + screws.connection_left_elbow_pitch_vy * screws.inside_right_wrist_roll_fy
         + screws.connection_left_elbow_pitch_vz * screws.inside_right_wrist_roll_fz;
+    let shape_inertia_12_2_15 = screws.connection_left_elbow_pitch_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_2_16 = screws.connection_left_elbow_pitch_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_12_2_17 = screws.connection_left_elbow_pitch_vz
         * screws.inside_finger_1_slide_fz;
     let shape_inertia_12_2 = shape_inertia_12_2_15
@@ -9826,10 +9826,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_pitch_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_wrist_pitch_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_wrist_pitch_vz * screws.inside_right_shoulder_pitch_fz;
-    let shape_inertia_12_3_15 = screws.connection_left_wrist_pitch_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_3_16 = screws.connection_left_wrist_pitch_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_3 = screws.connection_left_wrist_pitch_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_wrist_pitch_wy * screws.inside_right_elbow_pitch_my
@@ -9858,6 +9854,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_pitch_vx * screws.inside_right_wrist_roll_fx
         + screws.connection_left_wrist_pitch_vy * screws.inside_right_wrist_roll_fy
         + screws.connection_left_wrist_pitch_vz * screws.inside_right_wrist_roll_fz;
+    let shape_inertia_12_3_15 = screws.connection_left_wrist_pitch_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_3_16 = screws.connection_left_wrist_pitch_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_12_3_17 = screws.connection_left_wrist_pitch_vz
         * screws.inside_finger_1_slide_fz;
     let shape_inertia_12_3 = shape_inertia_12_3_15
@@ -9897,10 +9897,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_yaw_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_wrist_yaw_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_wrist_yaw_vz * screws.inside_right_shoulder_pitch_fz;
-    let shape_inertia_12_4_15 = screws.connection_left_wrist_yaw_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_4_16 = screws.connection_left_wrist_yaw_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_4 = screws.connection_left_wrist_yaw_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_wrist_yaw_wy * screws.inside_right_elbow_pitch_my
@@ -9929,6 +9925,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_yaw_vx * screws.inside_right_wrist_roll_fx
         + screws.connection_left_wrist_yaw_vy * screws.inside_right_wrist_roll_fy
         + screws.connection_left_wrist_yaw_vz * screws.inside_right_wrist_roll_fz;
+    let shape_inertia_12_4_15 = screws.connection_left_wrist_yaw_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_4_16 = screws.connection_left_wrist_yaw_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_12_4_17 = screws.connection_left_wrist_yaw_vz
         * screws.inside_finger_1_slide_fz;
     let shape_inertia_12_4 = shape_inertia_12_4_15
@@ -9961,10 +9961,6 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_roll_vx * screws.inside_right_shoulder_pitch_fx
         + screws.connection_left_wrist_roll_vy * screws.inside_right_shoulder_pitch_fy
         + screws.connection_left_wrist_roll_vz * screws.inside_right_shoulder_pitch_fz;
-    let shape_inertia_12_5_15 = screws.connection_left_wrist_roll_vx
-        * screws.inside_finger_1_slide_fx;
-    let shape_inertia_12_5_16 = screws.connection_left_wrist_roll_vy
-        * screws.inside_finger_1_slide_fy;
     let shape_inertia_8_5 = screws.connection_left_wrist_roll_wx
         * screws.inside_right_elbow_pitch_mx
         + screws.connection_left_wrist_roll_wy * screws.inside_right_elbow_pitch_my
@@ -9993,6 +9989,10 @@ fn common_inertia_forward_dynamics(
         + screws.connection_left_wrist_roll_vx * screws.inside_right_wrist_roll_fx
         + screws.connection_left_wrist_roll_vy * screws.inside_right_wrist_roll_fy
         + screws.connection_left_wrist_roll_vz * screws.inside_right_wrist_roll_fz;
+    let shape_inertia_12_5_15 = screws.connection_left_wrist_roll_vx
+        * screws.inside_finger_1_slide_fx;
+    let shape_inertia_12_5_16 = screws.connection_left_wrist_roll_vy
+        * screws.inside_finger_1_slide_fy;
     let shape_inertia_12_5_17 = screws.connection_left_wrist_roll_vz
         * screws.inside_finger_1_slide_fz;
     let shape_inertia_12_5 = shape_inertia_12_5_15
@@ -10024,10 +10024,6 @@ fn common_inertia_forward_dynamics(
             * screws.connection_right_shoulder_pitch_vy
         + outside.outside_right_shoulder_yaw_fz
             * screws.connection_right_shoulder_pitch_vz;
-    let shape_inertia_12_6_15 = outside.outside_right_shoulder_yaw_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_6_16 = outside.outside_right_shoulder_yaw_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_8_6 = outside.outside_right_shoulder_yaw_mx
         * screws.connection_right_elbow_pitch_wx
         + outside.outside_right_shoulder_yaw_my * screws.connection_right_elbow_pitch_wy
@@ -10056,6 +10052,10 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_shoulder_yaw_fx * screws.connection_right_wrist_roll_vx
         + outside.outside_right_shoulder_yaw_fy * screws.connection_right_wrist_roll_vy
         + outside.outside_right_shoulder_yaw_fz * screws.connection_right_wrist_roll_vz;
+    let shape_inertia_12_6_15 = outside.outside_right_shoulder_yaw_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_6_16 = outside.outside_right_shoulder_yaw_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_12_6_17 = outside.outside_right_shoulder_yaw_fz
         * screws.connection_finger_1_slide_vz;
     let shape_inertia_12_6 = outside.outside_right_shoulder_yaw_mx
@@ -10079,10 +10079,6 @@ fn common_inertia_forward_dynamics(
             * screws.connection_right_shoulder_pitch_vy
         + outside.outside_right_shoulder_pitch_fz
             * screws.connection_right_shoulder_pitch_vz;
-    let shape_inertia_12_7_15 = outside.outside_right_shoulder_pitch_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_7_16 = outside.outside_right_shoulder_pitch_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_8_7 = outside.outside_right_shoulder_pitch_mx
         * screws.connection_right_elbow_pitch_wx
         + outside.outside_right_shoulder_pitch_my
@@ -10122,6 +10118,10 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_shoulder_pitch_fy * screws.connection_right_wrist_roll_vy
         + outside.outside_right_shoulder_pitch_fz
             * screws.connection_right_wrist_roll_vz;
+    let shape_inertia_12_7_15 = outside.outside_right_shoulder_pitch_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_7_16 = outside.outside_right_shoulder_pitch_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_12_7_17 = outside.outside_right_shoulder_pitch_fz
         * screws.connection_finger_1_slide_vz;
     let shape_inertia_12_7 = outside.outside_right_shoulder_pitch_mx
@@ -10133,10 +10133,6 @@ fn common_inertia_forward_dynamics(
             + outside.outside_right_shoulder_pitch_my * screws.connection_finger_2_wy
             + outside.outside_right_shoulder_pitch_mz * screws.connection_finger_2_wz
             - shape_inertia_12_7_15 - shape_inertia_12_7_16 - shape_inertia_12_7_17);
-    let shape_inertia_12_8_15 = outside.outside_right_elbow_pitch_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_8_16 = outside.outside_right_elbow_pitch_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_8_8 = outside.outside_right_elbow_pitch_mx
         * screws.connection_right_elbow_pitch_wx
         + outside.outside_right_elbow_pitch_my * screws.connection_right_elbow_pitch_wy
@@ -10165,6 +10161,10 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_elbow_pitch_fx * screws.connection_right_wrist_roll_vx
         + outside.outside_right_elbow_pitch_fy * screws.connection_right_wrist_roll_vy
         + outside.outside_right_elbow_pitch_fz * screws.connection_right_wrist_roll_vz;
+    let shape_inertia_12_8_15 = outside.outside_right_elbow_pitch_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_8_16 = outside.outside_right_elbow_pitch_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_12_8_17 = outside.outside_right_elbow_pitch_fz
         * screws.connection_finger_1_slide_vz;
     let shape_inertia_12_8 = outside.outside_right_elbow_pitch_mx
@@ -10176,10 +10176,6 @@ fn common_inertia_forward_dynamics(
             + outside.outside_right_elbow_pitch_my * screws.connection_finger_2_wy
             + outside.outside_right_elbow_pitch_mz * screws.connection_finger_2_wz
             - shape_inertia_12_8_15 - shape_inertia_12_8_16 - shape_inertia_12_8_17);
-    let shape_inertia_12_9_15 = outside.outside_right_wrist_pitch_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_9_16 = outside.outside_right_wrist_pitch_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_9_9 = outside.outside_right_wrist_pitch_mx
         * screws.connection_right_wrist_pitch_wx
         + outside.outside_right_wrist_pitch_my * screws.connection_right_wrist_pitch_wy
@@ -10201,6 +10197,10 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_wrist_pitch_fx * screws.connection_right_wrist_roll_vx
         + outside.outside_right_wrist_pitch_fy * screws.connection_right_wrist_roll_vy
         + outside.outside_right_wrist_pitch_fz * screws.connection_right_wrist_roll_vz;
+    let shape_inertia_12_9_15 = outside.outside_right_wrist_pitch_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_9_16 = outside.outside_right_wrist_pitch_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_12_9_17 = outside.outside_right_wrist_pitch_fz
         * screws.connection_finger_1_slide_vz;
     let shape_inertia_12_9 = outside.outside_right_wrist_pitch_mx
@@ -10212,10 +10212,6 @@ fn common_inertia_forward_dynamics(
             + outside.outside_right_wrist_pitch_my * screws.connection_finger_2_wy
             + outside.outside_right_wrist_pitch_mz * screws.connection_finger_2_wz
             - shape_inertia_12_9_15 - shape_inertia_12_9_16 - shape_inertia_12_9_17);
-    let shape_inertia_12_10_15 = outside.outside_right_wrist_yaw_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_10_16 = outside.outside_right_wrist_yaw_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_10_10 = outside.outside_right_wrist_yaw_mx
         * screws.connection_right_wrist_yaw_wx
         + outside.outside_right_wrist_yaw_my * screws.connection_right_wrist_yaw_wy
@@ -10230,6 +10226,10 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_wrist_yaw_fx * screws.connection_right_wrist_roll_vx
         + outside.outside_right_wrist_yaw_fy * screws.connection_right_wrist_roll_vy
         + outside.outside_right_wrist_yaw_fz * screws.connection_right_wrist_roll_vz;
+    let shape_inertia_12_10_15 = outside.outside_right_wrist_yaw_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_10_16 = outside.outside_right_wrist_yaw_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_12_10_17 = outside.outside_right_wrist_yaw_fz
         * screws.connection_finger_1_slide_vz;
     let shape_inertia_12_10 = outside.outside_right_wrist_yaw_mx
@@ -10241,10 +10241,6 @@ fn common_inertia_forward_dynamics(
             + outside.outside_right_wrist_yaw_my * screws.connection_finger_2_wy
             + outside.outside_right_wrist_yaw_mz * screws.connection_finger_2_wz
             - shape_inertia_12_10_15 - shape_inertia_12_10_16 - shape_inertia_12_10_17);
-    let shape_inertia_12_11_15 = outside.outside_right_wrist_roll_fx
-        * screws.connection_finger_1_slide_vx;
-    let shape_inertia_12_11_16 = outside.outside_right_wrist_roll_fy
-        * screws.connection_finger_1_slide_vy;
     let shape_inertia_11_11 = outside.outside_right_wrist_roll_mx
         * screws.connection_right_wrist_roll_wx
         + outside.outside_right_wrist_roll_my * screws.connection_right_wrist_roll_wy
@@ -10252,6 +10248,10 @@ fn common_inertia_forward_dynamics(
         + outside.outside_right_wrist_roll_fx * screws.connection_right_wrist_roll_vx
         + outside.outside_right_wrist_roll_fy * screws.connection_right_wrist_roll_vy
         + outside.outside_right_wrist_roll_fz * screws.connection_right_wrist_roll_vz;
+    let shape_inertia_12_11_15 = outside.outside_right_wrist_roll_fx
+        * screws.connection_finger_1_slide_vx;
+    let shape_inertia_12_11_16 = outside.outside_right_wrist_roll_fy
+        * screws.connection_finger_1_slide_vy;
     let shape_inertia_12_11_17 = outside.outside_right_wrist_roll_fz
         * screws.connection_finger_1_slide_vz;
     let shape_inertia_12_11 = outside.outside_right_wrist_roll_mx
@@ -11078,8 +11078,6 @@ fn common_d_mu_b2(
         + wrench_outside_bus_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_bus_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_bus_fz * screws.connection_right_shoulder_pitch_vz;
-    let d_mu_18_6_27 = wrench_outside_bus_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_6_28 = wrench_outside_bus_fy * screws.connection_finger_1_slide_vy;
     let d_mu_14_6 = wrench_outside_bus_mx * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_shoulder_yaw_wx * d_mu_14_6_3
             + screws.connection_left_shoulder_yaw_wy * d_mu_14_6_5
@@ -11116,6 +11114,8 @@ fn common_d_mu_b2(
         + wrench_outside_bus_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_bus_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_bus_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_6_27 = wrench_outside_bus_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_6_28 = wrench_outside_bus_fy * screws.connection_finger_1_slide_vy;
     let d_mu_18_6_29 = wrench_outside_bus_fz * screws.connection_finger_1_slide_vz;
     let d_mu_18_6 = wrench_outside_bus_mx * screws.connection_finger_1_slide_wx
         - (screws.connection_left_shoulder_yaw_wx * d_mu_18_6_3
@@ -11195,10 +11195,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_shoulder_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_shoulder_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_shoulder_fz * screws.connection_right_shoulder_pitch_vz;
-    let d_mu_18_7_27 = wrench_outside_left_shoulder_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_7_28 = wrench_outside_left_shoulder_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_14_7 = wrench_outside_left_shoulder_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_shoulder_pitch_wx * d_mu_14_6_3
@@ -11239,6 +11235,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_shoulder_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_shoulder_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_shoulder_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_7_27 = wrench_outside_left_shoulder_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_7_28 = wrench_outside_left_shoulder_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_18_7_29 = wrench_outside_left_shoulder_fz
         * screws.connection_finger_1_slide_vz;
     let d_mu_18_7 = wrench_outside_left_shoulder_mx * screws.connection_finger_1_slide_wx
@@ -11305,10 +11305,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_upper_arm_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_upper_arm_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_upper_arm_fz * screws.connection_right_shoulder_pitch_vz;
-    let d_mu_18_8_27 = wrench_outside_left_upper_arm_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_8_28 = wrench_outside_left_upper_arm_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_14_8 = wrench_outside_left_upper_arm_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_elbow_pitch_wx * d_mu_14_6_3
@@ -11349,6 +11345,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_upper_arm_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_upper_arm_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_upper_arm_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_8_27 = wrench_outside_left_upper_arm_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_8_28 = wrench_outside_left_upper_arm_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_18_8_29 = wrench_outside_left_upper_arm_fz
         * screws.connection_finger_1_slide_vz;
     let d_mu_18_8 = wrench_outside_left_upper_arm_mx
@@ -11406,10 +11406,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_forearm_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_forearm_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_forearm_fz * screws.connection_right_shoulder_pitch_vz;
-    let d_mu_18_9_27 = wrench_outside_left_forearm_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_9_28 = wrench_outside_left_forearm_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_14_9 = wrench_outside_left_forearm_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_wrist_pitch_wx * d_mu_14_6_3
@@ -11449,6 +11445,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_forearm_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_forearm_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_forearm_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_9_27 = wrench_outside_left_forearm_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_9_28 = wrench_outside_left_forearm_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_18_9_29 = wrench_outside_left_forearm_fz
         * screws.connection_finger_1_slide_vz;
     let d_mu_18_9 = wrench_outside_left_forearm_mx * screws.connection_finger_1_slide_wx
@@ -11500,10 +11500,6 @@ fn common_d_mu_b2(
             * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_wrist_bracket_fz
             * screws.connection_right_shoulder_pitch_vz;
-    let d_mu_18_10_27 = wrench_outside_left_wrist_bracket_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_10_28 = wrench_outside_left_wrist_bracket_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_14_10 = wrench_outside_left_wrist_bracket_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_wrist_yaw_wx * d_mu_14_6_3
@@ -11544,6 +11540,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_bracket_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_wrist_bracket_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_wrist_bracket_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_10_27 = wrench_outside_left_wrist_bracket_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_10_28 = wrench_outside_left_wrist_bracket_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_18_10_29 = wrench_outside_left_wrist_bracket_fz
         * screws.connection_finger_1_slide_vz;
     let d_mu_18_10 = wrench_outside_left_wrist_bracket_mx
@@ -11581,10 +11581,6 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_cross_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_outside_left_wrist_cross_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_outside_left_wrist_cross_fz * screws.connection_right_shoulder_pitch_vz;
-    let d_mu_18_11_27 = wrench_outside_left_wrist_cross_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_11_28 = wrench_outside_left_wrist_cross_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_14_11 = wrench_outside_left_wrist_cross_mx
         * screws.connection_right_elbow_pitch_wx
         - (screws.connection_left_wrist_roll_wx * d_mu_14_6_3
@@ -11625,6 +11621,10 @@ fn common_d_mu_b2(
         + wrench_outside_left_wrist_cross_fx * screws.connection_right_wrist_roll_vx
         + wrench_outside_left_wrist_cross_fy * screws.connection_right_wrist_roll_vy
         + wrench_outside_left_wrist_cross_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_11_27 = wrench_outside_left_wrist_cross_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_11_28 = wrench_outside_left_wrist_cross_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_18_11_29 = wrench_outside_left_wrist_cross_fz
         * screws.connection_finger_1_slide_vz;
     let d_mu_18_11 = wrench_outside_left_wrist_cross_mx
@@ -11651,8 +11651,6 @@ fn common_d_mu_b2(
         + wrench_left_end_plate_fx * screws.connection_right_shoulder_pitch_vx
         + wrench_left_end_plate_fy * screws.connection_right_shoulder_pitch_vy
         + wrench_left_end_plate_fz * screws.connection_right_shoulder_pitch_vz;
-    let d_mu_18_12_27 = wrench_left_end_plate_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_12_28 = wrench_left_end_plate_fy * screws.connection_finger_1_slide_vy;
     let d_mu_14_12 = reactions.reaction_right_shoulder_yaw_wx * d_mu_14_6_3
         + reactions.reaction_right_shoulder_yaw_wy * d_mu_14_6_5
         + reactions.reaction_right_shoulder_yaw_wz * d_mu_14_6_7
@@ -11689,6 +11687,8 @@ fn common_d_mu_b2(
         + wrench_left_end_plate_fx * screws.connection_right_wrist_roll_vx
         + wrench_left_end_plate_fy * screws.connection_right_wrist_roll_vy
         + wrench_left_end_plate_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_12_27 = wrench_left_end_plate_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_12_28 = wrench_left_end_plate_fy * screws.connection_finger_1_slide_vy;
     let d_mu_18_12_29 = wrench_left_end_plate_fz * screws.connection_finger_1_slide_vz;
     let d_mu_18_12 = reactions.reaction_right_shoulder_yaw_wx * d_mu_18_6_3
         + reactions.reaction_right_shoulder_yaw_wy * d_mu_18_6_5
@@ -11704,8 +11704,6 @@ fn common_d_mu_b2(
             + wrench_left_end_plate_my * screws.connection_finger_2_wy
             + wrench_left_end_plate_mz * screws.connection_finger_2_wz - d_mu_18_12_27
             - d_mu_18_12_28 - d_mu_18_12_29);
-    let d_mu_18_13_27 = wrench_right_shoulder_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_13_28 = wrench_right_shoulder_fy * screws.connection_finger_1_slide_vy;
     let d_mu_14_13 = reactions.reaction_right_shoulder_pitch_wx * d_mu_14_6_3
         + reactions.reaction_right_shoulder_pitch_wy * d_mu_14_6_5
         + reactions.reaction_right_shoulder_pitch_wz * d_mu_14_6_7
@@ -11742,6 +11740,8 @@ fn common_d_mu_b2(
         + wrench_right_shoulder_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_shoulder_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_shoulder_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_13_27 = wrench_right_shoulder_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_13_28 = wrench_right_shoulder_fy * screws.connection_finger_1_slide_vy;
     let d_mu_18_13_29 = wrench_right_shoulder_fz * screws.connection_finger_1_slide_vz;
     let d_mu_18_13 = reactions.reaction_right_shoulder_pitch_wx * d_mu_18_6_3
         + reactions.reaction_right_shoulder_pitch_wy * d_mu_18_6_5
@@ -11757,8 +11757,6 @@ fn common_d_mu_b2(
             + wrench_right_shoulder_my * screws.connection_finger_2_wy
             + wrench_right_shoulder_mz * screws.connection_finger_2_wz - d_mu_18_13_27
             - d_mu_18_13_28 - d_mu_18_13_29);
-    let d_mu_18_14_27 = wrench_right_upper_arm_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_14_28 = wrench_right_upper_arm_fy * screws.connection_finger_1_slide_vy;
     let d_mu_15_14 = reactions.reaction_right_elbow_pitch_wx * d_mu_15_6_3
         + reactions.reaction_right_elbow_pitch_wy * d_mu_15_6_5
         + reactions.reaction_right_elbow_pitch_wz * d_mu_15_6_7
@@ -11786,6 +11784,8 @@ fn common_d_mu_b2(
         + wrench_right_upper_arm_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_upper_arm_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_upper_arm_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_14_27 = wrench_right_upper_arm_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_14_28 = wrench_right_upper_arm_fy * screws.connection_finger_1_slide_vy;
     let d_mu_18_14_29 = wrench_right_upper_arm_fz * screws.connection_finger_1_slide_vz;
     let d_mu_18_14 = reactions.reaction_right_elbow_pitch_wx * d_mu_18_6_3
         + reactions.reaction_right_elbow_pitch_wy * d_mu_18_6_5
@@ -11801,8 +11801,6 @@ fn common_d_mu_b2(
             + wrench_right_upper_arm_my * screws.connection_finger_2_wy
             + wrench_right_upper_arm_mz * screws.connection_finger_2_wz - d_mu_18_14_27
             - d_mu_18_14_28 - d_mu_18_14_29);
-    let d_mu_18_15_27 = wrench_right_forearm_fx * screws.connection_finger_1_slide_vx;
-    let d_mu_18_15_28 = wrench_right_forearm_fy * screws.connection_finger_1_slide_vy;
     let d_mu_16_15 = reactions.reaction_right_wrist_pitch_wx * d_mu_16_6_3
         + reactions.reaction_right_wrist_pitch_wy * d_mu_16_6_5
         + reactions.reaction_right_wrist_pitch_wz * d_mu_16_6_7
@@ -11821,6 +11819,8 @@ fn common_d_mu_b2(
         + wrench_right_forearm_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_forearm_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_forearm_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_15_27 = wrench_right_forearm_fx * screws.connection_finger_1_slide_vx;
+    let d_mu_18_15_28 = wrench_right_forearm_fy * screws.connection_finger_1_slide_vy;
     let d_mu_18_15_29 = wrench_right_forearm_fz * screws.connection_finger_1_slide_vz;
     let d_mu_18_15 = reactions.reaction_right_wrist_pitch_wx * d_mu_18_6_3
         + reactions.reaction_right_wrist_pitch_wy * d_mu_18_6_5
@@ -11836,10 +11836,6 @@ fn common_d_mu_b2(
             + wrench_right_forearm_my * screws.connection_finger_2_wy
             + wrench_right_forearm_mz * screws.connection_finger_2_wz - d_mu_18_15_27
             - d_mu_18_15_28 - d_mu_18_15_29);
-    let d_mu_18_16_27 = wrench_right_wrist_bracket_fx
-        * screws.connection_finger_1_slide_vx;
-    let d_mu_18_16_28 = wrench_right_wrist_bracket_fy
-        * screws.connection_finger_1_slide_vy;
     let d_mu_17_16 = reactions.reaction_right_wrist_yaw_wx * d_mu_17_6_3
         + reactions.reaction_right_wrist_yaw_wy * d_mu_17_6_5
         + reactions.reaction_right_wrist_yaw_wz * d_mu_17_6_7
@@ -11849,6 +11845,10 @@ fn common_d_mu_b2(
         + wrench_right_wrist_bracket_fx * screws.connection_right_wrist_roll_vx
         + wrench_right_wrist_bracket_fy * screws.connection_right_wrist_roll_vy
         + wrench_right_wrist_bracket_fz * screws.connection_right_wrist_roll_vz;
+    let d_mu_18_16_27 = wrench_right_wrist_bracket_fx
+        * screws.connection_finger_1_slide_vx;
+    let d_mu_18_16_28 = wrench_right_wrist_bracket_fy
+        * screws.connection_finger_1_slide_vy;
     let d_mu_18_16_29 = wrench_right_wrist_bracket_fz
         * screws.connection_finger_1_slide_vz;
     let d_mu_18_16 = reactions.reaction_right_wrist_yaw_wx * d_mu_18_6_3
@@ -19464,8 +19464,8 @@ mod d_qdot_itself {
                     * reactions.reaction_right_shoulder_yaw_vy
                     - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_shoulder_py
                         * reactions.reaction_right_shoulder_yaw_vx));
-        d_qdot[6][12] = turn_right_shoulder_yaw_x
-            * screws.connection_left_shoulder_yaw_wx
+        d_qdot[6][12] = screws.connection_left_shoulder_yaw_wx
+            * turn_right_shoulder_yaw_x
             - (d_qdot_itself_from_factor_finger_1_xz_5.wrench_bus_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_my
@@ -19478,8 +19478,8 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + turn_right_shoulder_yaw_y * screws.connection_left_shoulder_yaw_wy
-            + turn_right_shoulder_yaw_z * screws.connection_left_shoulder_yaw_wz + 0.0;
+            + screws.connection_left_shoulder_yaw_wy * turn_right_shoulder_yaw_y
+            + screws.connection_left_shoulder_yaw_wz * turn_right_shoulder_yaw_z + 0.0;
         let factor_outside_right_upper_arm_xx = d_qdot_itself_from_factor_left_upper_arm_xy_0
             .factor_right_shoulder_xx_0 + factor_outside_right_shoulder_xx;
         let factor_outside_right_upper_arm_yx = d_qdot_itself_from_factor_left_upper_arm_xy_0
@@ -19569,8 +19569,8 @@ mod d_qdot_itself {
                     * reactions.reaction_right_shoulder_pitch_vy
                     - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_upper_arm_py
                         * reactions.reaction_right_shoulder_pitch_vx));
-        d_qdot[6][13] = turn_right_shoulder_pitch_x
-            * screws.connection_left_shoulder_yaw_wx
+        d_qdot[6][13] = screws.connection_left_shoulder_yaw_wx
+            * turn_right_shoulder_pitch_x
             - (d_qdot_itself_from_factor_finger_1_xz_5.wrench_bus_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_my
@@ -19583,8 +19583,8 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_wrench_bus_my.wrench_bus_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + turn_right_shoulder_pitch_y * screws.connection_left_shoulder_yaw_wy
-            + turn_right_shoulder_pitch_z * screws.connection_left_shoulder_yaw_wz + 0.0;
+            + screws.connection_left_shoulder_yaw_wy * turn_right_shoulder_pitch_y
+            + screws.connection_left_shoulder_yaw_wz * turn_right_shoulder_pitch_z + 0.0;
         let factor_outside_right_forearm_xx = d_qdot_itself_from_factor_right_shoulder_zx_0
             .factor_right_upper_arm_xx_0 + factor_outside_right_upper_arm_xx;
         let factor_outside_right_forearm_yx = d_qdot_itself_from_factor_right_shoulder_zx_0
@@ -20939,8 +20939,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_shoulder_pitch_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[7][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_yaw_x * screws.connection_left_shoulder_pitch_wx
+        d_qdot[7][12] = screws.connection_left_shoulder_pitch_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
             - (d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_my
@@ -20953,12 +20953,13 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-                * screws.connection_left_shoulder_pitch_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-                * screws.connection_left_shoulder_pitch_wz + 0.0;
-        d_qdot[7][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_pitch_x * screws.connection_left_shoulder_pitch_wx
+            + screws.connection_left_shoulder_pitch_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+            + screws.connection_left_shoulder_pitch_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+            + 0.0;
+        d_qdot[7][13] = screws.connection_left_shoulder_pitch_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
             - (d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_my
@@ -20971,10 +20972,11 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-                * screws.connection_left_shoulder_pitch_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-                * screws.connection_left_shoulder_pitch_wz + 0.0;
+            + screws.connection_left_shoulder_pitch_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+            + screws.connection_left_shoulder_pitch_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+            + 0.0;
         d_qdot[7][14] = screws.connection_left_shoulder_pitch_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_factor_outside_finger_2_yx.wrench_left_shoulder_mx
@@ -21552,8 +21554,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_elbow_pitch_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[8][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_yaw_x * screws.connection_left_elbow_pitch_wx
+        d_qdot[8][12] = screws.connection_left_elbow_pitch_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
             - (d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_my
@@ -21566,12 +21568,13 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-                * screws.connection_left_elbow_pitch_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-                * screws.connection_left_elbow_pitch_wz + 0.0;
-        d_qdot[8][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_pitch_x * screws.connection_left_elbow_pitch_wx
+            + screws.connection_left_elbow_pitch_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+            + screws.connection_left_elbow_pitch_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+            + 0.0;
+        d_qdot[8][13] = screws.connection_left_elbow_pitch_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
             - (d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_my
@@ -21584,10 +21587,11 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-                * screws.connection_left_elbow_pitch_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-                * screws.connection_left_elbow_pitch_wz + 0.0;
+            + screws.connection_left_elbow_pitch_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+            + screws.connection_left_elbow_pitch_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+            + 0.0;
         d_qdot[8][14] = screws.connection_left_elbow_pitch_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_d_qdot_18_7_22.wrench_left_upper_arm_mx
@@ -22125,8 +22129,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_wrist_pitch_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[9][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_yaw_x * screws.connection_left_wrist_pitch_wx
+        d_qdot[9][12] = screws.connection_left_wrist_pitch_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
             - (d_qdot_itself_from_wrench_outside_left_upper_arm_my.wrench_left_forearm_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
@@ -22139,12 +22143,13 @@ mod d_qdot_itself {
                     .wrench_left_forearm_fy * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
                     .wrench_left_forearm_fz * screws.connection_right_shoulder_yaw_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-                * screws.connection_left_wrist_pitch_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-                * screws.connection_left_wrist_pitch_wz + 0.0;
-        d_qdot[9][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_pitch_x * screws.connection_left_wrist_pitch_wx
+            + screws.connection_left_wrist_pitch_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+            + screws.connection_left_wrist_pitch_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+            + 0.0;
+        d_qdot[9][13] = screws.connection_left_wrist_pitch_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
             - (d_qdot_itself_from_wrench_outside_left_upper_arm_my.wrench_left_forearm_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
@@ -22157,10 +22162,11 @@ mod d_qdot_itself {
                     .wrench_left_forearm_fy * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_wrench_outside_left_upper_arm_my
                     .wrench_left_forearm_fz * screws.connection_right_shoulder_pitch_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-                * screws.connection_left_wrist_pitch_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-                * screws.connection_left_wrist_pitch_wz + 0.0;
+            + screws.connection_left_wrist_pitch_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+            + screws.connection_left_wrist_pitch_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+            + 0.0;
         d_qdot[9][14] = screws.connection_left_wrist_pitch_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_wrench_outside_left_upper_arm_my.wrench_left_forearm_mx
@@ -22745,8 +22751,8 @@ mod d_qdot_itself {
             + reactions.reaction_left_wrist_yaw_wz
                 * d_qdot_itself_from_three_left_wrist_yaw_x_0.three_left_wrist_roll_z
             + 0.0;
-        d_qdot[10][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_yaw_x * screws.connection_left_wrist_yaw_wx
+        d_qdot[10][12] = screws.connection_left_wrist_yaw_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
             - (d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_mx
                 * screws.connection_right_shoulder_yaw_wx
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_my
@@ -22759,12 +22765,13 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_yaw_vy
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_fz
                     * screws.connection_right_shoulder_yaw_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-                * screws.connection_left_wrist_yaw_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-                * screws.connection_left_wrist_yaw_wz + 0.0;
-        d_qdot[10][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_pitch_x * screws.connection_left_wrist_yaw_wx
+            + screws.connection_left_wrist_yaw_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+            + screws.connection_left_wrist_yaw_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+            + 0.0;
+        d_qdot[10][13] = screws.connection_left_wrist_yaw_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
             - (d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_mx
                 * screws.connection_right_shoulder_pitch_wx
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_my
@@ -22777,10 +22784,11 @@ mod d_qdot_itself {
                     * screws.connection_right_shoulder_pitch_vy
                 + d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_fz
                     * screws.connection_right_shoulder_pitch_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-                * screws.connection_left_wrist_yaw_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-                * screws.connection_left_wrist_yaw_wz + 0.0;
+            + screws.connection_left_wrist_yaw_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+            + screws.connection_left_wrist_yaw_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+            + 0.0;
         d_qdot[10][14] = screws.connection_left_wrist_yaw_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_d_qdot_16_9.wrench_left_wrist_bracket_mx
@@ -22921,12 +22929,12 @@ mod d_qdot_itself {
     pub(super) struct DQdotItselfFromWrenchLeftWristCrossMy {
         pub(super) wrench_left_wrist_cross_my: f64,
         pub(super) wrench_left_wrist_cross_mz: f64,
-        pub(super) wrench_left_wrist_cross_fy: f64,
-        pub(super) wrench_left_wrist_cross_fz: f64,
         pub(super) turn_left_wrist_roll_x: f64,
         pub(super) turn_left_wrist_roll_y: f64,
         pub(super) turn_left_wrist_roll_z: f64,
         pub(super) d_qdot_18_11_15: f64,
+        pub(super) d_qdot_18_11_22: f64,
+        pub(super) d_qdot_18_11_23: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
@@ -23179,8 +23187,8 @@ mod d_qdot_itself {
             + turn_left_wrist_roll_x * screws.connection_left_wrist_roll_wx
             + turn_left_wrist_roll_y * screws.connection_left_wrist_roll_wy
             + turn_left_wrist_roll_z * screws.connection_left_wrist_roll_wz + 0.0;
-        d_qdot[11][12] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_yaw_x * screws.connection_left_wrist_roll_wx
+        d_qdot[11][12] = screws.connection_left_wrist_roll_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_x
             - (d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx
                 .wrench_left_wrist_cross_mx * screws.connection_right_shoulder_yaw_wx
                 + wrench_left_wrist_cross_my * screws.connection_right_shoulder_yaw_wy
@@ -23188,12 +23196,13 @@ mod d_qdot_itself {
                 + wrench_left_wrist_cross_fx * screws.connection_right_shoulder_yaw_vx
                 + wrench_left_wrist_cross_fy * screws.connection_right_shoulder_yaw_vy
                 + wrench_left_wrist_cross_fz * screws.connection_right_shoulder_yaw_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
-                * screws.connection_left_wrist_roll_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
-                * screws.connection_left_wrist_roll_wz + 0.0;
-        d_qdot[11][13] = d_qdot_itself_from_three_left_wrist_yaw_x_0
-            .turn_right_shoulder_pitch_x * screws.connection_left_wrist_roll_wx
+            + screws.connection_left_wrist_roll_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_y
+            + screws.connection_left_wrist_roll_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_yaw_z
+            + 0.0;
+        d_qdot[11][13] = screws.connection_left_wrist_roll_wx
+            * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_x
             - (d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx
                 .wrench_left_wrist_cross_mx * screws.connection_right_shoulder_pitch_wx
                 + wrench_left_wrist_cross_my * screws.connection_right_shoulder_pitch_wy
@@ -23201,10 +23210,11 @@ mod d_qdot_itself {
                 + wrench_left_wrist_cross_fx * screws.connection_right_shoulder_pitch_vx
                 + wrench_left_wrist_cross_fy * screws.connection_right_shoulder_pitch_vy
                 + wrench_left_wrist_cross_fz * screws.connection_right_shoulder_pitch_vz)
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
-                * screws.connection_left_wrist_roll_wy
-            + d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
-                * screws.connection_left_wrist_roll_wz + 0.0;
+            + screws.connection_left_wrist_roll_wy
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_y
+            + screws.connection_left_wrist_roll_wz
+                * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_shoulder_pitch_z
+            + 0.0;
         d_qdot[11][14] = screws.connection_left_wrist_roll_wx
             * d_qdot_itself_from_three_left_wrist_yaw_x_0.turn_right_elbow_pitch_x
             - (d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx
@@ -23263,24 +23273,28 @@ mod d_qdot_itself {
             + 0.0;
         let d_qdot_18_11_15 = wrench_left_wrist_cross_fx
             * screws.connection_finger_1_slide_vx;
+        let d_qdot_18_11_22 = wrench_left_wrist_cross_fy
+            * screws.connection_finger_1_slide_vy;
+        let d_qdot_18_11_23 = wrench_left_wrist_cross_fz
+            * screws.connection_finger_1_slide_vz;
         DQdotItselfFromWrenchLeftWristCrossMy {
             wrench_left_wrist_cross_my,
             wrench_left_wrist_cross_mz,
-            wrench_left_wrist_cross_fy,
-            wrench_left_wrist_cross_fz,
             turn_left_wrist_roll_x,
             turn_left_wrist_roll_y,
             turn_left_wrist_roll_z,
             d_qdot_18_11_15,
+            d_qdot_18_11_22,
+            d_qdot_18_11_23,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromDQdot18_11_22 {
+    pub(super) struct DQdotItselfFromDQdot18_11 {
         pub(super) wrench_outside_left_end_plate_mx: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_d_qdot_18_11_22(
+    pub(super) fn d_qdot_itself_from_d_qdot_18_11(
         inertias: &Inertias,
         complements: &Complements,
         screws: &Screws,
@@ -23297,11 +23311,7 @@ mod d_qdot_itself {
         d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx: &DQdotItselfFromWrenchOutsideLeftWristBracketMx,
         d_qdot_itself_from_wrench_left_wrist_cross_my: &DQdotItselfFromWrenchLeftWristCrossMy,
         d_qdot: &mut [[f64; 19]; 19],
-    ) -> DQdotItselfFromDQdot18_11_22 {
-        let d_qdot_18_11_22 = d_qdot_itself_from_wrench_left_wrist_cross_my
-            .wrench_left_wrist_cross_fy * screws.connection_finger_1_slide_vy;
-        let d_qdot_18_11_23 = d_qdot_itself_from_wrench_left_wrist_cross_my
-            .wrench_left_wrist_cross_fz * screws.connection_finger_1_slide_vz;
+    ) -> DQdotItselfFromDQdot18_11 {
         // D_q\u{307} column left_wrist_roll
         d_qdot[11][18] = screws.connection_left_wrist_roll_wx
             * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_1_slide_x
@@ -23312,7 +23322,8 @@ mod d_qdot_itself {
                 + d_qdot_itself_from_wrench_left_wrist_cross_my
                     .wrench_left_wrist_cross_mz * screws.connection_finger_1_slide_wz
                 + d_qdot_itself_from_wrench_left_wrist_cross_my.d_qdot_18_11_15
-                + d_qdot_18_11_22 + d_qdot_18_11_23)
+                + d_qdot_itself_from_wrench_left_wrist_cross_my.d_qdot_18_11_22
+                + d_qdot_itself_from_wrench_left_wrist_cross_my.d_qdot_18_11_23)
             + screws.connection_left_wrist_roll_wy
                 * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_1_slide_y
             + screws.connection_left_wrist_roll_wz
@@ -23324,7 +23335,8 @@ mod d_qdot_itself {
                         .wrench_left_wrist_cross_my * screws.connection_finger_2_wy
                     + d_qdot_itself_from_wrench_left_wrist_cross_my
                         .wrench_left_wrist_cross_mz * screws.connection_finger_2_wz)
-                + d_qdot_18_11_22 + d_qdot_18_11_23
+                + d_qdot_itself_from_wrench_left_wrist_cross_my.d_qdot_18_11_22
+                + d_qdot_itself_from_wrench_left_wrist_cross_my.d_qdot_18_11_23
                 + screws.connection_left_wrist_roll_wx
                     * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_x
                 + screws.connection_left_wrist_roll_wy
@@ -23525,7 +23537,7 @@ mod d_qdot_itself {
                     * common_d_qdot_d_qdot_xi.wrench_left_end_plate_mx_1_1_0_1
                     - complements.complement_right_shoulder_hz
                         * common_d_qdot_d_qdot_xi.wrench_left_end_plate_mx_1_1_1_1));
-        DQdotItselfFromDQdot18_11_22 {
+        DQdotItselfFromDQdot18_11 {
             wrench_outside_left_end_plate_mx,
         }
     }
@@ -23577,7 +23589,7 @@ mod d_qdot_itself {
         common_d_qdot_d_qdot_xi: &CommonDQdotDQdotXi,
         d_qdot_itself_from_factor_finger_1_xz_5: &DQdotItselfFromFactorFinger1Xz5,
         d_qdot_itself_from_three_left_wrist_yaw_x_0: &DQdotItselfFromThreeLeftWristYawX0,
-        d_qdot_itself_from_d_qdot_18_11_22: &DQdotItselfFromDQdot18_11_22,
+        d_qdot_itself_from_d_qdot_18_11: &DQdotItselfFromDQdot18_11,
         d_qdot: &mut [[f64; 19]; 19],
     ) -> DQdotItselfFromWrenchOutsideLeftEndPlateMy {
         let wrench_outside_left_end_plate_my = d_qdot_itself_from_three_left_wrist_yaw_x_0
@@ -23706,8 +23718,8 @@ mod d_qdot_itself {
                 - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_upper_arm_py
                     * screws.screw_right_shoulder_pitch_vx);
         // D_q\u{307} column right_shoulder_yaw
-        d_qdot[12][13] = d_qdot_itself_from_d_qdot_18_11_22
-            .wrench_outside_left_end_plate_mx * screws.connection_right_shoulder_pitch_wx
+        d_qdot[12][13] = d_qdot_itself_from_d_qdot_18_11.wrench_outside_left_end_plate_mx
+            * screws.connection_right_shoulder_pitch_wx
             + wrench_outside_left_end_plate_my
                 * screws.connection_right_shoulder_pitch_wy
             + wrench_outside_left_end_plate_mz
@@ -23754,8 +23766,8 @@ mod d_qdot_itself {
                 * screws.screw_right_elbow_pitch_vy
                 - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_forearm_py
                     * screws.screw_right_elbow_pitch_vx);
-        d_qdot[12][14] = d_qdot_itself_from_d_qdot_18_11_22
-            .wrench_outside_left_end_plate_mx * screws.connection_right_elbow_pitch_wx
+        d_qdot[12][14] = d_qdot_itself_from_d_qdot_18_11.wrench_outside_left_end_plate_mx
+            * screws.connection_right_elbow_pitch_wx
             + wrench_outside_left_end_plate_my * screws.connection_right_elbow_pitch_wy
             + wrench_outside_left_end_plate_mz * screws.connection_right_elbow_pitch_wz
             + wrench_outside_left_end_plate_fx * screws.connection_right_elbow_pitch_vx
@@ -23796,8 +23808,8 @@ mod d_qdot_itself {
                 * screws.screw_right_wrist_pitch_vy
                 - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_wrist_bracket_py
                     * screws.screw_right_wrist_pitch_vx);
-        d_qdot[12][15] = d_qdot_itself_from_d_qdot_18_11_22
-            .wrench_outside_left_end_plate_mx * screws.connection_right_wrist_pitch_wx
+        d_qdot[12][15] = d_qdot_itself_from_d_qdot_18_11.wrench_outside_left_end_plate_mx
+            * screws.connection_right_wrist_pitch_wx
             + wrench_outside_left_end_plate_my * screws.connection_right_wrist_pitch_wy
             + wrench_outside_left_end_plate_mz * screws.connection_right_wrist_pitch_wz
             + wrench_outside_left_end_plate_fx * screws.connection_right_wrist_pitch_vx
@@ -23838,8 +23850,8 @@ mod d_qdot_itself {
                 * screws.screw_right_wrist_yaw_vy
                 - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_wrist_cross_py
                     * screws.screw_right_wrist_yaw_vx);
-        d_qdot[12][16] = d_qdot_itself_from_d_qdot_18_11_22
-            .wrench_outside_left_end_plate_mx * screws.connection_right_wrist_yaw_wx
+        d_qdot[12][16] = d_qdot_itself_from_d_qdot_18_11.wrench_outside_left_end_plate_mx
+            * screws.connection_right_wrist_yaw_wx
             + wrench_outside_left_end_plate_my * screws.connection_right_wrist_yaw_wy
             + wrench_outside_left_end_plate_mz * screws.connection_right_wrist_yaw_wz
             + wrench_outside_left_end_plate_fx * screws.connection_right_wrist_yaw_vx
@@ -23880,8 +23892,8 @@ mod d_qdot_itself {
                 * screws.screw_right_wrist_roll_vy
                 - d_qdot_itself_from_factor_finger_1_xz_5.factor_right_end_plate_py
                     * screws.screw_right_wrist_roll_vx);
-        d_qdot[12][17] = d_qdot_itself_from_d_qdot_18_11_22
-            .wrench_outside_left_end_plate_mx * screws.connection_right_wrist_roll_wx
+        d_qdot[12][17] = d_qdot_itself_from_d_qdot_18_11.wrench_outside_left_end_plate_mx
+            * screws.connection_right_wrist_roll_wx
             + wrench_outside_left_end_plate_my * screws.connection_right_wrist_roll_wy
             + wrench_outside_left_end_plate_mz * screws.connection_right_wrist_roll_wz
             + wrench_outside_left_end_plate_fx * screws.connection_right_wrist_roll_vx
@@ -23920,15 +23932,15 @@ mod d_qdot_itself {
             * screws.connection_finger_1_slide_vy;
         let d_qdot_18_12_23 = wrench_outside_left_end_plate_fz
             * screws.connection_finger_1_slide_vz;
-        d_qdot[12][18] = d_qdot_itself_from_d_qdot_18_11_22
-            .wrench_outside_left_end_plate_mx * screws.connection_finger_1_slide_wx
+        d_qdot[12][18] = d_qdot_itself_from_d_qdot_18_11.wrench_outside_left_end_plate_mx
+            * screws.connection_finger_1_slide_wx
             + wrench_outside_left_end_plate_my * screws.connection_finger_1_slide_wy
             + wrench_outside_left_end_plate_mz * screws.connection_finger_1_slide_wz
             + d_qdot_18_12_21 + d_qdot_18_12_22 + d_qdot_18_12_23
             + reactions.reaction_right_shoulder_yaw_wx * three_finger_1_slide_x
             + reactions.reaction_right_shoulder_yaw_wy * three_finger_1_slide_y
             + reactions.reaction_right_shoulder_yaw_wz * three_finger_1_slide_z
-            + (d_qdot_itself_from_d_qdot_18_11_22.wrench_outside_left_end_plate_mx
+            + (d_qdot_itself_from_d_qdot_18_11.wrench_outside_left_end_plate_mx
                 * screws.connection_finger_2_wx
                 + wrench_outside_left_end_plate_my * screws.connection_finger_2_wy
                 + wrench_outside_left_end_plate_mz * screws.connection_finger_2_wz
@@ -26781,12 +26793,13 @@ mod d_qdot_itself {
                     + d_qdot_itself_from_wrench_outside_right_wrist_cross_my
                         .wrench_right_end_plate_mz * screws.connection_finger_2_wz)
                 + d_qdot_18_18_52 + d_qdot_18_18_53
-                + d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_x
-                    * screws.connection_finger_1_slide_wx
-                + d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_y
-                    * screws.connection_finger_1_slide_wy
-                + d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_z
-                    * screws.connection_finger_1_slide_wz) + 0.0;
+                + screws.connection_finger_1_slide_wx
+                    * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_x
+                + screws.connection_finger_1_slide_wy
+                    * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_y
+                + screws.connection_finger_1_slide_wz
+                    * d_qdot_itself_from_factor_outside_finger_2_yx.turn_finger_2_z)
+            + 0.0;
     }
 }
 use curvature_itself::*;
@@ -34307,9 +34320,9 @@ mod curvature_itself {
         pub(super) curvature_z_10_8: f64,
         pub(super) curvature_z_11_8: f64,
         pub(super) curvature_z_12_8: f64,
-        pub(super) curvature_z_12_9_27: f64,
         pub(super) curvature_z_10_9: f64,
         pub(super) curvature_z_11_9: f64,
+        pub(super) curvature_z_12_9_27: f64,
     }
     /// What only `curvature` computes. Continued.
     #[inline(never)]
@@ -34629,9 +34642,9 @@ mod curvature_itself {
             curvature_z_10_8,
             curvature_z_11_8,
             curvature_z_12_8,
-            curvature_z_12_9_27,
             curvature_z_10_9,
             curvature_z_11_9,
+            curvature_z_12_9_27,
         }
     }
     /// What only `curvature` computes. Continued.
@@ -35281,7 +35294,7 @@ pub fn d_qdot(q: &[f64; 13], qd: &[f64; 13], d_qdot: &mut [[f64; 19]; 19]) {
         &d_qdot_itself_from_wrench_outside_left_wrist_bracket_mx,
         d_qdot,
     );
-    let d_qdot_itself_from_d_qdot_18_11_22 = d_qdot_itself_from_d_qdot_18_11_22(
+    let d_qdot_itself_from_d_qdot_18_11 = d_qdot_itself_from_d_qdot_18_11(
         &inertias,
         &complements,
         &screws,
@@ -35309,7 +35322,7 @@ pub fn d_qdot(q: &[f64; 13], qd: &[f64; 13], d_qdot: &mut [[f64; 19]; 19]) {
         &common_d_qdot_d_qdot_xi,
         &d_qdot_itself_from_factor_finger_1_xz_5,
         &d_qdot_itself_from_three_left_wrist_yaw_x_0,
-        &d_qdot_itself_from_d_qdot_18_11_22,
+        &d_qdot_itself_from_d_qdot_18_11,
         d_qdot,
     );
     let d_qdot_itself_from_wrench_right_shoulder_my = d_qdot_itself_from_wrench_right_shoulder_my(

@@ -14794,19 +14794,19 @@ mod d_qdot_itself {
                 - d_qdot_itself_from_factor_hind_left_shank_yy.factor_front_right_hip_px
                     * reactions.minus_reaction_front_right_hip_roll_vy);
         // D_q\u{307} column front_left_hip_roll
-        d_qdot[6][9] = screws.minus_connection_front_right_hip_roll_vy
-            * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
-            - (screws.connection_front_right_hip_roll_wx
-                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
-                + screws.connection_front_right_hip_roll_wy
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
-                + screws.connection_front_right_hip_roll_wz
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz)
-            - screws.connection_front_right_hip_roll_vz
-                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
-            + turn_front_right_hip_roll_x * screws.connection_front_left_hip_roll_wx
-            + turn_front_right_hip_roll_y * screws.connection_front_left_hip_roll_wy
-            + turn_front_right_hip_roll_z * screws.connection_front_left_hip_roll_wz
+        d_qdot[6][9] = d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
+            * screws.minus_connection_front_right_hip_roll_vy
+            - (d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
+                * screws.connection_front_right_hip_roll_wx
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
+                    * screws.connection_front_right_hip_roll_wy
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
+                    * screws.connection_front_right_hip_roll_wz)
+            - d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
+                * screws.connection_front_right_hip_roll_vz
+            + screws.connection_front_left_hip_roll_wx * turn_front_right_hip_roll_x
+            + screws.connection_front_left_hip_roll_wy * turn_front_right_hip_roll_y
+            + screws.connection_front_left_hip_roll_wz * turn_front_right_hip_roll_z
             + 0.0;
         let factor_outside_front_right_thigh_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_front_right_hip_xx_0
@@ -14936,21 +14936,21 @@ mod d_qdot_itself {
                     - d_qdot_itself_from_factor_hind_left_shank_yy
                         .factor_front_right_thigh_py
                         * reactions.reaction_front_right_hip_pitch_vx));
-        d_qdot[6][10] = turn_front_right_hip_pitch_x
-            * screws.connection_front_left_hip_roll_wx
-            - (screws.connection_front_right_hip_pitch_wx
-                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
-                + screws.connection_front_right_hip_pitch_wy
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
-                + screws.connection_front_right_hip_pitch_wz
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
-                + screws.connection_front_right_hip_pitch_vx * wrench_trunk_fx
-                + screws.connection_front_right_hip_pitch_vy
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
-                + screws.connection_front_right_hip_pitch_vz
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz)
-            + turn_front_right_hip_pitch_y * screws.connection_front_left_hip_roll_wy
-            + turn_front_right_hip_pitch_z * screws.connection_front_left_hip_roll_wz
+        d_qdot[6][10] = screws.connection_front_left_hip_roll_wx
+            * turn_front_right_hip_pitch_x
+            - (d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
+                * screws.connection_front_right_hip_pitch_wx
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
+                    * screws.connection_front_right_hip_pitch_wy
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
+                    * screws.connection_front_right_hip_pitch_wz
+                + wrench_trunk_fx * screws.connection_front_right_hip_pitch_vx
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
+                    * screws.connection_front_right_hip_pitch_vy
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
+                    * screws.connection_front_right_hip_pitch_vz)
+            + screws.connection_front_left_hip_roll_wy * turn_front_right_hip_pitch_y
+            + screws.connection_front_left_hip_roll_wz * turn_front_right_hip_pitch_z
             + 0.0;
         let factor_outside_front_right_shank_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_front_right_thigh_xx_0 + factor_outside_front_right_thigh_xx;
@@ -15030,21 +15030,21 @@ mod d_qdot_itself {
                     * reactions.reaction_front_right_knee_vy
                     - common_d_qdot_d_qdot_xi_kinetic_energy.factor_front_right_shank_py
                         * reactions.reaction_front_right_knee_vx));
-        d_qdot[6][11] = turn_front_right_knee_x
-            * screws.connection_front_left_hip_roll_wx
-            - (screws.connection_front_right_knee_wx
-                * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
-                + screws.connection_front_right_knee_wy
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
-                + screws.connection_front_right_knee_wz
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
-                + screws.connection_front_right_knee_vx * wrench_trunk_fx
-                + screws.connection_front_right_knee_vy
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
-                + screws.connection_front_right_knee_vz
-                    * d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz)
-            + turn_front_right_knee_y * screws.connection_front_left_hip_roll_wy
-            + turn_front_right_knee_z * screws.connection_front_left_hip_roll_wz + 0.0;
+        d_qdot[6][11] = screws.connection_front_left_hip_roll_wx
+            * turn_front_right_knee_x
+            - (d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mx
+                * screws.connection_front_right_knee_wx
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_my
+                    * screws.connection_front_right_knee_wy
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_mz
+                    * screws.connection_front_right_knee_wz
+                + wrench_trunk_fx * screws.connection_front_right_knee_vx
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
+                    * screws.connection_front_right_knee_vy
+                + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
+                    * screws.connection_front_right_knee_vz)
+            + screws.connection_front_left_hip_roll_wy * turn_front_right_knee_y
+            + screws.connection_front_left_hip_roll_wz * turn_front_right_knee_z + 0.0;
         let factor_outside_hind_left_hip_xx_1 = d_qdot_itself_from_factor_front_left_thigh_yy
             .factor_front_left_hip_xx
             + d_qdot_itself_from_factor_hind_left_shank_yy.factor_front_right_hip_xx;
@@ -15322,10 +15322,11 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fz
                 * screws.connection_hind_left_hip_roll_vz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
-                * screws.connection_front_left_hip_roll_wx
-            + turn_hind_left_hip_roll_y * screws.connection_front_left_hip_roll_wy
-            + turn_hind_left_hip_roll_z * screws.connection_front_left_hip_roll_wz + 0.0;
+            + screws.connection_front_left_hip_roll_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_hind_left_hip_roll_x
+            + screws.connection_front_left_hip_roll_wy * turn_hind_left_hip_roll_y
+            + screws.connection_front_left_hip_roll_wz * turn_hind_left_hip_roll_z + 0.0;
         let factor_outside_hind_left_thigh_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_hind_left_hip_xx_0
             + d_qdot_itself_from_turn_front_right_hip_roll_x_0
@@ -15453,9 +15454,9 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_factor_front_left_thigh_yy.wrench_trunk_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + turn_hind_left_hip_pitch_x * screws.connection_front_left_hip_roll_wx
-            + turn_hind_left_hip_pitch_y * screws.connection_front_left_hip_roll_wy
-            + turn_hind_left_hip_pitch_z * screws.connection_front_left_hip_roll_wz
+            + screws.connection_front_left_hip_roll_wx * turn_hind_left_hip_pitch_x
+            + screws.connection_front_left_hip_roll_wy * turn_hind_left_hip_pitch_y
+            + screws.connection_front_left_hip_roll_wz * turn_hind_left_hip_pitch_z
             + 0.0;
         let factor_outside_hind_left_shank_xx = d_qdot_itself_from_factor_front_right_hip_xx_0_1
             .factor_hind_left_thigh_xx_0 + factor_outside_hind_left_thigh_xx;
@@ -16484,72 +16485,66 @@ mod d_qdot_itself {
             + reactions.reaction_front_left_hip_pitch_wz
                 * d_qdot_itself_from_factor_front_left_thigh_yy.three_front_left_knee_z
             + 0.0;
-        d_qdot[7][9] = screws.minus_connection_front_right_hip_roll_vy
-            * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
-            - (screws.connection_front_right_hip_roll_wx
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
-                + screws.connection_front_right_hip_roll_wy
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_my
-                + screws.connection_front_right_hip_roll_wz
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_mz)
-            - screws.connection_front_right_hip_roll_vz
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_roll_x * screws.connection_front_left_hip_pitch_wx
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_roll_y * screws.connection_front_left_hip_pitch_wy
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_roll_z * screws.connection_front_left_hip_pitch_wz
-            + 0.0;
-        d_qdot[7][10] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
-            .turn_front_right_hip_pitch_x * screws.connection_front_left_hip_pitch_wx
-            - (screws.connection_front_right_hip_pitch_wx
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
-                + screws.connection_front_right_hip_pitch_wy
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_my
-                + screws.connection_front_right_hip_pitch_wz
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_mz
-                + screws.connection_front_right_hip_pitch_vx
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_fx
-                + screws.connection_front_right_hip_pitch_vy
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_fy
-                + screws.connection_front_right_hip_pitch_vz
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_fz)
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_pitch_y * screws.connection_front_left_hip_pitch_wy
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_pitch_z * screws.connection_front_left_hip_pitch_wz
-            + 0.0;
-        d_qdot[7][11] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
-            .turn_front_right_knee_x * screws.connection_front_left_hip_pitch_wx
-            - (screws.connection_front_right_knee_wx
-                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
-                + screws.connection_front_right_knee_wy
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_my
-                + screws.connection_front_right_knee_wz
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_mz
-                + screws.connection_front_right_knee_vx
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_fx
-                + screws.connection_front_right_knee_vy
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_fy
-                + screws.connection_front_right_knee_vz
-                    * d_qdot_itself_from_turn_hind_right_hip_pitch_y
-                        .wrench_front_left_hip_fz)
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_y
-                * screws.connection_front_left_hip_pitch_wy
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_z
-                * screws.connection_front_left_hip_pitch_wz + 0.0;
+        d_qdot[7][9] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
+            .wrench_front_left_hip_fy * screws.minus_connection_front_right_hip_roll_vy
+            - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
+                * screws.connection_front_right_hip_roll_wx
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_my
+                    * screws.connection_front_right_hip_roll_wy
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mz
+                    * screws.connection_front_right_hip_roll_wz)
+            - d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
+                * screws.connection_front_right_hip_roll_vz
+            + screws.connection_front_left_hip_pitch_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_roll_x
+            + screws.connection_front_left_hip_pitch_wy
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_roll_y
+            + screws.connection_front_left_hip_pitch_wz
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_roll_z + 0.0;
+        d_qdot[7][10] = screws.connection_front_left_hip_pitch_wx
+            * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_pitch_x
+            - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
+                * screws.connection_front_right_hip_pitch_wx
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_my
+                    * screws.connection_front_right_hip_pitch_wy
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mz
+                    * screws.connection_front_right_hip_pitch_wz
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fx
+                    * screws.connection_front_right_hip_pitch_vx
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
+                    * screws.connection_front_right_hip_pitch_vy
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
+                    * screws.connection_front_right_hip_pitch_vz)
+            + screws.connection_front_left_hip_pitch_wy
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_pitch_y
+            + screws.connection_front_left_hip_pitch_wz
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_pitch_z + 0.0;
+        d_qdot[7][11] = screws.connection_front_left_hip_pitch_wx
+            * d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_x
+            - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
+                * screws.connection_front_right_knee_wx
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_my
+                    * screws.connection_front_right_knee_wy
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mz
+                    * screws.connection_front_right_knee_wz
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fx
+                    * screws.connection_front_right_knee_vx
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
+                    * screws.connection_front_right_knee_vy
+                + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
+                    * screws.connection_front_right_knee_vz)
+            + screws.connection_front_left_hip_pitch_wy
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_knee_y
+            + screws.connection_front_left_hip_pitch_wz
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_knee_z + 0.0;
         d_qdot[7][12] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
             .wrench_front_left_hip_fy * screws.minus_connection_hind_left_hip_roll_vy
             - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
@@ -16560,12 +16555,14 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fz
                 * screws.connection_hind_left_hip_roll_vz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
-                * screws.connection_front_left_hip_pitch_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-                * screws.connection_front_left_hip_pitch_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-                * screws.connection_front_left_hip_pitch_wz + 0.0;
+            + screws.connection_front_left_hip_pitch_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_hind_left_hip_roll_x
+            + screws.connection_front_left_hip_pitch_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+            + screws.connection_front_left_hip_pitch_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+            + 0.0;
         d_qdot[7][13] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
             .wrench_front_left_hip_fz * screws.minus_connection_hind_left_hip_pitch_vz
             - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
@@ -16578,12 +16575,13 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-                * screws.connection_front_left_hip_pitch_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-                * screws.connection_front_left_hip_pitch_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-                * screws.connection_front_left_hip_pitch_wz + 0.0;
+            + screws.connection_front_left_hip_pitch_wx
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+            + screws.connection_front_left_hip_pitch_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+            + screws.connection_front_left_hip_pitch_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+            + 0.0;
         d_qdot[7][14] = d_qdot_itself_from_turn_hind_right_hip_pitch_y
             .wrench_front_left_hip_fz * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_turn_hind_right_hip_pitch_y.wrench_front_left_hip_mx
@@ -16940,77 +16938,73 @@ mod d_qdot_itself {
             + turn_front_left_knee_x * screws.connection_front_left_knee_wx
             + turn_front_left_knee_y * screws.connection_front_left_knee_wy
             + turn_front_left_knee_z * screws.connection_front_left_knee_wz + 0.0;
-        d_qdot[8][9] = screws.minus_connection_front_right_hip_roll_vy
-            * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                .wrench_front_left_thigh_fy
-            - (screws.connection_front_right_hip_roll_wx
-                * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_mx
-                + screws.connection_front_right_hip_roll_wy
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_my
-                + screws.connection_front_right_hip_roll_wz
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_mz)
-            - screws.connection_front_right_hip_roll_vz
-                * d_qdot_itself_from_wrench_outside_front_left_hip_my
+        d_qdot[8][9] = d_qdot_itself_from_wrench_outside_front_left_hip_my
+            .wrench_front_left_thigh_fy * screws.minus_connection_front_right_hip_roll_vy
+            - (d_qdot_itself_from_wrench_outside_front_left_hip_my
+                .wrench_front_left_thigh_mx * screws.connection_front_right_hip_roll_wx
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_my
+                    * screws.connection_front_right_hip_roll_wy
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_mz
+                    * screws.connection_front_right_hip_roll_wz)
+            - d_qdot_itself_from_wrench_outside_front_left_hip_my
+                .wrench_front_left_thigh_fz * screws.connection_front_right_hip_roll_vz
+            + screws.connection_front_left_knee_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_roll_x
+            + screws.connection_front_left_knee_wy
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_roll_y
+            + screws.connection_front_left_knee_wz
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_roll_z + 0.0;
+        d_qdot[8][10] = screws.connection_front_left_knee_wx
+            * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                .turn_front_right_hip_pitch_x
+            - (d_qdot_itself_from_wrench_outside_front_left_hip_my
+                .wrench_front_left_thigh_mx * screws.connection_front_right_hip_pitch_wx
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_my
+                    * screws.connection_front_right_hip_pitch_wy
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_mz
+                    * screws.connection_front_right_hip_pitch_wz
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_fx
+                    * screws.connection_front_right_hip_pitch_vx
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_fy
+                    * screws.connection_front_right_hip_pitch_vy
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
                     .wrench_front_left_thigh_fz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_roll_x * screws.connection_front_left_knee_wx
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_roll_y * screws.connection_front_left_knee_wy
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_roll_z * screws.connection_front_left_knee_wz
-            + 0.0;
-        d_qdot[8][10] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
-            .turn_front_right_hip_pitch_x * screws.connection_front_left_knee_wx
-            - (screws.connection_front_right_hip_pitch_wx
-                * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_mx
-                + screws.connection_front_right_hip_pitch_wy
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_my
-                + screws.connection_front_right_hip_pitch_wz
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_mz
-                + screws.connection_front_right_hip_pitch_vx
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_fx
-                + screws.connection_front_right_hip_pitch_vy
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_fy
-                + screws.connection_front_right_hip_pitch_vz
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_fz)
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_pitch_y * screws.connection_front_left_knee_wy
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0
-                .turn_front_right_hip_pitch_z * screws.connection_front_left_knee_wz
-            + 0.0;
-        d_qdot[8][11] = d_qdot_itself_from_turn_front_right_hip_roll_x_0
-            .turn_front_right_knee_x * screws.connection_front_left_knee_wx
-            - (screws.connection_front_right_knee_wx
-                * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                    .wrench_front_left_thigh_mx
-                + screws.connection_front_right_knee_wy
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_my
-                + screws.connection_front_right_knee_wz
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_mz
-                + screws.connection_front_right_knee_vx
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_fx
-                + screws.connection_front_right_knee_vy
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_fy
-                + screws.connection_front_right_knee_vz
-                    * d_qdot_itself_from_wrench_outside_front_left_hip_my
-                        .wrench_front_left_thigh_fz)
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_y
-                * screws.connection_front_left_knee_wy
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_z
-                * screws.connection_front_left_knee_wz + 0.0;
+                    * screws.connection_front_right_hip_pitch_vz)
+            + screws.connection_front_left_knee_wy
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_pitch_y
+            + screws.connection_front_left_knee_wz
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_hip_pitch_z + 0.0;
+        d_qdot[8][11] = screws.connection_front_left_knee_wx
+            * d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_front_right_knee_x
+            - (d_qdot_itself_from_wrench_outside_front_left_hip_my
+                .wrench_front_left_thigh_mx * screws.connection_front_right_knee_wx
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_my * screws.connection_front_right_knee_wy
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_mz * screws.connection_front_right_knee_wz
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_fx * screws.connection_front_right_knee_vx
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_fy * screws.connection_front_right_knee_vy
+                + d_qdot_itself_from_wrench_outside_front_left_hip_my
+                    .wrench_front_left_thigh_fz * screws.connection_front_right_knee_vz)
+            + screws.connection_front_left_knee_wy
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_knee_y
+            + screws.connection_front_left_knee_wz
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_front_right_knee_z + 0.0;
         d_qdot[8][12] = d_qdot_itself_from_wrench_outside_front_left_hip_my
             .wrench_front_left_thigh_fy * screws.minus_connection_hind_left_hip_roll_vy
             - (d_qdot_itself_from_wrench_outside_front_left_hip_my
@@ -17022,12 +17016,14 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_wrench_outside_front_left_hip_my
                 .wrench_front_left_thigh_fz * screws.connection_hind_left_hip_roll_vz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
-                * screws.connection_front_left_knee_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-                * screws.connection_front_left_knee_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-                * screws.connection_front_left_knee_wz + 0.0;
+            + screws.connection_front_left_knee_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_hind_left_hip_roll_x
+            + screws.connection_front_left_knee_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+            + screws.connection_front_left_knee_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+            + 0.0;
         d_qdot[8][13] = d_qdot_itself_from_wrench_outside_front_left_hip_my
             .wrench_front_left_thigh_fz * screws.minus_connection_hind_left_hip_pitch_vz
             - (d_qdot_itself_from_wrench_outside_front_left_hip_my
@@ -17044,12 +17040,13 @@ mod d_qdot_itself {
                 + d_qdot_itself_from_wrench_outside_front_left_hip_my
                     .wrench_front_left_thigh_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-                * screws.connection_front_left_knee_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-                * screws.connection_front_left_knee_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-                * screws.connection_front_left_knee_wz + 0.0;
+            + screws.connection_front_left_knee_wx
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+            + screws.connection_front_left_knee_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+            + screws.connection_front_left_knee_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+            + 0.0;
         d_qdot[8][14] = d_qdot_itself_from_wrench_outside_front_left_hip_my
             .wrench_front_left_thigh_fz * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_wrench_outside_front_left_hip_my
@@ -17529,12 +17526,14 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_factor_outside_front_left_shank_yx
                 .wrench_front_left_shank_fz * screws.connection_hind_left_hip_roll_vz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
-                * screws.connection_front_right_hip_roll_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-                * screws.connection_front_right_hip_roll_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-                * screws.connection_front_right_hip_roll_wz + 0.0;
+            + screws.connection_front_right_hip_roll_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_hind_left_hip_roll_x
+            + screws.connection_front_right_hip_roll_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+            + screws.connection_front_right_hip_roll_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+            + 0.0;
         d_qdot[9][13] = minus_wrench_front_left_shank_fx
             * screws.connection_hind_left_hip_pitch_vx
             - (d_qdot_itself_from_factor_outside_front_left_shank_yx
@@ -17550,12 +17549,13 @@ mod d_qdot_itself {
             + d_qdot_itself_from_factor_outside_front_left_shank_yx
                 .wrench_front_left_shank_fz
                 * screws.minus_connection_hind_left_hip_pitch_vz
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-                * screws.connection_front_right_hip_roll_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-                * screws.connection_front_right_hip_roll_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-                * screws.connection_front_right_hip_roll_wz + 0.0;
+            + screws.connection_front_right_hip_roll_wx
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+            + screws.connection_front_right_hip_roll_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+            + screws.connection_front_right_hip_roll_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+            + 0.0;
         d_qdot[9][14] = minus_wrench_front_left_shank_fx
             * screws.connection_hind_left_knee_vx
             - (d_qdot_itself_from_factor_outside_front_left_shank_yx
@@ -18021,12 +18021,14 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_roll_wz)
             - d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fz
                 * screws.connection_hind_left_hip_roll_vz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
-                * screws.connection_front_right_hip_pitch_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-                * screws.connection_front_right_hip_pitch_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-                * screws.connection_front_right_hip_pitch_wz + 0.0;
+            + screws.connection_front_right_hip_pitch_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_hind_left_hip_roll_x
+            + screws.connection_front_right_hip_pitch_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+            + screws.connection_front_right_hip_pitch_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+            + 0.0;
         d_qdot[10][13] = d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fz
             * screws.minus_connection_hind_left_hip_pitch_vz
             - (d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_mx
@@ -18039,12 +18041,13 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-                * screws.connection_front_right_hip_pitch_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-                * screws.connection_front_right_hip_pitch_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-                * screws.connection_front_right_hip_pitch_wz + 0.0;
+            + screws.connection_front_right_hip_pitch_wx
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+            + screws.connection_front_right_hip_pitch_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+            + screws.connection_front_right_hip_pitch_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+            + 0.0;
         d_qdot[10][14] = d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_fz
             * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_d_qdot_17_9.wrench_front_right_hip_mx
@@ -18290,12 +18293,14 @@ mod d_qdot_itself {
                 + wrench_front_right_thigh_my * screws.connection_hind_left_hip_roll_wy
                 + wrench_front_right_thigh_mz * screws.connection_hind_left_hip_roll_wz)
             - wrench_front_right_thigh_fz * screws.connection_hind_left_hip_roll_vz
-            + d_qdot_itself_from_turn_front_right_hip_roll_x_0.turn_hind_left_hip_roll_x
-                * screws.connection_front_right_knee_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
-                * screws.connection_front_right_knee_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
-                * screws.connection_front_right_knee_wz + 0.0;
+            + screws.connection_front_right_knee_wx
+                * d_qdot_itself_from_turn_front_right_hip_roll_x_0
+                    .turn_hind_left_hip_roll_x
+            + screws.connection_front_right_knee_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_y
+            + screws.connection_front_right_knee_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_roll_z
+            + 0.0;
         DQdotItselfFromDQdot12_10 {
             wrench_front_right_thigh_mx,
             wrench_front_right_thigh_my,
@@ -18348,12 +18353,13 @@ mod d_qdot_itself {
                     * screws.connection_hind_left_hip_pitch_vx
                 + d_qdot_itself_from_d_qdot_12_10.wrench_front_right_thigh_fy
                     * screws.connection_hind_left_hip_pitch_vy)
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
-                * screws.connection_front_right_knee_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
-                * screws.connection_front_right_knee_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
-                * screws.connection_front_right_knee_wz + 0.0;
+            + screws.connection_front_right_knee_wx
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_x
+            + screws.connection_front_right_knee_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_y
+            + screws.connection_front_right_knee_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_left_hip_pitch_z
+            + 0.0;
         d_qdot[11][14] = d_qdot_itself_from_d_qdot_12_10.wrench_front_right_thigh_fz
             * screws.minus_connection_hind_left_knee_vz
             - (d_qdot_itself_from_d_qdot_12_10.wrench_front_right_thigh_mx
@@ -19636,12 +19642,13 @@ mod d_qdot_itself {
                     * screws.connection_hind_right_hip_roll_wz)
             - d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fz
                 * screws.connection_hind_right_hip_roll_vz
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_x
-                * screws.connection_hind_left_knee_wx
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_y
-                * screws.connection_hind_left_knee_wy
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_z
-                * screws.connection_hind_left_knee_wz + 0.0;
+            + screws.connection_hind_left_knee_wx
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_x
+            + screws.connection_hind_left_knee_wy
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_y
+            + screws.connection_hind_left_knee_wz
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_roll_z
+            + 0.0;
         d_qdot[14][16] = d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fz
             * screws.minus_connection_hind_right_hip_pitch_vz
             - (d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_mx
@@ -19653,12 +19660,15 @@ mod d_qdot_itself {
                 + wrench_hind_left_thigh_fx * screws.connection_hind_right_hip_pitch_vx
                 + d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fy
                     * screws.connection_hind_right_hip_pitch_vy)
-            + d_qdot_itself_from_turn_hind_left_hip_roll_y.turn_hind_right_hip_pitch_x
-                * screws.connection_hind_left_knee_wx
-            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_hip_pitch_y
-                * screws.connection_hind_left_knee_wy
-            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_hip_pitch_z
-                * screws.connection_hind_left_knee_wz + 0.0;
+            + screws.connection_hind_left_knee_wx
+                * d_qdot_itself_from_turn_hind_left_hip_roll_y
+                    .turn_hind_right_hip_pitch_x
+            + screws.connection_hind_left_knee_wy
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                    .turn_hind_right_hip_pitch_y
+            + screws.connection_hind_left_knee_wz
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y
+                    .turn_hind_right_hip_pitch_z + 0.0;
         d_qdot[14][17] = d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fz
             * screws.minus_connection_hind_right_knee_vz
             - (d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_mx
@@ -19670,12 +19680,13 @@ mod d_qdot_itself {
                 + wrench_hind_left_thigh_fx * screws.connection_hind_right_knee_vx
                 + d_qdot_itself_from_d_qdot_11_13.wrench_hind_left_thigh_fy
                     * screws.connection_hind_right_knee_vy)
-            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_x
-                * screws.connection_hind_left_knee_wx
-            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_y
-                * screws.connection_hind_left_knee_wy
-            + d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_z
-                * screws.connection_hind_left_knee_wz + 0.0;
+            + screws.connection_hind_left_knee_wx
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_x
+            + screws.connection_hind_left_knee_wy
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_y
+            + screws.connection_hind_left_knee_wz
+                * d_qdot_itself_from_turn_hind_right_hip_pitch_y.turn_hind_right_knee_z
+            + 0.0;
         // D_q\u{307} column hind_right_hip_roll
         d_qdot[15][0] = 0.0;
         d_qdot[15][1] = 0.0;

@@ -56,6 +56,9 @@ impl<T: Real> Row<T> {
         columns: &Columns<T, R>,
         range: Range<usize>,
     ) {
+        if !T::SIDE_BY_SIDE {
+            return range.for_each(|j| self[j] = add(columns, j, coefficients, T::zero()));
+        }
         let Some(groups) = groups(&range) else { return };
         let kept = self.groups[groups.start];
         let rows = self.groups[groups.clone()].iter_mut().zip(&columns.groups[groups.clone()]);
@@ -77,6 +80,9 @@ impl<T: Real> Row<T> {
         other: &Columns<T, Q>,
         range: Range<usize>,
     ) {
+        if !T::SIDE_BY_SIDE {
+            return range.for_each(|j| self[j] = add(other, j, others, add(columns, j, coefficients, T::zero())));
+        }
         let Some(groups) = groups(&range) else { return };
         let kept = self.groups[groups.start];
         let rows = self.groups[groups.clone()].iter_mut().zip(&columns.groups[groups.clone()]);
@@ -112,7 +118,13 @@ impl<T> DerefMut for Row<T> {
     }
 }
 
-/// `sum + Σ_r coefficients[r]·columns[r]`, lane by lane. By value: nothing can alias the sum, so it stays in registers.
+/// `sum + Σ_r coefficients[r]·columns[j][r]`.
+#[inline(always)]
+fn add<T: Real, const S: usize, const R: usize>(columns: &Columns<T, R>, j: usize, coefficients: [T; S], sum: T) -> T {
+    columns.get(j).into_iter().zip(coefficients).fold(sum, |sum, (x, coefficient)| sum + coefficient * x)
+}
+
+/// [`add`] for all joints of a group, lane by lane. By value: nothing can alias the sum, so it stays in registers.
 #[inline(always)]
 fn add_dot<T: Real, const S: usize, const R: usize>(
     columns: &[[T; LANES]; R],

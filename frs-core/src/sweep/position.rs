@@ -23,11 +23,16 @@ pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
 /// Sines and cosines of all joints, before anything waits for them.
 fn angles<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
     const GROUP: usize = 4;
-    for (bodies, pairs) in model.bodies()[1..].chunks(GROUP).zip(data.sin_cos.chunks_mut(GROUP)) {
-        let angle = |body: &Body<T>| match body.motion {
-            Motion::Revolute => body.value(q),
-            Motion::Prismatic => T::zero(),
-        };
+    let angle = |body: &Body<T>| match body.motion {
+        Motion::Revolute => body.value(q),
+        Motion::Prismatic => T::zero(),
+    };
+    let (bodies, pairs) = (&model.bodies()[1..], &mut data.sin_cos);
+    if !T::SIDE_BY_SIDE {
+        let each = pairs.iter_mut().zip(bodies).filter(|(_, body)| body.motion == Motion::Revolute);
+        return each.for_each(|(pair, body)| *pair = angle(body).sin_cos());
+    }
+    for (pairs, bodies) in pairs.chunks_mut(GROUP).zip(bodies.chunks(GROUP)) {
         let group: [T; GROUP] = std::array::from_fn(|k| bodies.get(k).map_or_else(T::zero, angle));
         pairs.iter_mut().zip(T::sin_cos_each(group)).for_each(|(pair, both)| *pair = both);
     }
