@@ -1,5 +1,6 @@
 //! Vectors over the joints, component by component, so that loops over pairs of joints run along memory.
 
+use std::array::from_fn;
 use std::ops::{Deref, DerefMut, Range};
 
 use crate::Real;
@@ -37,7 +38,8 @@ impl<T: Real, const R: usize> Columns<T, R> {
 
     /// The `R` numbers of joint `j`.
     pub fn get(&self, j: usize) -> [T; R] {
-        self.groups[j / LANES].map(|row| row[j % LANES])
+        let group = &self.groups[j / LANES];
+        from_fn(|r| group[r][j % LANES])
     }
 }
 
