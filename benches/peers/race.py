@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import subprocess
 import sys
 from pathlib import Path
 
@@ -31,6 +32,14 @@ def prepared(folder, robots):
         describe.write(folder, robot, angular_first(robot.model.nv), questions[name])
         orders[name] = mujoco_order(folder, robot, questions[name])
     return questions, {name: order for name, order in orders.items() if order is not None}
+
+
+def order_as_ours(robot, frs):
+    """Puts a robot's coordinates in the order of `frs`, which goes down each branch in the order of the file."""
+    command = [frs, "eval", robot.path, "--lenient", "--json", "--only", "locked_inertia"]
+    names = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)["joints"]
+    robot.G = robot.G[:, [robot.names.index(name) for name in names]]
+    robot.names = names
 
 
 def mujoco_order(folder, robot, questions):
@@ -82,6 +91,8 @@ def main():
     robots = {name: Robot(path) for name, path in paths.items()}
     programs = build.pinocchio(out, prefix) | {"mujoco": build.mujoco(out)}
     frs = build.cargo(plan.ROOT, target, "--bin", "frs", "--features", "jit", "--locked") / "frs"
+    for robot in robots.values():
+        order_as_ours(robot, frs)
     texts = crate.write(out / "crate", frs, {name: (robot.path, robot.n) for name, robot in robots.items()})
     packages = [word for name in robots for word in ("-p", f"race_{name}")]
     programs["frs"] = build.cargo(out / "crate", target, *packages)
