@@ -1,9 +1,8 @@
 //! Who answers for several states at a time.
 
+use frs_core::lanes::Lane;
 use frs_core::{FloatingBase, Quantity};
 use ndarray::{ArrayView2, ArrayViewMut2, Axis};
-
-use crate::lane::Lane;
 
 /// A robot that answers for up to [`states`](Self::states) states at a time.
 pub trait Group {

@@ -18,9 +18,11 @@
 //! # Ok::<(), frs_core::urdf::UrdfError>(())
 //! ```
 
+mod lane;
 mod real;
 mod types;
 
+pub use lane::Lane;
 pub use types::{F32x8, F32x16, F64x4, F64x8};
 
 /// The source of the lane types, for generated code that stands alone: it needs the crate `wide`, and beside it a module `turn`

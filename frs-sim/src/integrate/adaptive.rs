@@ -3,7 +3,9 @@
 use frs_core::Real;
 use thiserror::Error;
 
-use super::{Explicit, State, System, Tableau, Tangent};
+use super::control::Control;
+use super::trial::{Trial, first_length};
+use super::{State, System, Tableau};
 
 /// Why a motion cannot be continued; the state before is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -69,22 +71,15 @@ pub enum IntegrationError {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Adaptive<T: Real = f64> {
-    method: Explicit<T>,
-    accuracy: f64,
-    /// Start of the last step, its length, and the state there.
+    /// The last step; the motion is at its end.
+    trial: Trial<T>,
+    control: Control,
+    /// Start of the last step, and its length.
     start: T,
     length: T,
-    before: State<T>,
-    /// Where the motion is.
     time: T,
-    state: State<T>,
-    tangent: Tangent<T>,
-    /// Whether `tangent` belongs to `state`.
+    /// Whether the tangent at the end of the last step is that of the motion.
     known: bool,
-    /// Length of the next step, 0 before the first.
-    next: f64,
-    /// Error of the step before, in units of the accuracy.
-    error: f64,
     evaluations: usize,
 }
 
@@ -101,55 +96,34 @@ pub struct Pace {
     pub evaluations: usize,
 }
 
-/// A step is tried that should give this share of the allowed error, for the estimate is one.
-const SAFETY: f64 = 0.9;
-
-/// How much shorter or longer than the last one a step may be.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 6.0;
-
-/// How much the error of the step before counts: damps steps that oscillate (Hairer, Wanner, §IV.2).
-const MEMORY: f64 = 0.04;
-
-/// A step that would leave less than this share of itself before the limit goes to the limit.
-const STRETCH: f64 = 1e-2;
-
-/// DOP853 weighs its error of order 3 by this against the one of order 5.
-const LOWER_ERROR: f64 = 0.01;
-
 impl<T: Real + Into<f64>> Adaptive<T> {
     /// The motion from `state` at `time` (s).
     ///
     /// # Panics
     /// If the method estimates no error, or `accuracy` is not positive.
     pub fn new(tableau: &'static Tableau, state: State<T>, time: T, accuracy: f64) -> Self {
-        assert!(tableau.error_order > 0, "{} estimates no error", tableau.name);
         assert!(accuracy > 0.0, "the accuracy must be positive");
-        let dimension = state.flat.len();
         Self {
-            method: Explicit::new(tableau, dimension),
-            accuracy,
+            trial: Trial::new(tableau, state, 1),
+            control: Control::new(tableau.error_order, accuracy),
             start: time,
             length: T::zero(),
-            before: state.clone(),
             time,
-            state,
-            tangent: Tangent::zero(dimension),
             known: false,
-            next: 0.0,
-            error: 1.0,
             evaluations: 0,
         }
     }
 
     /// What it takes to go on from the present time and state.
     pub fn pace(&self) -> Pace {
-        Pace { next: self.next, error: self.error, smooth: self.known, evaluations: self.evaluations }
+        let Control { next, error, .. } = self.control;
+        Pace { next, error, smooth: self.known, evaluations: self.evaluations }
     }
 
     /// The pace alone, which must not be smooth: then the next step asks the system how to go on.
     pub(crate) fn set_pace(&mut self, pace: Pace) {
-        (self.next, self.error, self.known, self.evaluations) = (pace.next, pace.error, pace.smooth, pace.evaluations);
+        (self.control.next, self.control.error) = (pace.next, pace.error);
+        (self.known, self.evaluations) = (pace.smooth, pace.evaluations);
     }
 
     /// Goes on at a pace, as made by [`new`](Self::new) at the time and state at which it was taken.
@@ -157,7 +131,7 @@ impl<T: Real + Into<f64>> Adaptive<T> {
         self.set_pace(pace);
         if self.known {
             // It is what the last step left: the same function of the same numbers.
-            system.rate(self.time, &self.state, &mut self.tangent);
+            system.rate(self.time, &self.trial.to, &mut self.trial.end_slope);
         }
     }
 
@@ -173,7 +147,7 @@ impl<T: Real + Into<f64>> Adaptive<T> {
 
     /// The state there.
     pub fn state(&self) -> &State<T> {
-        &self.state
+        &self.trial.to
     }
 
     /// How often the system was evaluated so far.
@@ -184,7 +158,7 @@ impl<T: Real + Into<f64>> Adaptive<T> {
     /// The state, to be changed at an event. The next step asks the system again how to go on.
     pub fn event(&mut self) -> &mut State<T> {
         self.known = false;
-        &mut self.state
+        &mut self.trial.to
     }
 
     /// One step, not beyond `limit` (s), and exactly to it when it is near.
@@ -196,121 +170,47 @@ impl<T: Real + Into<f64>> Adaptive<T> {
         if remaining <= 0.0 {
             return Ok(());
         }
+        let Trial { to, end_slope, .. } = &mut self.trial;
+        let counted = to.flat.len() - system.measured();
         if !self.known {
-            system.rate(self.time, &self.state, &mut self.tangent);
+            system.rate(self.time, to, end_slope);
             self.evaluations += 1;
-            (self.known, self.error) = (true, 1.0);
-            if self.next == 0.0 {
-                self.next = self.first_length(remaining, self.state.flat.len() - system.measured());
-            }
+            self.known = true;
+            self.control.begin(|| first_length(end_slope, to, counted, remaining, T::into));
         }
-        std::mem::swap(&mut self.before, &mut self.state);
-        let result = self.accepted(system, limit, remaining);
+        self.trial.turn();
+        let result = self.accepted(system, limit, counted);
         if result.is_err() {
-            std::mem::swap(&mut self.before, &mut self.state);
+            self.trial.turn();
         }
         result
     }
 
-    /// From `before` into `state` by the first step whose error is small enough.
-    fn accepted(&mut self, system: &mut impl System<T>, limit: T, remaining: f64) -> Result<(), IntegrationError> {
-        let order = self.method.tableau().error_order as f64;
-        let (start, time): (T, f64) = (self.time, self.time.into());
-        let shortest = 16.0 * f64::EPSILON * time.abs().max(remaining);
-        let mut end_tangent = self.tangent.clone();
-        let counted = self.state.flat.len() - system.measured();
+    /// The first step whose error in the first `counted` numbers is small enough.
+    fn accepted(&mut self, system: &mut impl System<T>, limit: T, counted: usize) -> Result<(), IntegrationError> {
+        let Self { trial, control, .. } = self;
         loop {
-            let last = self.next * (1.0 + STRETCH) >= remaining;
-            let length = if last { limit - start } else { T::from_f64(self.next) };
-            let end = if last { limit } else { start + length };
-            self.method.first_slope().clone_from(&self.tangent);
-            self.method.step_on(system, start, length, &self.before, &mut self.state);
-            self.method.end_slope(system, end, &self.state, &mut end_tangent);
-            self.evaluations += self.method.tableau().stages;
-            let error = self.step_error(length, counted);
-            let h: f64 = length.into();
-            if error <= 1.0 {
-                let factor = SAFETY * error.max(1e-12).powf(MEMORY - 1.0 / order) * self.error.powf(-MEMORY);
-                // A step cut short by the limit says little about the next one.
-                let proposed = h * factor.clamp(SHRINK, GROW);
-                self.next = if last { proposed.max(self.next) } else { proposed };
-                self.error = error.max(1e-4);
-                (self.start, self.length, self.time) = (start, length, end);
-                self.tangent = end_tangent;
+            let attempt = control.attempt(self.time, limit);
+            trial.step(system, [attempt.start, attempt.length, attempt.end]);
+            self.evaluations += trial.tableau().stages;
+            trial.estimate(attempt.length, counted, control.accuracy(), |x, _| x.into());
+            if control.judge(&attempt, trial.error(0))? {
+                (self.start, self.length, self.time) = (attempt.start, attempt.length, attempt.end);
                 return Ok(());
             }
-            if h <= shortest {
-                return Err(match error.is_finite() {
-                    true => IntegrationError::StepTooSmall { time, step: h, accuracy: self.accuracy },
-                    false => IntegrationError::NotFinite { time },
-                });
-            }
-            let factor = if error.is_finite() { (SAFETY * error.powf(-1.0 / order)).max(SHRINK) } else { 0.1 };
-            self.next = h * factor;
         }
     }
 
     /// The state at `time` (s) within the last step.
     pub fn at(&mut self, system: &mut impl System<T>, time: T, state: &mut State<T>) {
         let theta = (time - self.start) / self.length;
-        self.method.interpolate(system, self.start, self.length, &self.before, theta, state);
+        self.trial.interpolate(system, [self.start, self.length, theta], state);
     }
 
     /// Goes back to `time` (s) within the last step, whose states [`at`](Self::at) still knows: something happens there.
     pub fn cut(&mut self, system: &mut impl System<T>, time: T) {
-        let mut state = self.state.clone();
+        let mut state = self.trial.to.clone();
         self.at(system, time, &mut state);
-        (self.time, self.state, self.known) = (time, state, false);
+        (self.time, self.trial.to, self.known) = (time, state, false);
     }
-
-    /// Estimated error of the step just made in the first `counted` numbers, in units of what is allowed; infinite where it is no number.
-    fn step_error(&mut self, h: T, counted: usize) -> f64 {
-        let Self { method, before, state, accuracy, .. } = self;
-        let mut squares = [0.0; 2];
-        let mut row = 0;
-        method.errors(h, |error| {
-            squares[row] = mean_square(error, before, state, counted, *accuracy);
-            row += 1;
-        });
-        let error = match row {
-            1 => squares[0].sqrt(),
-            _ if squares[0] == 0.0 => 0.0,
-            _ => squares[0] / (squares[0] + LOWER_ERROR * squares[1]).sqrt(),
-        };
-        if error.is_finite() { error } else { f64::INFINITY }
-    }
-
-    /// A first step by which an Euler step would move states by a hundredth of their size.
-    fn first_length(&self, remaining: f64, counted: usize) -> f64 {
-        let origin = State::origin(self.state.flat.len());
-        let speed = mean_square(&self.tangent, &self.state, &origin, counted, 1.0).sqrt();
-        let length = if speed > 0.0 { 0.01 / speed } else { remaining };
-        if length.is_finite() { length.min(remaining) } else { remaining }
-    }
-}
-
-/// Mean square of a step's entries with its first `counted` numbers, each in units of `accuracy·max(1, |x|)`.
-fn mean_square<T: Real + Into<f64>>(
-    step: &Tangent<T>,
-    from: &State<T>,
-    to: &State<T>,
-    counted: usize,
-    accuracy: f64,
-) -> f64 {
-    let mut sum = 0.0;
-    let mut add = |value: T, sizes: [T; 2]| {
-        let [size, other] = sizes.map(|size| size.into().abs());
-        let scaled = value.into() / (accuracy * size.max(other).max(1.0));
-        sum += scaled * scaled;
-    };
-    for angle in step.twist.angular.iter() {
-        add(*angle, [T::zero(); 2]);
-    }
-    for (i, &x) in step.twist.linear.iter().enumerate() {
-        add(x, [from.pose.translation[i], to.pose.translation[i]]);
-    }
-    for (i, &x) in step.flat[..counted].iter().enumerate() {
-        add(x, [from.flat[i], to.flat[i]]);
-    }
-    sum / (6 + counted) as f64
 }

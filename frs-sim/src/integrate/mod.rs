@@ -5,12 +5,14 @@
 //! Munthe-Kaas, "High order Runge-Kutta methods on manifolds", Applied Numerical Mathematics 29 (1999).
 
 mod adaptive;
+mod control;
 mod explicit;
 mod implicit_midpoint;
 mod path;
 mod semi_implicit;
 mod state;
 mod tableau;
+mod trial;
 
 pub use adaptive::{Adaptive, IntegrationError, Pace};
 pub use explicit::Explicit;

@@ -1,7 +1,7 @@
 //! Numbers that are one state or several states side by side.
 
-use frs_core::Real;
-use frs_core::lanes::{F32x8, F32x16, F64x4, F64x8};
+use super::{F32x8, F32x16, F64x4, F64x8};
+use crate::Real;
 
 /// A scalar with [`LANES`](Self::LANES) states in it.
 pub trait Lane: Real + Send + Sync {
@@ -19,6 +19,12 @@ pub trait Lane: Real + Send + Sync {
     /// # Panics
     /// If there is no such state.
     fn get(&self, lane: usize) -> Self::Element;
+
+    /// Gives state `lane` another number.
+    ///
+    /// # Panics
+    /// If there is no such state.
+    fn set(&mut self, lane: usize, number: Self::Element);
 }
 
 macro_rules! impl_plain {
@@ -35,6 +41,11 @@ macro_rules! impl_plain {
             #[inline(always)]
             fn get(&self, lane: usize) -> Self {
                 [*self][lane]
+            }
+
+            #[inline(always)]
+            fn set(&mut self, lane: usize, number: Self) {
+                std::slice::from_mut(self)[lane] = number;
             }
         }
     };
@@ -54,6 +65,13 @@ macro_rules! impl_lanes {
             #[inline(always)]
             fn get(&self, lane: usize) -> $element {
                 self.to_array()[lane]
+            }
+
+            #[inline(always)]
+            fn set(&mut self, lane: usize, number: $element) {
+                let mut lanes = self.to_array();
+                lanes[lane] = number;
+                *self = Self::from_array(lanes);
             }
         }
     };
