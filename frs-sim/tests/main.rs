@@ -5,6 +5,8 @@ mod added_mass;
 mod called_for;
 mod columns;
 mod effects;
+#[path = "ensemble/main.rs"]
+mod ensemble;
 mod free_flight;
 #[path = "hard/main.rs"]
 mod hard;

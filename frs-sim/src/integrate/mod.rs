@@ -15,9 +15,11 @@ mod tableau;
 mod trial;
 
 pub use adaptive::{Adaptive, IntegrationError, Pace};
+pub(crate) use control::{Attempt, Control};
 pub use explicit::Explicit;
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use path::{Method, Path, Steps, Uniform};
 pub use semi_implicit::SemiImplicit;
 pub use state::{State, System, Tangent};
 pub use tableau::{DOP853, DOPRI5, EULER, MIDPOINT, RK4, Tableau};
+pub(crate) use trial::{Trial, first_length};

@@ -125,6 +125,11 @@ impl<'m, M: Momentum<T>, L: Loads<T>, T: Real> Motion<'m, M, L, T> {
         self.drives.as_ref()
     }
 
+    /// What is known about the momentum, to be changed at an event.
+    pub fn momentum_mut(&mut self) -> &mut M {
+        &mut self.momentum
+    }
+
     /// What exerts the forces.
     pub fn loads(&self) -> &L {
         &self.loads

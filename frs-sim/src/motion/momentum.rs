@@ -1,5 +1,6 @@
 //! What is known about the momentum of a motion.
 
+use frs_core::lanes::Lane;
 use frs_core::spatial::{Pose, Twist, Wrench};
 use frs_core::{Moving, Real, Route};
 use nalgebra::{DMatrix, Vector3};
@@ -103,6 +104,18 @@ impl<T: Real> Hamel<T> {
 /// What free fall adds to the acceleration of the base.
 fn fall<T: Real>(load: &Load<T>) -> Twist<T> {
     Twist::new(Vector3::zeros(), load.gravity.into())
+}
+
+impl<T: Lane<Element = f64>> Conserved<T> {
+    /// The momentum of one lane.
+    ///
+    /// # Panics
+    /// If there is no such lane.
+    pub fn set(&mut self, lane: usize, momentum: Wrench<f64>) {
+        let Wrench { moment, force } = &mut self.momentum;
+        let numbers = moment.iter_mut().chain(force);
+        numbers.zip(momentum.to_array()).for_each(|(number, given)| number.set(lane, given));
+    }
 }
 
 impl<T: Real> Momentum<T> for Zero {
