@@ -40,6 +40,7 @@ macro_rules! impl_real {
                 Self::splat(0.0)
             }
 
+            #[inline(always)]
             fn is_zero(&self) -> bool {
                 *self == Self::zero()
             }
