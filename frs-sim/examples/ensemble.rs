@@ -9,7 +9,7 @@ use frs_core::lanes::{F64x4, F64x8, Lane};
 use frs_core::spatial::{Pose, Twist, Wrench};
 use frs_sim::effects::{Spring, Viscous};
 use frs_sim::ensemble::{Ensemble, Flown, Start, Torques};
-use frs_sim::integrate::{Adaptive, DOP853, IntegrationError};
+use frs_sim::integrate::{Adaptive, DOP853};
 use frs_sim::motion::{Conserved, Motion};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -23,7 +23,12 @@ const ACCURACY: f64 = 1e-6;
 
 type Tumbling<'m, T> = Motion<'m, Conserved<T>, (Torques<T>, (Spring, Viscous)), T>;
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+type Failure = Box<dyn std::error::Error>;
+
+/// Integrates all trajectories; of lanes, what became of them.
+type Way<'f> = Box<dyn Fn() -> Result<Option<Flown>, Failure> + 'f>;
+
+fn main() -> Result<(), Failure> {
     let [one, all] = [1, 0].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build());
     let (one, all) = (one?, all?);
     println!(
@@ -35,17 +40,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let path = format!("{}/../robots/{robot}.urdf", env!("CARGO_MANIFEST_DIR"));
         let fleet = Fleet::random(Model::from_urdf(&std::fs::read_to_string(path)?)?);
         let (four, eight) = (fleet.model.cast(), fleet.model.cast());
-        let mut ways: Vec<Box<dyn FnMut() -> Result<Option<Flown>, Box<dyn std::error::Error>> + '_>> = vec![
-            Box::new(|| Ok(fleet.alone().map(|()| None)?)),
-            Box::new(|| fleet.fly::<F64x4>(&four, &one).map(Some)),
-            Box::new(|| fleet.fly::<F64x8>(&eight, &one).map(Some)),
-            Box::new(|| fleet.fly::<f64>(&fleet.model, &all).map(Some)),
-            Box::new(|| fleet.fly::<F64x4>(&four, &all).map(Some)),
-            Box::new(|| fleet.fly::<F64x8>(&eight, &all).map(Some)),
+        let ways: Vec<Way<'_>> = vec![
+            Box::new(|| fleet.alone()),
+            Box::new(|| fleet.fly::<F64x4>(&four, &one)),
+            Box::new(|| fleet.fly::<F64x8>(&eight, &one)),
+            Box::new(|| fleet.fly::<f64>(&fleet.model, &all)),
+            Box::new(|| fleet.fly::<F64x4>(&four, &all)),
+            Box::new(|| fleet.fly::<F64x8>(&eight, &all)),
         ];
         let (mut least, mut flown) = (vec![f64::INFINITY; ways.len()], vec![None; ways.len()]);
         for _ in 0..TURNS {
-            for ((least, flown), way) in least.iter_mut().zip(&mut flown).zip(&mut ways) {
+            for ((least, flown), way) in least.iter_mut().zip(&mut flown).zip(&ways) {
                 let begin = Instant::now();
                 *flown = way()?;
                 *least = least.min(begin.elapsed().as_secs_f64());
@@ -98,7 +103,7 @@ impl Fleet {
     }
 
     /// One after the other.
-    fn alone(&self) -> Result<(), IntegrationError> {
+    fn alone(&self) -> Result<Option<Flown>, Failure> {
         let mut motion = tumbling(&self.model);
         for (number, start) in self.starts.iter().enumerate() {
             self.enter(&mut motion, 0, number);
@@ -107,14 +112,10 @@ impl Fleet {
                 path.advance(&mut motion, start.until)?;
             }
         }
-        Ok(())
+        Ok(None)
     }
 
-    fn fly<T: Lane<Element = f64>>(
-        &self,
-        model: &Model<T>,
-        pool: &ThreadPool,
-    ) -> Result<Flown, Box<dyn std::error::Error>> {
+    fn fly<T: Lane<Element = f64>>(&self, model: &Model<T>, pool: &ThreadPool) -> Result<Option<Flown>, Failure> {
         let ensemble = Ensemble { tableau: &DOP853, accuracy: ACCURACY, times: Vec::new() };
         let fly = || {
             ensemble.fly(
@@ -123,7 +124,7 @@ impl Fleet {
                 |motion, seat| self.enter(motion, seat.lane, seat.trajectory),
             )
         };
-        Ok(pool.install(fly)?)
+        Ok(Some(pool.install(fly)?))
     }
 }
 

@@ -97,6 +97,7 @@ impl Ensemble {
     /// Every thread asks for a `system` of its own, over numbers with 1, 4 or 8 lanes: a
     /// [`Motion`](crate::motion::Motion) of [`Model::cast`](frs_core::Model::cast), or any other. `take` is called when a lane takes a
     /// trajectory; it puts what the system has of that trajectory (torques, a momentum) into that lane, and leaves the other lanes alone.
+    /// There are no events: what acts does so from the start to the end of a trajectory, and signals with knots stay on their piece.
     ///
     /// Trajectories are taken in their order. The last ones leave lanes empty: what takes long should come early.
     ///
