@@ -13,11 +13,14 @@ use frs_sim::integrate::{Adaptive, DOP853};
 use frs_sim::motion::{Conserved, Motion};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Trajectories of a call, each of one second.
-const TRAJECTORIES: usize = 256;
+/// Trajectories of a call.
+const TRAJECTORIES: usize = 128;
+
+/// Length of each, s.
+const DURATION: f64 = 0.25;
 
 /// Calls of each way; they take turns, so that what else the machine does meets all alike. The fastest counts.
-const TURNS: usize = 5;
+const TURNS: usize = 40;
 
 const ACCURACY: f64 = 1e-6;
 
@@ -56,7 +59,8 @@ fn main() -> Result<(), Failure> {
                 *least = least.min(begin.elapsed().as_secs_f64());
             }
         }
-        let speeds: Vec<_> = least.iter().map(|least| format!("{:.0}", TRAJECTORIES as f64 / least)).collect();
+        let speeds: Vec<_> =
+            least.iter().map(|least| format!("{:.0}", TRAJECTORIES as f64 * DURATION / least)).collect();
         let flown: Vec<_> = flown.iter().flatten().collect();
         println!(
             "| {robot} ({}) | {} | {:.2}, {:.2} | {:.2} |",
@@ -87,7 +91,7 @@ impl Fleet {
         let starts = (0..TRAJECTORIES)
             .map(|_| {
                 let state = motion.state(Pose::identity(), &numbers(n), &numbers(n), Twist::zero());
-                Start { state, from: 0.0, until: 1.0 }
+                Start { state, from: 0.0, until: DURATION }
             })
             .collect();
         drop(motion);
