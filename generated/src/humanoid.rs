@@ -300,7 +300,6 @@ struct Poses {
     minus_origin_pelvis_x_1_0_0_24: f64,
     minus_origin_pelvis_y_1_0_0_24: f64,
     minus_origin_pelvis_z_1_0_0_22: f64,
-    minus_origin_waist_bracket_y_0: f64,
     minus_origin_pelvis_x_1_0_1: f64,
     minus_origin_pelvis_y_1_0_1: f64,
     minus_origin_pelvis_z_1_0_1: f64,
@@ -393,6 +392,7 @@ struct Poses {
     origin_right_ankle_bracket_x: f64,
     origin_right_ankle_bracket_y: f64,
     origin_right_ankle_bracket_z: f64,
+    minus_origin_waist_bracket_y_0: f64,
     minus_origin_waist_bracket_x: f64,
     minus_origin_waist_bracket_y: f64,
     origin_waist_cross_x: f64,
@@ -1278,21 +1278,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         - 0.0017888198761092534;
     let com_y_0_0_24 = cos_waist_yaw * 0.003 + sin_waist_yaw * 0.004
         - 0.002124223602318044;
-    let com_x_0_0 = com_x_0_0_0 * 1.2 + com_x_0_0_2 * 1.3 + com_x_0_0_4 * 4.5
-        + com_x_0_0_6 * 2.8 + com_x_0_0_8 * 0.5 + com_x_0_0_10 * 1.2999999999999998
-        + com_x_0_0_12 * 1.2 + com_x_0_0_14 * 1.3 + com_x_0_0_16 * 4.5
-        + com_x_0_0_18 * 2.8 + com_x_0_0_20 * 0.5 + com_x_0_0_22 * 1.2999999999999998
-        + com_x_0_0_24 * 1.5;
-    let com_y_0_0 = com_y_0_0_0 * 1.2 + com_y_0_0_2 * 1.3 + com_y_0_0_4 * 4.5
-        + com_y_0_0_6 * 2.8 + com_y_0_0_8 * 0.5 + com_y_0_0_10 * 1.2999999999999998
-        - com_y_0_0_12 * 1.2 + com_y_0_0_14 * 1.3 + com_y_0_0_16 * 4.5
-        + com_y_0_0_18 * 2.8 + com_y_0_0_20 * 0.5 + com_y_0_0_22 * 1.2999999999999998
-        + com_y_0_0_24 * 1.5;
-    let com_z_0_0 = com_z_0_0_0 * 1.3 - 0.1263204968944099 + com_z_0_0_3 * 4.5
-        + com_z_0_0_5 * 2.8 + com_z_0_0_7 * 0.5 + com_z_0_0_9 * 1.2999999999999998
-        - 0.1263204968944099 - com_z_0_0_12 * 1.3 - com_z_0_0_14 * 4.5
-        + com_z_0_0_16 * 2.8 + com_z_0_0_18 * 0.5 + com_z_0_0_20 * 1.2999999999999998
-        + 0.15709937888198758;
     let com_x_0_1 = origin_waist_cross_x_0
         + (minus_rotation_waist_cross_xy * 0.002 + minus_rotation_waist_cross_xx * 0.006
             - cos_waist_yaw * 0.005);
@@ -1413,18 +1398,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         - (rotation_right_shoulder_bracket_zz * 0.035
             + (rotation_right_shoulder_bracket_zy * 0.003
                 + minus_rotation_right_shoulder_bracket_zx * 0.004));
-    let com_x_0 = com_x_0_0 + com_x_0_1 * 1.5 + com_x_0_3 * 16.0 + com_x_0_5 * 0.5
-        + com_x_0_7 * 0.5 + com_x_0_9 * 3.0 + com_x_0_11 * 0.7 + com_x_0_13 * 0.6
-        + com_x_0_15 * 0.7 + com_x_0_17 * 0.45 + com_x_0_19 * 0.2 + com_x_0_21 * 0.4
-        + com_x_0_23 * 0.7;
-    let com_y_0 = com_y_0_0 + com_y_0_1 * 1.5 + com_y_0_3 * 16.0 + com_y_0_5 * 0.5
-        + com_y_0_7 * 0.5 + com_y_0_9 * 3.0 + com_y_0_11 * 0.7 + com_y_0_13 * 0.6
-        + com_y_0_15 * 0.7 + com_y_0_17 * 0.45 + com_y_0_19 * 0.2 + com_y_0_21 * 0.4
-        + com_y_0_23 * 0.7;
-    let com_z_0 = com_z_0_0 + com_z_0_1 * 1.5 + com_z_0_3 * 16.0 + com_z_0_5 * 0.5
-        + com_z_0_7 * 0.5 + com_z_0_9 * 3.0 + com_z_0_11 * 0.7 + com_z_0_13 * 0.6
-        + com_z_0_15 * 0.7 + com_z_0_17 * 0.45 + com_z_0_19 * 0.2 + com_z_0_21 * 0.4
-        + com_z_0_23 * 0.7;
     let com_x_1 = origin_right_shoulder_cross_x_0
         + (minus_rotation_right_shoulder_cross_xy * 0.006
             + rotation_right_shoulder_cross_xx * 0.015 - origin_right_upper_arm_x_0_5);
@@ -1477,6 +1450,33 @@ fn poses(q: &[f64; 30]) -> Poses {
         + (rotation_right_wrist_cross_zy * 0.06075
             + rotation_right_wrist_cross_zx * 0.007375
             - rotation_right_wrist_bracket_zy * 0.003875);
+    let com_x_0_0 = com_x_0_0_0 * 1.2 + com_x_0_0_2 * 1.3 + com_x_0_0_4 * 4.5
+        + com_x_0_0_6 * 2.8 + com_x_0_0_8 * 0.5 + com_x_0_0_10 * 1.2999999999999998
+        + com_x_0_0_12 * 1.2 + com_x_0_0_14 * 1.3 + com_x_0_0_16 * 4.5
+        + com_x_0_0_18 * 2.8 + com_x_0_0_20 * 0.5 + com_x_0_0_22 * 1.2999999999999998
+        + com_x_0_0_24 * 1.5;
+    let com_y_0_0 = com_y_0_0_0 * 1.2 + com_y_0_0_2 * 1.3 + com_y_0_0_4 * 4.5
+        + com_y_0_0_6 * 2.8 + com_y_0_0_8 * 0.5 + com_y_0_0_10 * 1.2999999999999998
+        - com_y_0_0_12 * 1.2 + com_y_0_0_14 * 1.3 + com_y_0_0_16 * 4.5
+        + com_y_0_0_18 * 2.8 + com_y_0_0_20 * 0.5 + com_y_0_0_22 * 1.2999999999999998
+        + com_y_0_0_24 * 1.5;
+    let com_z_0_0 = com_z_0_0_0 * 1.3 - 0.1263204968944099 + com_z_0_0_3 * 4.5
+        + com_z_0_0_5 * 2.8 + com_z_0_0_7 * 0.5 + com_z_0_0_9 * 1.2999999999999998
+        - 0.1263204968944099 - com_z_0_0_12 * 1.3 - com_z_0_0_14 * 4.5
+        + com_z_0_0_16 * 2.8 + com_z_0_0_18 * 0.5 + com_z_0_0_20 * 1.2999999999999998
+        + 0.15709937888198758;
+    let com_x_0 = com_x_0_0 + com_x_0_1 * 1.5 + com_x_0_3 * 16.0 + com_x_0_5 * 0.5
+        + com_x_0_7 * 0.5 + com_x_0_9 * 3.0 + com_x_0_11 * 0.7 + com_x_0_13 * 0.6
+        + com_x_0_15 * 0.7 + com_x_0_17 * 0.45 + com_x_0_19 * 0.2 + com_x_0_21 * 0.4
+        + com_x_0_23 * 0.7;
+    let com_y_0 = com_y_0_0 + com_y_0_1 * 1.5 + com_y_0_3 * 16.0 + com_y_0_5 * 0.5
+        + com_y_0_7 * 0.5 + com_y_0_9 * 3.0 + com_y_0_11 * 0.7 + com_y_0_13 * 0.6
+        + com_y_0_15 * 0.7 + com_y_0_17 * 0.45 + com_y_0_19 * 0.2 + com_y_0_21 * 0.4
+        + com_y_0_23 * 0.7;
+    let com_z_0 = com_z_0_0 + com_z_0_1 * 1.5 + com_z_0_3 * 16.0 + com_z_0_5 * 0.5
+        + com_z_0_7 * 0.5 + com_z_0_9 * 3.0 + com_z_0_11 * 0.7 + com_z_0_13 * 0.6
+        + com_z_0_15 * 0.7 + com_z_0_17 * 0.45 + com_z_0_19 * 0.2 + com_z_0_21 * 0.4
+        + com_z_0_23 * 0.7;
     let com_x = (com_x_0 + com_x_1 * 0.6 + com_x_3 * 0.7 + com_x_5 * 0.45 + com_x_7 * 0.2
         + com_x_9 * 0.4) * 0.016570008285004136;
     let com_y = (com_y_0 + com_y_1 * 0.6 + com_y_3 * 0.7 + com_y_5 * 0.45 + com_y_7 * 0.2
@@ -1486,7 +1486,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let minus_origin_pelvis_x_1_0_0_0 = com_x_0_0_0 - com_x;
     let minus_origin_pelvis_y_1_0_0_0 = com_y_0_0_0 - com_y;
     let minus_origin_pelvis_z_1_0_0_13_0 = 0.1052670807453416 + com_z;
-    let minus_origin_pelvis_z_1_0_0_13 = minus_origin_pelvis_z_1_0_0_13_0 * 1.2;
     let minus_origin_pelvis_x_1_0_0_4 = com_x_0_0_2 - com_x;
     let minus_origin_pelvis_y_1_0_0_4 = com_y_0_0_2 - com_y;
     let minus_origin_pelvis_z_1_0_0_0 = com_z_0_0_0 - com_z;
@@ -1519,32 +1518,6 @@ fn poses(q: &[f64; 30]) -> Poses {
     let minus_origin_pelvis_x_1_0_0_24 = com_x_0_0_22 - com_x;
     let minus_origin_pelvis_y_1_0_0_24 = com_y_0_0_22 - com_y;
     let minus_origin_pelvis_z_1_0_0_22 = com_z_0_0_20 - com_z;
-    let minus_origin_pelvis_x_1_0_0 = minus_origin_pelvis_x_1_0_0_0 * 1.2 - com_x * 8.05
-        + minus_origin_pelvis_x_1_0_0_4 * 1.3 + minus_origin_pelvis_x_1_0_0_6 * 4.5
-        + minus_origin_pelvis_x_1_0_0_8 * 2.8 + minus_origin_pelvis_x_1_0_0_10 * 0.5
-        + minus_origin_pelvis_x_1_0_0_12 * 1.2999999999999998
-        + minus_origin_pelvis_x_1_0_0_14 * 1.2 + minus_origin_pelvis_x_1_0_0_16 * 1.3
-        + minus_origin_pelvis_x_1_0_0_18 * 4.5 + minus_origin_pelvis_x_1_0_0_20 * 2.8
-        + minus_origin_pelvis_x_1_0_0_22 * 0.5
-        + minus_origin_pelvis_x_1_0_0_24 * 1.2999999999999998;
-    let minus_origin_pelvis_y_1_0_0 = minus_origin_pelvis_y_1_0_0_0 * 1.2 - com_y * 8.05
-        + minus_origin_pelvis_y_1_0_0_4 * 1.3 + minus_origin_pelvis_y_1_0_0_6 * 4.5
-        + minus_origin_pelvis_y_1_0_0_8 * 2.8 + minus_origin_pelvis_y_1_0_0_10 * 0.5
-        + minus_origin_pelvis_y_1_0_0_12 * 1.2999999999999998
-        - minus_origin_pelvis_y_1_0_0_14 * 1.2 + minus_origin_pelvis_y_1_0_0_16 * 1.3
-        + minus_origin_pelvis_y_1_0_0_18 * 4.5 + minus_origin_pelvis_y_1_0_0_20 * 2.8
-        + minus_origin_pelvis_y_1_0_0_22 * 0.5
-        + minus_origin_pelvis_y_1_0_0_24 * 1.2999999999999998;
-    let minus_origin_pelvis_z_1_0_0 = minus_origin_pelvis_z_1_0_0_0 * 1.3
-        - (com_z * 8.05 + minus_origin_pelvis_z_1_0_0_13)
-        + minus_origin_pelvis_z_1_0_0_5 * 4.5 + minus_origin_pelvis_z_1_0_0_7 * 2.8
-        + minus_origin_pelvis_z_1_0_0_9 * 0.5
-        + minus_origin_pelvis_z_1_0_0_11 * 1.2999999999999998
-        - minus_origin_pelvis_z_1_0_0_13 - minus_origin_pelvis_z_1_0_0_14 * 1.3
-        - minus_origin_pelvis_z_1_0_0_16 * 4.5 + minus_origin_pelvis_z_1_0_0_18 * 2.8
-        + minus_origin_pelvis_z_1_0_0_20 * 0.5
-        + minus_origin_pelvis_z_1_0_0_22 * 1.2999999999999998;
-    let minus_origin_waist_bracket_y_0 = 0.002124223602318044 + com_y;
     let minus_origin_pelvis_x_1_0_1 = com_x_0_0_24 - com_x;
     let minus_origin_pelvis_y_1_0_1 = com_y_0_0_24 - com_y;
     let minus_origin_pelvis_z_1_0_1 = 0.10473291925465839 - com_z;
@@ -1581,6 +1554,50 @@ fn poses(q: &[f64; 30]) -> Poses {
     let minus_origin_pelvis_x_1_0_23 = com_x_0_21 - com_x;
     let minus_origin_pelvis_y_1_0_23 = com_y_0_21 - com_y;
     let minus_origin_pelvis_z_1_0_23 = com_z_0_21 - com_z;
+    let minus_origin_pelvis_x_1_1 = com_x_0_23 - com_x;
+    let minus_origin_pelvis_y_1_1 = com_y_0_23 - com_y;
+    let minus_origin_pelvis_z_1_1 = com_z_0_23 - com_z;
+    let minus_origin_pelvis_x_1_3 = com_x_1 - com_x;
+    let minus_origin_pelvis_y_1_3 = com_y_1 - com_y;
+    let minus_origin_pelvis_z_1_3 = com_z_1 - com_z;
+    let minus_origin_pelvis_x_1_5 = com_x_3 - com_x;
+    let minus_origin_pelvis_y_1_5 = com_y_3 - com_y;
+    let minus_origin_pelvis_z_1_5 = com_z_3 - com_z;
+    let minus_origin_pelvis_x_1_7 = com_x_5 - com_x;
+    let minus_origin_pelvis_y_1_7 = com_y_5 - com_y;
+    let minus_origin_pelvis_z_1_7 = com_z_5 - com_z;
+    let minus_origin_pelvis_x_1_9 = com_x_7 - com_x;
+    let minus_origin_pelvis_y_1_9 = com_y_7 - com_y;
+    let minus_origin_pelvis_z_1_9 = com_z_7 - com_z;
+    let minus_origin_pelvis_x_1_11 = com_x_9 - com_x;
+    let minus_origin_pelvis_y_1_11 = com_y_9 - com_y;
+    let minus_origin_pelvis_z_1_11 = com_z_9 - com_z;
+    let minus_origin_pelvis_z_1_0_0_13 = minus_origin_pelvis_z_1_0_0_13_0 * 1.2;
+    let minus_origin_pelvis_x_1_0_0 = minus_origin_pelvis_x_1_0_0_0 * 1.2 - com_x * 8.05
+        + minus_origin_pelvis_x_1_0_0_4 * 1.3 + minus_origin_pelvis_x_1_0_0_6 * 4.5
+        + minus_origin_pelvis_x_1_0_0_8 * 2.8 + minus_origin_pelvis_x_1_0_0_10 * 0.5
+        + minus_origin_pelvis_x_1_0_0_12 * 1.2999999999999998
+        + minus_origin_pelvis_x_1_0_0_14 * 1.2 + minus_origin_pelvis_x_1_0_0_16 * 1.3
+        + minus_origin_pelvis_x_1_0_0_18 * 4.5 + minus_origin_pelvis_x_1_0_0_20 * 2.8
+        + minus_origin_pelvis_x_1_0_0_22 * 0.5
+        + minus_origin_pelvis_x_1_0_0_24 * 1.2999999999999998;
+    let minus_origin_pelvis_y_1_0_0 = minus_origin_pelvis_y_1_0_0_0 * 1.2 - com_y * 8.05
+        + minus_origin_pelvis_y_1_0_0_4 * 1.3 + minus_origin_pelvis_y_1_0_0_6 * 4.5
+        + minus_origin_pelvis_y_1_0_0_8 * 2.8 + minus_origin_pelvis_y_1_0_0_10 * 0.5
+        + minus_origin_pelvis_y_1_0_0_12 * 1.2999999999999998
+        - minus_origin_pelvis_y_1_0_0_14 * 1.2 + minus_origin_pelvis_y_1_0_0_16 * 1.3
+        + minus_origin_pelvis_y_1_0_0_18 * 4.5 + minus_origin_pelvis_y_1_0_0_20 * 2.8
+        + minus_origin_pelvis_y_1_0_0_22 * 0.5
+        + minus_origin_pelvis_y_1_0_0_24 * 1.2999999999999998;
+    let minus_origin_pelvis_z_1_0_0 = minus_origin_pelvis_z_1_0_0_0 * 1.3
+        - (com_z * 8.05 + minus_origin_pelvis_z_1_0_0_13)
+        + minus_origin_pelvis_z_1_0_0_5 * 4.5 + minus_origin_pelvis_z_1_0_0_7 * 2.8
+        + minus_origin_pelvis_z_1_0_0_9 * 0.5
+        + minus_origin_pelvis_z_1_0_0_11 * 1.2999999999999998
+        - minus_origin_pelvis_z_1_0_0_13 - minus_origin_pelvis_z_1_0_0_14 * 1.3
+        - minus_origin_pelvis_z_1_0_0_16 * 4.5 + minus_origin_pelvis_z_1_0_0_18 * 2.8
+        + minus_origin_pelvis_z_1_0_0_20 * 0.5
+        + minus_origin_pelvis_z_1_0_0_22 * 1.2999999999999998;
     let minus_origin_pelvis_x_1_0 = minus_origin_pelvis_x_1_0_0
         + minus_origin_pelvis_x_1_0_1 * 1.5 + minus_origin_pelvis_x_1_0_3 * 1.5
         + minus_origin_pelvis_x_1_0_5 * 16.0 + minus_origin_pelvis_x_1_0_7 * 0.5
@@ -1602,24 +1619,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         + minus_origin_pelvis_z_1_0_13 * 0.7 + minus_origin_pelvis_z_1_0_15 * 0.6
         + minus_origin_pelvis_z_1_0_17 * 0.7 + minus_origin_pelvis_z_1_0_19 * 0.45
         + minus_origin_pelvis_z_1_0_21 * 0.2 + minus_origin_pelvis_z_1_0_23 * 0.4;
-    let minus_origin_pelvis_x_1_1 = com_x_0_23 - com_x;
-    let minus_origin_pelvis_y_1_1 = com_y_0_23 - com_y;
-    let minus_origin_pelvis_z_1_1 = com_z_0_23 - com_z;
-    let minus_origin_pelvis_x_1_3 = com_x_1 - com_x;
-    let minus_origin_pelvis_y_1_3 = com_y_1 - com_y;
-    let minus_origin_pelvis_z_1_3 = com_z_1 - com_z;
-    let minus_origin_pelvis_x_1_5 = com_x_3 - com_x;
-    let minus_origin_pelvis_y_1_5 = com_y_3 - com_y;
-    let minus_origin_pelvis_z_1_5 = com_z_3 - com_z;
-    let minus_origin_pelvis_x_1_7 = com_x_5 - com_x;
-    let minus_origin_pelvis_y_1_7 = com_y_5 - com_y;
-    let minus_origin_pelvis_z_1_7 = com_z_5 - com_z;
-    let minus_origin_pelvis_x_1_9 = com_x_7 - com_x;
-    let minus_origin_pelvis_y_1_9 = com_y_7 - com_y;
-    let minus_origin_pelvis_z_1_9 = com_z_7 - com_z;
-    let minus_origin_pelvis_x_1_11 = com_x_9 - com_x;
-    let minus_origin_pelvis_y_1_11 = com_y_9 - com_y;
-    let minus_origin_pelvis_z_1_11 = com_z_9 - com_z;
     let minus_origin_pelvis_x_1 = (minus_origin_pelvis_x_1_0
         + minus_origin_pelvis_x_1_1 * 0.7 + minus_origin_pelvis_x_1_3 * 0.6
         + minus_origin_pelvis_x_1_5 * 0.7 + minus_origin_pelvis_x_1_7 * 0.45
@@ -1704,6 +1703,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         - minus_origin_pelvis_y_1;
     let origin_right_ankle_bracket_z = origin_right_ankle_bracket_z_0 - com_z
         - minus_origin_pelvis_z_1;
+    let minus_origin_waist_bracket_y_0 = 0.002124223602318044 + com_y;
     // waist_bracket
     let minus_origin_waist_bracket_x = 0.0017888198761092534 + com_x
         + minus_origin_pelvis_x_1;
@@ -2001,7 +2001,6 @@ fn poses(q: &[f64; 30]) -> Poses {
         minus_origin_pelvis_x_1_0_0_24,
         minus_origin_pelvis_y_1_0_0_24,
         minus_origin_pelvis_z_1_0_0_22,
-        minus_origin_waist_bracket_y_0,
         minus_origin_pelvis_x_1_0_1,
         minus_origin_pelvis_y_1_0_1,
         minus_origin_pelvis_z_1_0_1,
@@ -2094,6 +2093,7 @@ fn poses(q: &[f64; 30]) -> Poses {
         origin_right_ankle_bracket_x,
         origin_right_ankle_bracket_y,
         origin_right_ankle_bracket_z,
+        minus_origin_waist_bracket_y_0,
         minus_origin_waist_bracket_x,
         minus_origin_waist_bracket_y,
         origin_waist_cross_x,
@@ -2906,12 +2906,6 @@ fn inertias(poses: &Poses) -> Inertias {
         + (inertia_left_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_2);
     let inertia_left_hip_bracket_zz = 0.0015
         + (inertia_left_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_1);
-    let inertia_left_hip_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_4
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_hip_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_4
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_0
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_hip_cross_xx_0 = 0.00021937500000000017
         * poses.minus_rotation_left_hip_cross_xx;
     let inertia_left_hip_cross_xx_2 = 0.00021937500000000017
@@ -2920,6 +2914,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_left_hip_cross_yx;
     let inertia_left_hip_cross_yy_2 = 0.00021937500000000017
         * poses.rotation_left_hip_cross_yy;
+    let inertia_left_hip_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_4
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_hip_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_4
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_0
+        - poses.minus_origin_pelvis_z_1;
     // left_hip_cross
     let inertia_left_hip_cross_hx = inertia_left_hip_cross_hx_0 * 1.3;
     let inertia_left_hip_cross_hy = inertia_left_hip_cross_hy_0 * 1.3;
@@ -2952,18 +2952,18 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.cos_left_hip_roll
         + 0.00021937500000000017 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
         + 0.00131625 + (inertia_left_hip_cross_yy_5 + inertia_left_hip_cross_xx_5);
-    let inertia_left_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_6
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_6
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_5
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_thigh_xx_0 = 0.0388125 * poses.rotation_left_thigh_xx;
     let inertia_left_thigh_xx_2 = 0.039599999999999996
         * poses.minus_rotation_left_hip_cross_xy;
     let inertia_left_thigh_yy_0 = 0.0388125 * poses.rotation_left_thigh_yx;
     let inertia_left_thigh_yy_2 = 0.039599999999999996
         * poses.rotation_left_hip_cross_yy;
+    let inertia_left_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_6
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_6
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_5
+        - poses.minus_origin_pelvis_z_1;
     // left_thigh
     let inertia_left_thigh_hx = inertia_left_thigh_hx_0 * 4.5;
     let inertia_left_thigh_hy = inertia_left_thigh_hy_0 * 4.5;
@@ -2991,18 +2991,18 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.minus_rotation_left_thigh_zx
         + 0.039599999999999996 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
         + 0.0082875 + (inertia_left_thigh_yy_5 + inertia_left_thigh_xx_5);
-    let inertia_left_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_8
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_8
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_7
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_shank_xx_0 = 0.0220033337 * poses.rotation_left_shank_xx;
     let inertia_left_shank_xx_2 = 0.022207499699999998
         * poses.minus_rotation_left_hip_cross_xy;
     let inertia_left_shank_yy_0 = 0.0220033337 * poses.rotation_left_shank_yx;
     let inertia_left_shank_yy_2 = 0.022207499699999998
         * poses.rotation_left_hip_cross_yy;
+    let inertia_left_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_8
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_8
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_7
+        - poses.minus_origin_pelvis_z_1;
     // left_shank
     let inertia_left_shank_hx = inertia_left_shank_hx_0 * 2.8;
     let inertia_left_shank_hy = inertia_left_shank_hy_0 * 2.8;
@@ -3030,12 +3030,6 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.minus_rotation_left_shank_zx
         + 0.022207499699999998 * poses.sin_left_hip_roll * poses.sin_left_hip_roll
         + 0.0035758333 + (inertia_left_shank_yy_5 + inertia_left_shank_xx_5);
-    let inertia_left_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_10
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_10
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_9
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_ankle_cross_xx_0 = 0.00003749999999999999
         * poses.rotation_left_ankle_cross_xx;
     let inertia_left_ankle_cross_xx_2 = 0.00003749999999999999
@@ -3044,6 +3038,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_left_ankle_cross_yx;
     let inertia_left_ankle_cross_yy_2 = 0.00003749999999999999
         * poses.rotation_left_ankle_cross_yy;
+    let inertia_left_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_10
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_10
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_9
+        - poses.minus_origin_pelvis_z_1;
     // left_ankle_cross
     let inertia_left_ankle_cross_hx = inertia_left_ankle_cross_hx_0 * 0.5;
     let inertia_left_ankle_cross_hy = inertia_left_ankle_cross_hy_0 * 0.5;
@@ -3079,12 +3079,6 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00003749999999999999 * poses.rotation_left_ankle_cross_zy
             * poses.rotation_left_ankle_cross_zy + 0.000225
         + (inertia_left_ankle_cross_yy_5 + inertia_left_ankle_cross_xx_5);
-    let inertia_left_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_12
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_12
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_ankle_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_11
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_ankle_bracket_xx_0 = 0.0029783596453846154
         * poses.minus_rotation_left_ankle_bracket_xx
         + 0.00006461538461538462 * poses.rotation_left_ankle_bracket_xy
@@ -3107,6 +3101,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_left_ankle_bracket_yy_4 = 0.00029723076923076914
         * poses.rotation_left_ankle_bracket_yx
         + 0.00003715384615384614 * poses.rotation_left_ankle_bracket_yy;
+    let inertia_left_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_12
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_12
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_ankle_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_11
+        - poses.minus_origin_pelvis_z_1;
     // left_ankle_bracket
     let inertia_left_ankle_bracket_hx = inertia_left_ankle_bracket_hx_0
         * 1.2999999999999998;
@@ -3183,12 +3183,6 @@ fn inertias(poses: &Poses) -> Inertias {
         + (inertia_right_hip_bracket_yy_1 + inertia_left_hip_bracket_xx_2);
     let inertia_right_hip_bracket_zz = 0.0015
         + (inertia_right_hip_bracket_yy_1 + inertia_right_hip_bracket_xx_1);
-    let inertia_right_hip_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_16
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_hip_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_16
-        - poses.minus_origin_pelvis_y_1;
-    let minus_inertia_right_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_14
-        + poses.minus_origin_pelvis_z_1;
     let inertia_right_hip_cross_xx_0 = 0.00021937500000000017
         * poses.minus_rotation_right_hip_cross_xx;
     let inertia_right_hip_cross_xx_2 = 0.00021937500000000017
@@ -3197,6 +3191,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_hip_cross_yx;
     let inertia_right_hip_cross_yy_2 = 0.00021937500000000017
         * poses.rotation_right_hip_cross_yy;
+    let inertia_right_hip_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_16
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_hip_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_16
+        - poses.minus_origin_pelvis_y_1;
+    let minus_inertia_right_hip_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_14
+        + poses.minus_origin_pelvis_z_1;
     // right_hip_cross
     let inertia_right_hip_cross_hx = inertia_right_hip_cross_hx_0 * 1.3;
     let inertia_right_hip_cross_hy = inertia_right_hip_cross_hy_0 * 1.3;
@@ -3231,18 +3231,18 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.cos_right_hip_roll
         + 0.00021937500000000017 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
         + 0.00131625 + (inertia_right_hip_cross_yy_5 + inertia_right_hip_cross_xx_5);
-    let inertia_right_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_18
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_18
-        - poses.minus_origin_pelvis_y_1;
-    let minus_inertia_right_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_16
-        + poses.minus_origin_pelvis_z_1;
     let inertia_right_thigh_xx_0 = 0.0388125 * poses.rotation_right_thigh_xx;
     let inertia_right_thigh_xx_2 = 0.039599999999999996
         * poses.minus_rotation_right_hip_cross_xy;
     let inertia_right_thigh_yy_0 = 0.0388125 * poses.rotation_right_thigh_yx;
     let inertia_right_thigh_yy_2 = 0.039599999999999996
         * poses.rotation_right_hip_cross_yy;
+    let inertia_right_thigh_hx_0 = poses.minus_origin_pelvis_x_1_0_0_18
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_thigh_hy_0 = poses.minus_origin_pelvis_y_1_0_0_18
+        - poses.minus_origin_pelvis_y_1;
+    let minus_inertia_right_thigh_hz_0 = poses.minus_origin_pelvis_z_1_0_0_16
+        + poses.minus_origin_pelvis_z_1;
     // right_thigh
     let inertia_right_thigh_hx = inertia_right_thigh_hx_0 * 4.5;
     let inertia_right_thigh_hy = inertia_right_thigh_hy_0 * 4.5;
@@ -3270,18 +3270,18 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.minus_rotation_right_thigh_zx
         + 0.039599999999999996 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
         + 0.0082875 + (inertia_right_thigh_yy_5 + inertia_right_thigh_xx_5);
-    let inertia_right_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_20
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_20
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_right_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_18
-        - poses.minus_origin_pelvis_z_1;
     let inertia_right_shank_xx_0 = 0.0220033337 * poses.rotation_right_shank_xx;
     let inertia_right_shank_xx_2 = 0.022207499699999998
         * poses.minus_rotation_right_hip_cross_xy;
     let inertia_right_shank_yy_0 = 0.0220033337 * poses.rotation_right_shank_yx;
     let inertia_right_shank_yy_2 = 0.022207499699999998
         * poses.rotation_right_hip_cross_yy;
+    let inertia_right_shank_hx_0 = poses.minus_origin_pelvis_x_1_0_0_20
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_shank_hy_0 = poses.minus_origin_pelvis_y_1_0_0_20
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_shank_hz_0 = poses.minus_origin_pelvis_z_1_0_0_18
+        - poses.minus_origin_pelvis_z_1;
     // right_shank
     let inertia_right_shank_hx = inertia_right_shank_hx_0 * 2.8;
     let inertia_right_shank_hy = inertia_right_shank_hy_0 * 2.8;
@@ -3309,12 +3309,6 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.minus_rotation_right_shank_zx
         + 0.022207499699999998 * poses.sin_right_hip_roll * poses.sin_right_hip_roll
         + 0.0035758333 + (inertia_right_shank_yy_5 + inertia_right_shank_xx_5);
-    let inertia_right_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_22
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_22
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_right_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_20
-        - poses.minus_origin_pelvis_z_1;
     let inertia_right_ankle_cross_xx_0 = 0.00003749999999999999
         * poses.rotation_right_ankle_cross_xx;
     let inertia_right_ankle_cross_xx_2 = 0.00003749999999999999
@@ -3323,6 +3317,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_ankle_cross_yx;
     let inertia_right_ankle_cross_yy_2 = 0.00003749999999999999
         * poses.rotation_right_ankle_cross_yy;
+    let inertia_right_ankle_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_0_22
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_ankle_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_0_22
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_ankle_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_0_20
+        - poses.minus_origin_pelvis_z_1;
     // right_ankle_cross
     let inertia_right_ankle_cross_hx = inertia_right_ankle_cross_hx_0 * 0.5;
     let inertia_right_ankle_cross_hy = inertia_right_ankle_cross_hy_0 * 0.5;
@@ -3358,12 +3358,6 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00003749999999999999 * poses.rotation_right_ankle_cross_zy
             * poses.rotation_right_ankle_cross_zy + 0.000225
         + (inertia_right_ankle_cross_yy_5 + inertia_right_ankle_cross_xx_5);
-    let inertia_right_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_24
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_24
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_right_ankle_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_22
-        - poses.minus_origin_pelvis_z_1;
     let inertia_right_ankle_bracket_xx_2 = 0.00006461538461538462
         * poses.rotation_right_ankle_bracket_xy
         - 0.0029783596453846154 * poses.minus_rotation_right_ankle_bracket_xx
@@ -3386,6 +3380,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_right_ankle_bracket_yy_4 = 0.00003715384615384614
         * poses.rotation_right_ankle_bracket_yy
         - 0.00029723076923076914 * poses.rotation_right_ankle_bracket_yx;
+    let inertia_right_ankle_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_0_24
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_ankle_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_0_24
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_ankle_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_0_22
+        - poses.minus_origin_pelvis_z_1;
     // right_ankle_bracket
     let inertia_right_ankle_bracket_hx = inertia_right_ankle_bracket_hx_0
         * 1.2999999999999998;
@@ -3467,18 +3467,18 @@ fn inertias(poses: &Poses) -> Inertias {
         + (inertia_waist_bracket_yy_1 + inertia_waist_bracket_xx_2);
     let inertia_waist_bracket_zz = 0.0027
         + (inertia_waist_bracket_yy_1 + inertia_waist_bracket_xx_1);
-    let inertia_waist_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_3
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_waist_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_3
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_waist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_3
-        - poses.minus_origin_pelvis_z_1;
     let inertia_waist_cross_xx_0 = 0.0003125000000000003
         * poses.minus_rotation_waist_cross_xx;
     let inertia_waist_cross_xx_2 = 0.0003125000000000003
         * poses.minus_rotation_waist_cross_xy;
     let inertia_waist_cross_yy_0 = 0.0003125000000000003 * poses.rotation_waist_cross_yx;
     let inertia_waist_cross_yy_2 = 0.0003125000000000003 * poses.rotation_waist_cross_yy;
+    let inertia_waist_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_3
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_waist_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_3
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_waist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_3
+        - poses.minus_origin_pelvis_z_1;
     // waist_cross
     let inertia_waist_cross_hx = inertia_waist_cross_hx_0 * 1.5;
     let inertia_waist_cross_hy = inertia_waist_cross_hy_0 * 1.5;
@@ -3507,16 +3507,16 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.cos_waist_roll
         + 0.0003125000000000003 * poses.sin_waist_roll * poses.sin_waist_roll + 0.001875
         + (inertia_waist_cross_yy_5 + inertia_waist_cross_xx_5);
+    let inertia_torso_xx_0 = 0.12960000000000002 * poses.rotation_torso_xx;
+    let inertia_torso_xx_2 = 0.08266667 * poses.minus_rotation_waist_cross_xy;
+    let inertia_torso_yy_0 = 0.12960000000000002 * poses.rotation_torso_yx;
+    let inertia_torso_yy_2 = 0.08266667 * poses.rotation_waist_cross_yy;
     let inertia_torso_hx_0 = poses.minus_origin_pelvis_x_1_0_5
         - poses.minus_origin_pelvis_x_1;
     let inertia_torso_hy_0 = poses.minus_origin_pelvis_y_1_0_5
         - poses.minus_origin_pelvis_y_1;
     let inertia_torso_hz_0 = poses.minus_origin_pelvis_z_1_0_5
         - poses.minus_origin_pelvis_z_1;
-    let inertia_torso_xx_0 = 0.12960000000000002 * poses.rotation_torso_xx;
-    let inertia_torso_xx_2 = 0.08266667 * poses.minus_rotation_waist_cross_xy;
-    let inertia_torso_yy_0 = 0.12960000000000002 * poses.rotation_torso_yx;
-    let inertia_torso_yy_2 = 0.08266667 * poses.rotation_waist_cross_yy;
     // torso
     let inertia_torso_hx = inertia_torso_hx_0 * 16.0;
     let inertia_torso_hy = inertia_torso_hy_0 * 16.0;
@@ -3543,15 +3543,15 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.minus_rotation_torso_zx
         + 0.08266667 * poses.sin_waist_roll * poses.sin_waist_roll + 0.13333333
         + (inertia_torso_yy_5 + inertia_torso_xx_5);
+    let inertia_neck_bracket_xx_0 = 0.000008333329999999999
+        * poses.rotation_neck_bracket_xz;
+    let inertia_neck_bracket_yy_0 = 0.000008333329999999999 * poses.rotation_torso_yy;
     let inertia_neck_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_7
         - poses.minus_origin_pelvis_x_1;
     let inertia_neck_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_7
         - poses.minus_origin_pelvis_y_1;
     let inertia_neck_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_7
         - poses.minus_origin_pelvis_z_1;
-    let inertia_neck_bracket_xx_0 = 0.000008333329999999999
-        * poses.rotation_neck_bracket_xz;
-    let inertia_neck_bracket_yy_0 = 0.000008333329999999999 * poses.rotation_torso_yy;
     // neck_bracket
     let inertia_neck_bracket_hx = inertia_neck_bracket_hx_0 * 0.5;
     let inertia_neck_bracket_hy = inertia_neck_bracket_hy_0 * 0.5;
@@ -3575,17 +3575,17 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_neck_bracket_zz = 0.000008333329999999999
         * poses.rotation_neck_bracket_zz * poses.rotation_neck_bracket_zz + 0.00021666667
         + (inertia_neck_bracket_yy_3 + inertia_neck_bracket_xx_3);
+    let inertia_neck_cross_xx_0 = 0.00005200000000000002
+        * poses.minus_rotation_neck_cross_xx;
+    let inertia_neck_cross_xx_2 = 0.00005200000000000002 * poses.rotation_neck_cross_xy;
+    let inertia_neck_cross_yy_0 = 0.00005200000000000002 * poses.rotation_neck_cross_yx;
+    let inertia_neck_cross_yy_2 = 0.00005200000000000002 * poses.rotation_neck_cross_yy;
     let inertia_neck_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_9
         - poses.minus_origin_pelvis_x_1;
     let inertia_neck_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_9
         - poses.minus_origin_pelvis_y_1;
     let inertia_neck_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_9
         - poses.minus_origin_pelvis_z_1;
-    let inertia_neck_cross_xx_0 = 0.00005200000000000002
-        * poses.minus_rotation_neck_cross_xx;
-    let inertia_neck_cross_xx_2 = 0.00005200000000000002 * poses.rotation_neck_cross_xy;
-    let inertia_neck_cross_yy_0 = 0.00005200000000000002 * poses.rotation_neck_cross_yx;
-    let inertia_neck_cross_yy_2 = 0.00005200000000000002 * poses.rotation_neck_cross_yy;
     // neck_cross
     let inertia_neck_cross_hx = inertia_neck_cross_hx_0 * 0.5;
     let inertia_neck_cross_hy = inertia_neck_cross_hy_0 * 0.5;
@@ -3633,12 +3633,6 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_head_xx = 0.012 + (inertia_head_xx_1 + inertia_head_xx_2);
     let inertia_head_yy = 0.012 + (inertia_head_yy_1 + inertia_head_xx_2);
     let inertia_head_zz = 0.012 + (inertia_head_yy_1 + inertia_head_xx_1);
-    let inertia_left_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_13
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_13
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_13
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_shoulder_bracket_xx_0 = 0.000005833330000000101
         * poses.rotation_left_shoulder_bracket_xx;
     let inertia_left_shoulder_bracket_xx_2 = 0.000005833330000000101
@@ -3647,6 +3641,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_left_shoulder_bracket_yx;
     let inertia_left_shoulder_bracket_yy_2 = 0.000005833330000000101
         * poses.rotation_left_shoulder_bracket_yy;
+    let inertia_left_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_13
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_13
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_13
+        - poses.minus_origin_pelvis_z_1;
     // left_shoulder_bracket
     let inertia_left_shoulder_bracket_hx = inertia_left_shoulder_bracket_hx_0 * 0.7;
     let inertia_left_shoulder_bracket_hy = inertia_left_shoulder_bracket_hy_0 * 0.7;
@@ -3685,12 +3685,6 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.000005833330000000101 * poses.rotation_left_shoulder_bracket_zy
             * poses.rotation_left_shoulder_bracket_zy + 0.00056
         + (inertia_left_shoulder_bracket_yy_5 + inertia_left_shoulder_bracket_xx_5);
-    let inertia_left_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_15
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_15
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_15
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_shoulder_cross_xx_0 = 0.00010340000000000002
         * poses.rotation_left_shoulder_cross_xx;
     let inertia_left_shoulder_cross_xx_2 = 0.00010340000000000002
@@ -3699,6 +3693,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_left_shoulder_cross_yx;
     let inertia_left_shoulder_cross_yy_2 = 0.00010340000000000002
         * poses.rotation_left_shoulder_cross_yy;
+    let inertia_left_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_15
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_15
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_15
+        - poses.minus_origin_pelvis_z_1;
     // left_shoulder_cross
     let inertia_left_shoulder_cross_hx = inertia_left_shoulder_cross_hx_0 * 0.6;
     let inertia_left_shoulder_cross_hy = inertia_left_shoulder_cross_hy_0 * 0.6;
@@ -3736,16 +3736,16 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00010340000000000002 * poses.rotation_left_shoulder_cross_zy
             * poses.rotation_left_shoulder_cross_zy + 0.0004332
         + (inertia_left_shoulder_cross_yy_5 + inertia_left_shoulder_cross_xx_5);
+    let inertia_left_upper_arm_xx_0 = 0.00200520837 * poses.rotation_left_upper_arm_xx;
+    let inertia_left_upper_arm_xx_2 = 0.00204749997 * poses.rotation_left_upper_arm_xy;
+    let inertia_left_upper_arm_yy_0 = 0.00200520837 * poses.rotation_left_upper_arm_yx;
+    let inertia_left_upper_arm_yy_2 = 0.00204749997 * poses.rotation_left_upper_arm_yy;
     let inertia_left_upper_arm_hx_0 = poses.minus_origin_pelvis_x_1_0_17
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_upper_arm_hy_0 = poses.minus_origin_pelvis_y_1_0_17
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_upper_arm_hz_0 = poses.minus_origin_pelvis_z_1_0_17
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_upper_arm_xx_0 = 0.00200520837 * poses.rotation_left_upper_arm_xx;
-    let inertia_left_upper_arm_xx_2 = 0.00204749997 * poses.rotation_left_upper_arm_xy;
-    let inertia_left_upper_arm_yy_0 = 0.00200520837 * poses.rotation_left_upper_arm_yx;
-    let inertia_left_upper_arm_yy_2 = 0.00204749997 * poses.rotation_left_upper_arm_yy;
     // left_upper_arm
     let inertia_left_upper_arm_hx = inertia_left_upper_arm_hx_0 * 0.7;
     let inertia_left_upper_arm_hy = inertia_left_upper_arm_hy_0 * 0.7;
@@ -3781,16 +3781,16 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00204749997 * poses.rotation_left_upper_arm_zy
             * poses.rotation_left_upper_arm_zy + 0.00061395833
         + (inertia_left_upper_arm_yy_5 + inertia_left_upper_arm_xx_5);
+    let inertia_left_forearm_xx_0 = 0.0010924875 * poses.rotation_left_forearm_xx;
+    let inertia_left_forearm_xx_2 = 0.0010924875 * poses.rotation_left_upper_arm_xy;
+    let inertia_left_forearm_yy_0 = 0.0010924875 * poses.rotation_left_forearm_yx;
+    let inertia_left_forearm_yy_2 = 0.0010924875 * poses.rotation_left_upper_arm_yy;
     let inertia_left_forearm_hx_0 = poses.minus_origin_pelvis_x_1_0_19
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_forearm_hy_0 = poses.minus_origin_pelvis_y_1_0_19
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_forearm_hz_0 = poses.minus_origin_pelvis_z_1_0_19
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_forearm_xx_0 = 0.0010924875 * poses.rotation_left_forearm_xx;
-    let inertia_left_forearm_xx_2 = 0.0010924875 * poses.rotation_left_upper_arm_xy;
-    let inertia_left_forearm_yy_0 = 0.0010924875 * poses.rotation_left_forearm_yx;
-    let inertia_left_forearm_yy_2 = 0.0010924875 * poses.rotation_left_upper_arm_yy;
     // left_forearm
     let inertia_left_forearm_hx = inertia_left_forearm_hx_0 * 0.45;
     let inertia_left_forearm_hy = inertia_left_forearm_hy_0 * 0.45;
@@ -3823,16 +3823,16 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0010924875 * poses.rotation_left_upper_arm_zy
             * poses.rotation_left_upper_arm_zy + 0.000245025
         + (inertia_left_forearm_yy_5 + inertia_left_forearm_xx_5);
+    let inertia_left_wrist_bracket_xx_0 = 0.000004583333000000004
+        * poses.rotation_left_forearm_xy;
+    let inertia_left_wrist_bracket_yy_0 = 0.000004583333000000004
+        * poses.rotation_left_forearm_yy;
     let inertia_left_wrist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_0_21
         - poses.minus_origin_pelvis_x_1;
     let inertia_left_wrist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_0_21
         - poses.minus_origin_pelvis_y_1;
     let inertia_left_wrist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_0_21
         - poses.minus_origin_pelvis_z_1;
-    let inertia_left_wrist_bracket_xx_0 = 0.000004583333000000004
-        * poses.rotation_left_forearm_xy;
-    let inertia_left_wrist_bracket_yy_0 = 0.000004583333000000004
-        * poses.rotation_left_forearm_yy;
     // left_wrist_bracket
     let inertia_left_wrist_bracket_hx = inertia_left_wrist_bracket_hx_0 * 0.2;
     let inertia_left_wrist_bracket_hy = inertia_left_wrist_bracket_hy_0 * 0.2;
@@ -3862,12 +3862,6 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_left_forearm_zy * poses.rotation_left_forearm_zy
         + 0.000057916667
         + (inertia_left_wrist_bracket_yy_3 + inertia_left_wrist_bracket_xx_3);
-    let inertia_left_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_23
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_left_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_23
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_left_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_23
-        - poses.minus_origin_pelvis_z_1;
     let inertia_left_wrist_cross_xx_0 = 0.0008382812499999998
         * poses.rotation_left_wrist_cross_xx
         - 0.000051187500000000004 * poses.rotation_left_wrist_cross_xy
@@ -3890,6 +3884,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_left_wrist_bracket_yy
         - (0.00000196875 * poses.rotation_left_wrist_cross_yx
             + 0.000021937499999999998 * poses.rotation_left_wrist_cross_yy);
+    let inertia_left_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_0_23
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_left_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_0_23
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_left_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_0_23
+        - poses.minus_origin_pelvis_z_1;
     // left_wrist_cross
     let inertia_left_wrist_cross_hx = inertia_left_wrist_cross_hx_0 * 0.4;
     let inertia_left_wrist_cross_hy = inertia_left_wrist_cross_hy_0 * 0.4;
@@ -3940,12 +3940,6 @@ fn inertias(poses: &Poses) -> Inertias {
                 + 0.000021937499999999998 * poses.rotation_left_wrist_cross_zy))
             * poses.rotation_left_wrist_bracket_zy + 0.00019752083
         + (inertia_left_wrist_cross_yy_7 + inertia_left_wrist_cross_xx_7);
-    let inertia_right_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_1
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_1
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_right_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_1
-        - poses.minus_origin_pelvis_z_1;
     let inertia_right_shoulder_bracket_xx_0 = 0.000005833330000000101
         * poses.rotation_right_shoulder_bracket_xx;
     let inertia_right_shoulder_bracket_xx_2 = 0.000005833330000000101
@@ -3954,6 +3948,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_shoulder_bracket_yx;
     let inertia_right_shoulder_bracket_yy_2 = 0.000005833330000000101
         * poses.rotation_right_shoulder_bracket_yy;
+    let inertia_right_shoulder_bracket_hx_0 = poses.minus_origin_pelvis_x_1_1
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_shoulder_bracket_hy_0 = poses.minus_origin_pelvis_y_1_1
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_shoulder_bracket_hz_0 = poses.minus_origin_pelvis_z_1_1
+        - poses.minus_origin_pelvis_z_1;
     // right_shoulder_bracket
     let inertia_right_shoulder_bracket_hx = inertia_right_shoulder_bracket_hx_0 * 0.7;
     let inertia_right_shoulder_bracket_hy = inertia_right_shoulder_bracket_hy_0 * 0.7;
@@ -3994,12 +3994,6 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.000005833330000000101 * poses.rotation_right_shoulder_bracket_zy
             * poses.rotation_right_shoulder_bracket_zy + 0.00056
         + (inertia_right_shoulder_bracket_yy_5 + inertia_right_shoulder_bracket_xx_5);
-    let inertia_right_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_3
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_3
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_right_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_3
-        - poses.minus_origin_pelvis_z_1;
     let inertia_right_shoulder_cross_xx_0 = 0.00010340000000000002
         * poses.rotation_right_shoulder_cross_xx;
     let inertia_right_shoulder_cross_xx_2 = 0.00010340000000000002
@@ -4008,6 +4002,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_shoulder_cross_yx;
     let inertia_right_shoulder_cross_yy_2 = 0.00010340000000000002
         * poses.rotation_right_shoulder_cross_yy;
+    let inertia_right_shoulder_cross_hx_0 = poses.minus_origin_pelvis_x_1_3
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_shoulder_cross_hy_0 = poses.minus_origin_pelvis_y_1_3
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_shoulder_cross_hz_0 = poses.minus_origin_pelvis_z_1_3
+        - poses.minus_origin_pelvis_z_1;
     // right_shoulder_cross
     let inertia_right_shoulder_cross_hx = inertia_right_shoulder_cross_hx_0 * 0.6;
     let inertia_right_shoulder_cross_hy = inertia_right_shoulder_cross_hy_0 * 0.6;
@@ -4045,17 +4045,17 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00010340000000000002 * poses.rotation_right_shoulder_cross_zy
             * poses.rotation_right_shoulder_cross_zy + 0.0004332
         + (inertia_right_shoulder_cross_yy_5 + inertia_right_shoulder_cross_xx_5);
+    let inertia_right_upper_arm_xx_0 = 0.00200520837 * poses.rotation_right_upper_arm_xx;
+    let inertia_right_upper_arm_xx_2 = 0.00204749997
+        * poses.minus_rotation_right_upper_arm_xy;
+    let inertia_right_upper_arm_yy_0 = 0.00200520837 * poses.rotation_right_upper_arm_yx;
+    let inertia_right_upper_arm_yy_2 = 0.00204749997 * poses.rotation_right_upper_arm_yy;
     let inertia_right_upper_arm_hx_0 = poses.minus_origin_pelvis_x_1_5
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_upper_arm_hy_0 = poses.minus_origin_pelvis_y_1_5
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_upper_arm_hz_0 = poses.minus_origin_pelvis_z_1_5
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_upper_arm_xx_0 = 0.00200520837 * poses.rotation_right_upper_arm_xx;
-    let inertia_right_upper_arm_xx_2 = 0.00204749997
-        * poses.minus_rotation_right_upper_arm_xy;
-    let inertia_right_upper_arm_yy_0 = 0.00200520837 * poses.rotation_right_upper_arm_yx;
-    let inertia_right_upper_arm_yy_2 = 0.00204749997 * poses.rotation_right_upper_arm_yy;
     // right_upper_arm
     let inertia_right_upper_arm_hx = inertia_right_upper_arm_hx_0 * 0.7;
     let inertia_right_upper_arm_hy = inertia_right_upper_arm_hy_0 * 0.7;
@@ -4091,17 +4091,17 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.00204749997 * poses.rotation_right_upper_arm_zy
             * poses.rotation_right_upper_arm_zy + 0.00061395833
         + (inertia_right_upper_arm_yy_5 + inertia_right_upper_arm_xx_5);
+    let inertia_right_forearm_xx_0 = 0.0010924875 * poses.rotation_right_forearm_xx;
+    let inertia_right_forearm_xx_2 = 0.0010924875
+        * poses.minus_rotation_right_upper_arm_xy;
+    let inertia_right_forearm_yy_0 = 0.0010924875 * poses.rotation_right_forearm_yx;
+    let inertia_right_forearm_yy_2 = 0.0010924875 * poses.rotation_right_upper_arm_yy;
     let inertia_right_forearm_hx_0 = poses.minus_origin_pelvis_x_1_7
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_forearm_hy_0 = poses.minus_origin_pelvis_y_1_7
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_forearm_hz_0 = poses.minus_origin_pelvis_z_1_7
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_forearm_xx_0 = 0.0010924875 * poses.rotation_right_forearm_xx;
-    let inertia_right_forearm_xx_2 = 0.0010924875
-        * poses.minus_rotation_right_upper_arm_xy;
-    let inertia_right_forearm_yy_0 = 0.0010924875 * poses.rotation_right_forearm_yx;
-    let inertia_right_forearm_yy_2 = 0.0010924875 * poses.rotation_right_upper_arm_yy;
     // right_forearm
     let inertia_right_forearm_hx = inertia_right_forearm_hx_0 * 0.45;
     let inertia_right_forearm_hy = inertia_right_forearm_hy_0 * 0.45;
@@ -4137,16 +4137,16 @@ fn inertias(poses: &Poses) -> Inertias {
         + 0.0010924875 * poses.rotation_right_upper_arm_zy
             * poses.rotation_right_upper_arm_zy + 0.000245025
         + (inertia_right_forearm_yy_5 + inertia_right_forearm_xx_5);
+    let inertia_right_wrist_bracket_xx_0 = 0.000004583333000000004
+        * poses.rotation_right_forearm_xy;
+    let inertia_right_wrist_bracket_yy_0 = 0.000004583333000000004
+        * poses.rotation_right_forearm_yy;
     let inertia_right_wrist_bracket_hx_0 = poses.minus_origin_pelvis_x_1_9
         - poses.minus_origin_pelvis_x_1;
     let inertia_right_wrist_bracket_hy_0 = poses.minus_origin_pelvis_y_1_9
         - poses.minus_origin_pelvis_y_1;
     let inertia_right_wrist_bracket_hz_0 = poses.minus_origin_pelvis_z_1_9
         - poses.minus_origin_pelvis_z_1;
-    let inertia_right_wrist_bracket_xx_0 = 0.000004583333000000004
-        * poses.rotation_right_forearm_xy;
-    let inertia_right_wrist_bracket_yy_0 = 0.000004583333000000004
-        * poses.rotation_right_forearm_yy;
     // right_wrist_bracket
     let inertia_right_wrist_bracket_hx = inertia_right_wrist_bracket_hx_0 * 0.2;
     let inertia_right_wrist_bracket_hy = inertia_right_wrist_bracket_hy_0 * 0.2;
@@ -4176,12 +4176,6 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_forearm_zy * poses.rotation_right_forearm_zy
         + 0.000057916667
         + (inertia_right_wrist_bracket_yy_3 + inertia_right_wrist_bracket_xx_3);
-    let inertia_right_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_11
-        - poses.minus_origin_pelvis_x_1;
-    let inertia_right_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_11
-        - poses.minus_origin_pelvis_y_1;
-    let inertia_right_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_11
-        - poses.minus_origin_pelvis_z_1;
     let inertia_right_wrist_cross_xx_0 = 0.0008382812499999998
         * poses.rotation_right_wrist_cross_xx
         - 0.000051187500000000004 * poses.rotation_right_wrist_cross_xy
@@ -4204,6 +4198,12 @@ fn inertias(poses: &Poses) -> Inertias {
         * poses.rotation_right_wrist_cross_yx
         + 0.000021937499999999998 * poses.rotation_right_wrist_cross_yy
         + 0.00072744792 * poses.rotation_right_wrist_bracket_yy;
+    let inertia_right_wrist_cross_hx_0 = poses.minus_origin_pelvis_x_1_11
+        - poses.minus_origin_pelvis_x_1;
+    let inertia_right_wrist_cross_hy_0 = poses.minus_origin_pelvis_y_1_11
+        - poses.minus_origin_pelvis_y_1;
+    let inertia_right_wrist_cross_hz_0 = poses.minus_origin_pelvis_z_1_11
+        - poses.minus_origin_pelvis_z_1;
     // right_wrist_cross
     let inertia_right_wrist_cross_hx = inertia_right_wrist_cross_hx_0 * 0.4;
     let inertia_right_wrist_cross_hy = inertia_right_wrist_cross_hy_0 * 0.4;

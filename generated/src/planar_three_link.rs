@@ -299,10 +299,10 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_base_xx = 0.25 + inertia_base_xx_1;
     let inertia_base_yy = 0.375 + inertia_base_yy_1;
     let inertia_base_zz = 0.5 + (inertia_base_yy_1 + inertia_base_xx_1);
+    let inertia_link_1_xx_0 = 0.0625 * poses.sin_joint_1;
     // link_1
     let inertia_link_1_hx = poses.minus_origin_base_x_1_0 - poses.minus_origin_base_x_1;
     let inertia_link_1_hy = poses.minus_origin_base_y_1_0 - poses.minus_origin_base_y_1;
-    let inertia_link_1_xx_0 = 0.0625 * poses.sin_joint_1;
     let inertia_link_1_yy_4 = inertia_link_1_hx * inertia_link_1_hx;
     let inertia_link_1_xx_3 = inertia_link_1_hy * inertia_link_1_hy;
     let inertia_link_1_xx = inertia_link_1_xx_0 * poses.sin_joint_1 + 0.125
@@ -312,11 +312,11 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_yy = 0.0625 * poses.cos_joint_1 * poses.cos_joint_1 + 0.125
         + inertia_link_1_yy_4;
     let inertia_link_1_zz = 0.25 + (inertia_link_1_yy_4 + inertia_link_1_xx_3);
+    let inertia_link_2_xx_0 = 0.03125 * poses.rotation_link_2_yx;
     let inertia_link_2_hx_0 = poses.minus_origin_base_x_1_3
         - poses.minus_origin_base_x_1;
     let inertia_link_2_hy_0 = poses.minus_origin_base_y_1_3
         - poses.minus_origin_base_y_1;
-    let inertia_link_2_xx_0 = 0.03125 * poses.rotation_link_2_yx;
     // link_2
     let inertia_link_2_hx = inertia_link_2_hx_0 * 0.75;
     let inertia_link_2_hy = inertia_link_2_hy_0 * 0.75;
@@ -675,117 +675,126 @@ fn d_mu_itself(
         + inertias.composite_base_zz) * 0.5;
     let d_mu_1_0 = mu[2] * d_mu_1_0_1 - inertias.composite_base_zz * mu[2];
     d_mu[0][1] = 0.0 - d_mu_1_0;
-    let d_mu_2_0_1 = poses.com_x + 0.25;
-    let d_mu_2_0_0_2 = inertias.composite_base_yy * mu[1]
+    let six_joint_1_my_12 = poses.com_x + 0.25;
+    let six_joint_1_mx_7 = inertias.composite_base_yy * mu[1]
         - inertias.minus_composite_base_xy * mu[0];
-    let d_mu_2_0_0 = mu[1] * d_mu_1_0_1 - d_mu_2_0_0_2;
+    let d_mu_2_0_0 = mu[1] * d_mu_1_0_1 - six_joint_1_mx_7;
     let d_mu_2_0_4_0 = mu[1] * 3.75;
     let d_mu_2_0_2_0 = mu[0] * 3.75;
     let d_mu_2_0_4 = d_mu_2_0_4_0 * poses.com_y;
     let d_mu_2_0_2 = d_mu_2_0_2_0 * poses.com_y;
-    d_mu[0][2] = d_mu_2_0_0 + (d_mu_2_0_1 * d_mu_2_0_2 + poses.com_y * d_mu_2_0_4) + 0.0;
+    d_mu[0][2] = d_mu_2_0_0 + (six_joint_1_my_12 * d_mu_2_0_2 + poses.com_y * d_mu_2_0_4)
+        + 0.0;
     d_mu[0][3] = 0.0 - d_mu_2_0_4;
     d_mu[0][4] = d_mu_2_0_2 + 0.0;
     d_mu[0][5] = 0.0;
-    let d_mu_6_0_0 = inertias.minus_composite_link_1_xy
+    let six_joint_1_mx_0 = inertias.minus_composite_link_1_xy
         + inertias.minus_composite_link_1_xy;
-    let d_mu_6_0_1_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
-    let d_mu_6_0_1 = d_mu_6_0_1_1 + d_mu_6_0_1_1;
-    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
+    let six_joint_1_mx_1_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
+    let six_joint_1_mx_1 = six_joint_1_mx_1_1 + six_joint_1_mx_1_1;
+    let six_joint_1_mx_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0);
-    let d_mu_6_0_9_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_2_0_1);
-    let d_mu_6_0_9 = d_mu_6_0_9_0 * 3.75;
-    let d_mu_6_0_11_0 = mu[0] * 0.5;
-    let d_mu_6_0_11_2 = mu[1] * 0.5;
-    let d_mu_6_0_6 = d_mu_6_0_9_0 * 0.5;
-    let d_mu_6_0_11 = d_mu_6_0_11_0 * screws.inside_joint_1_fy
-        + d_mu_6_0_11_2 * screws.minus_inside_joint_1_fx;
-    let d_mu_6_0 = (d_mu_6_0_0 - d_mu_6_0_1) * d_mu_6_0_11_0 + d_mu_6_0_3 * d_mu_6_0_11_2
-        + screws.inside_joint_1_fy * d_mu_6_0_6
-        + (d_mu_2_0_0_2 * screws.connection_joint_1_wz
-            - d_mu_6_0_9 * screws.connection_joint_1_vy) + d_mu_6_0_11 * poses.com_y;
-    d_mu[0][6] = d_mu_6_0 + 0.0;
-    let d_mu_7_0_0 = inertias.minus_inertia_link_2_xy + inertias.minus_inertia_link_2_xy;
-    let d_mu_7_0_1_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let d_mu_7_0_1 = d_mu_7_0_1_1 + d_mu_7_0_1_1;
-    let d_mu_7_0_3 = inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
+    let six_joint_1_mx_9_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * six_joint_1_my_12);
+    let six_joint_1_mx_9 = six_joint_1_mx_9_0 * 3.75;
+    let six_joint_1_fz_0 = mu[0] * 0.5;
+    let six_joint_1_fz_2 = mu[1] * 0.5;
+    let six_joint_1_mx_6 = six_joint_1_mx_9_0 * 0.5;
+    let six_joint_1_fz = six_joint_1_fz_0 * screws.inside_joint_1_fy
+        + six_joint_1_fz_2 * screws.minus_inside_joint_1_fx;
+    let six_joint_1_mx = (six_joint_1_mx_0 - six_joint_1_mx_1) * six_joint_1_fz_0
+        + six_joint_1_mx_3 * six_joint_1_fz_2
+        + screws.inside_joint_1_fy * six_joint_1_mx_6
+        + (six_joint_1_mx_7 * screws.connection_joint_1_wz
+            - six_joint_1_mx_9 * screws.connection_joint_1_vy)
+        + six_joint_1_fz * poses.com_y;
+    d_mu[0][6] = six_joint_1_mx + 0.0;
+    let six_joint_2_mx_0 = inertias.minus_inertia_link_2_xy
+        + inertias.minus_inertia_link_2_xy;
+    let six_joint_2_mx_1_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let six_joint_2_mx_1 = six_joint_2_mx_1_1 + six_joint_2_mx_1_1;
+    let six_joint_2_mx_3 = inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
         - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0);
-    let d_mu_7_0_11 = d_mu_6_0_11_0 * screws.inside_joint_2_fy
-        - d_mu_6_0_11_2 * screws.inside_joint_2_fx;
-    let d_mu_7_0 = (d_mu_7_0_0 - d_mu_7_0_1) * d_mu_6_0_11_0 + d_mu_7_0_3 * d_mu_6_0_11_2
-        + screws.inside_joint_2_fy * d_mu_6_0_6
-        + (d_mu_2_0_0_2 * screws.connection_joint_2_wz
-            - d_mu_6_0_9 * screws.connection_joint_2_vy) + d_mu_7_0_11 * poses.com_y;
-    d_mu[0][7] = d_mu_7_0 + 0.0;
+    let six_joint_2_fz = six_joint_1_fz_0 * screws.inside_joint_2_fy
+        - six_joint_1_fz_2 * screws.inside_joint_2_fx;
+    let six_joint_2_mx = (six_joint_2_mx_0 - six_joint_2_mx_1) * six_joint_1_fz_0
+        + six_joint_2_mx_3 * six_joint_1_fz_2
+        + screws.inside_joint_2_fy * six_joint_1_mx_6
+        + (six_joint_1_mx_7 * screws.connection_joint_2_wz
+            - six_joint_1_mx_9 * screws.connection_joint_2_vy)
+        + six_joint_2_fz * poses.com_y;
+    d_mu[0][7] = six_joint_2_mx + 0.0;
     // D_μ column 1
     d_mu[1][0] = d_mu_1_0 + 0.0;
     d_mu[1][1] = 0.0;
-    let d_mu_2_1_0_2 = inertias.composite_base_xx * mu[0]
+    let six_joint_1_my_7 = inertias.composite_base_xx * mu[0]
         - inertias.minus_composite_base_xy * mu[1];
-    let d_mu_2_1_0 = mu[0] * d_mu_1_0_1 - d_mu_2_1_0_2;
-    let d_mu_2_1_4 = d_mu_2_0_4_0 * d_mu_2_0_1;
-    let d_mu_2_1_2 = d_mu_2_0_2_0 * d_mu_2_0_1;
+    let d_mu_2_1_0 = mu[0] * d_mu_1_0_1 - six_joint_1_my_7;
+    let d_mu_2_1_4 = d_mu_2_0_4_0 * six_joint_1_my_12;
+    let d_mu_2_1_2 = d_mu_2_0_2_0 * six_joint_1_my_12;
     d_mu[1][2] = 0.0
-        - (d_mu_2_1_0 + (d_mu_2_0_1 * d_mu_2_1_2 + poses.com_y * d_mu_2_1_4));
+        - (d_mu_2_1_0 + (six_joint_1_my_12 * d_mu_2_1_2 + poses.com_y * d_mu_2_1_4));
     d_mu[1][3] = d_mu_2_1_4 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_2_1_2;
     d_mu[1][5] = 0.0;
-    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
-    let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
-    let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_11_0 - (d_mu_6_0_0 + d_mu_6_1_3) * d_mu_6_0_11_2
-        + screws.minus_inside_joint_1_fx * d_mu_6_0_6
-        - (d_mu_2_1_0_2 * screws.connection_joint_1_wz
-            + d_mu_6_0_9 * screws.minus_connection_joint_1_vx)
-        - d_mu_6_0_11 * d_mu_2_0_1;
-    d_mu[1][6] = d_mu_6_1 + 0.0;
-    let d_mu_7_1_2_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let d_mu_7_1_2 = d_mu_7_1_2_1 + d_mu_7_1_2_1;
-    let d_mu_7_1 = d_mu_7_0_3 * d_mu_6_0_11_0 + (d_mu_7_1_2 - d_mu_7_0_0) * d_mu_6_0_11_2
-        - screws.inside_joint_2_fx * d_mu_6_0_6
-        + (d_mu_6_0_9 * screws.connection_joint_2_vx
-            - d_mu_2_1_0_2 * screws.connection_joint_2_wz) - d_mu_7_0_11 * d_mu_2_0_1;
-    d_mu[1][7] = d_mu_7_1 + 0.0;
+    let six_joint_1_my_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+    let six_joint_1_my_3 = six_joint_1_my_3_1 + six_joint_1_my_3_1;
+    let six_joint_1_my = six_joint_1_mx_3 * six_joint_1_fz_0
+        - (six_joint_1_mx_0 + six_joint_1_my_3) * six_joint_1_fz_2
+        + screws.minus_inside_joint_1_fx * six_joint_1_mx_6
+        - (six_joint_1_my_7 * screws.connection_joint_1_wz
+            + six_joint_1_mx_9 * screws.minus_connection_joint_1_vx)
+        - six_joint_1_fz * six_joint_1_my_12;
+    d_mu[1][6] = six_joint_1_my + 0.0;
+    let six_joint_2_my_2_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let six_joint_2_my_2 = six_joint_2_my_2_1 + six_joint_2_my_2_1;
+    let six_joint_2_my = six_joint_2_mx_3 * six_joint_1_fz_0
+        + (six_joint_2_my_2 - six_joint_2_mx_0) * six_joint_1_fz_2
+        - screws.inside_joint_2_fx * six_joint_1_mx_6
+        + (six_joint_1_mx_9 * screws.connection_joint_2_vx
+            - six_joint_1_my_7 * screws.connection_joint_2_wz)
+        - six_joint_2_fz * six_joint_1_my_12;
+    d_mu[1][7] = six_joint_2_my + 0.0;
     let d_mu_0_2_2 = d_mu_2_1_2 + d_mu_2_0_4;
     // D_μ column 2
     d_mu[2][0] = 0.0 - (d_mu_2_0_0 + poses.com_y * d_mu_0_2_2);
-    d_mu[2][1] = d_mu_2_1_0 + d_mu_2_0_1 * d_mu_0_2_2 + 0.0;
+    d_mu[2][1] = d_mu_2_1_0 + six_joint_1_my_12 * d_mu_0_2_2 + 0.0;
     let d_mu_2_2_3_0 = mu[2] * 3.75;
     let d_mu_2_2_3 = d_mu_2_2_3_0 * poses.com_y;
-    let d_mu_2_2_1 = d_mu_2_2_3_0 * d_mu_2_0_1;
-    d_mu[2][2] = 0.0 - (poses.com_y * d_mu_2_2_1 - d_mu_2_0_1 * d_mu_2_2_3);
+    let d_mu_2_2_1 = d_mu_2_2_3_0 * six_joint_1_my_12;
+    d_mu[2][2] = 0.0 - (poses.com_y * d_mu_2_2_1 - six_joint_1_my_12 * d_mu_2_2_3);
     d_mu[2][3] = d_mu_2_2_1 + 0.0;
     d_mu[2][4] = d_mu_2_2_3 + 0.0;
     d_mu[2][5] = 0.0 - d_mu_0_2_2;
-    let d_mu_6_2_13_2_0 = mu[3] - mu[2] * poses.com_y;
-    let d_mu_6_2_11_0_0 = mu[4] + mu[2] * d_mu_2_0_1;
-    let d_mu_6_2_13_2 = d_mu_6_2_13_2_0 * 3.75;
-    let d_mu_6_2_11_0 = d_mu_6_2_11_0_0 * 3.75;
-    let d_mu_6_2_11_2 = mu[2] * 0.5;
-    let d_mu_6_2_10 = d_mu_6_2_13_2_0 * 0.5;
-    let d_mu_6_2_8 = d_mu_6_2_11_0_0 * 0.5;
-    let d_mu_6_2_11 = d_mu_6_2_11_0 * screws.connection_joint_1_wz
-        - d_mu_6_2_11_2 * screws.inside_joint_1_fy;
-    let d_mu_6_2_13 = d_mu_6_2_11_2 * screws.minus_inside_joint_1_fx
-        + d_mu_6_2_13_2 * screws.connection_joint_1_wz;
-    let d_mu_6_2 = d_mu_6_2_13_2 * screws.connection_joint_1_vy
-        + d_mu_6_2_11_0 * screws.minus_connection_joint_1_vx
-        - ((d_mu_6_1_3 + d_mu_6_0_1) * d_mu_6_2_11_2
-            + (screws.minus_inside_joint_1_fx * d_mu_6_2_8
-                + screws.inside_joint_1_fy * d_mu_6_2_10))
-        - (d_mu_6_2_11 * poses.com_y + d_mu_6_2_13 * d_mu_2_0_1);
-    d_mu[2][6] = d_mu_6_2 + 0.0;
-    let wrench_outside_link_1_mz_0 = d_mu_7_1_2 - d_mu_7_0_1;
-    let d_mu_7_2_12 = d_mu_6_2_11_0 * screws.connection_joint_2_wz
-        - d_mu_6_2_11_2 * screws.inside_joint_2_fy;
-    let d_mu_7_2_10 = d_mu_6_2_11_2 * screws.inside_joint_2_fx
-        - d_mu_6_2_13_2 * screws.connection_joint_2_wz;
-    let d_mu_7_2 = wrench_outside_link_1_mz_0 * d_mu_6_2_11_2
-        + (screws.inside_joint_2_fx * d_mu_6_2_8
-            - screws.inside_joint_2_fy * d_mu_6_2_10)
-        + (d_mu_6_2_13_2 * screws.connection_joint_2_vy
-            - d_mu_6_2_11_0 * screws.connection_joint_2_vx)
-        + (d_mu_7_2_10 * d_mu_2_0_1 - d_mu_7_2_12 * poses.com_y);
-    d_mu[2][7] = d_mu_7_2 + 0.0;
+    let minus_six_joint_1_fy_2_0 = mu[3] - mu[2] * poses.com_y;
+    let six_joint_1_fx_0_0 = mu[4] + mu[2] * six_joint_1_my_12;
+    let minus_six_joint_1_fy_2 = minus_six_joint_1_fy_2_0 * 3.75;
+    let six_joint_1_fx_0 = six_joint_1_fx_0_0 * 3.75;
+    let six_joint_1_fx_2 = mu[2] * 0.5;
+    let six_joint_1_mz_10 = minus_six_joint_1_fy_2_0 * 0.5;
+    let six_joint_1_mz_8 = six_joint_1_fx_0_0 * 0.5;
+    let six_joint_1_fx = six_joint_1_fx_0 * screws.connection_joint_1_wz
+        - six_joint_1_fx_2 * screws.inside_joint_1_fy;
+    let minus_six_joint_1_fy = six_joint_1_fx_2 * screws.minus_inside_joint_1_fx
+        + minus_six_joint_1_fy_2 * screws.connection_joint_1_wz;
+    let six_joint_1_mz = minus_six_joint_1_fy_2 * screws.connection_joint_1_vy
+        + six_joint_1_fx_0 * screws.minus_connection_joint_1_vx
+        - ((six_joint_1_my_3 + six_joint_1_mx_1) * six_joint_1_fx_2
+            + (screws.minus_inside_joint_1_fx * six_joint_1_mz_8
+                + screws.inside_joint_1_fy * six_joint_1_mz_10))
+        - (six_joint_1_fx * poses.com_y + minus_six_joint_1_fy * six_joint_1_my_12);
+    d_mu[2][6] = six_joint_1_mz + 0.0;
+    let six_joint_2_mz_0 = six_joint_2_my_2 - six_joint_2_mx_1;
+    let six_joint_2_fx = six_joint_1_fx_0 * screws.connection_joint_2_wz
+        - six_joint_1_fx_2 * screws.inside_joint_2_fy;
+    let six_joint_2_fy = six_joint_1_fx_2 * screws.inside_joint_2_fx
+        - minus_six_joint_1_fy_2 * screws.connection_joint_2_wz;
+    let six_joint_2_mz = six_joint_2_mz_0 * six_joint_1_fx_2
+        + (screws.inside_joint_2_fx * six_joint_1_mz_8
+            - screws.inside_joint_2_fy * six_joint_1_mz_10)
+        + (minus_six_joint_1_fy_2 * screws.connection_joint_2_vy
+            - six_joint_1_fx_0 * screws.connection_joint_2_vx)
+        + (six_joint_2_fy * six_joint_1_my_12 - six_joint_2_fx * poses.com_y);
+    d_mu[2][7] = six_joint_2_mz + 0.0;
     // D_μ column 3
     d_mu[3][0] = d_mu_2_0_4 + 0.0;
     d_mu[3][1] = 0.0 - d_mu_2_1_4;
@@ -793,8 +802,8 @@ fn d_mu_itself(
     d_mu[3][3] = 0.0;
     d_mu[3][4] = 0.0 - d_mu_2_2_3_0;
     d_mu[3][5] = d_mu_2_0_4_0 + 0.0;
-    d_mu[3][6] = d_mu_6_2_11 + 0.0;
-    d_mu[3][7] = d_mu_7_2_12 + 0.0;
+    d_mu[3][6] = six_joint_1_fx + 0.0;
+    d_mu[3][7] = six_joint_2_fx + 0.0;
     // D_μ column 4
     d_mu[4][0] = 0.0 - d_mu_2_0_2;
     d_mu[4][1] = d_mu_2_1_2 + 0.0;
@@ -802,8 +811,8 @@ fn d_mu_itself(
     d_mu[4][3] = d_mu_2_2_3_0 + 0.0;
     d_mu[4][4] = 0.0;
     d_mu[4][5] = 0.0 - d_mu_2_0_2_0;
-    d_mu[4][6] = 0.0 - d_mu_6_2_13;
-    d_mu[4][7] = d_mu_7_2_10 + 0.0;
+    d_mu[4][6] = 0.0 - minus_six_joint_1_fy;
+    d_mu[4][7] = six_joint_2_fy + 0.0;
     // D_μ column 5
     d_mu[5][0] = 0.0;
     d_mu[5][1] = 0.0;
@@ -811,33 +820,31 @@ fn d_mu_itself(
     d_mu[5][3] = 0.0 - d_mu_2_0_4_0;
     d_mu[5][4] = d_mu_2_0_2_0 + 0.0;
     d_mu[5][5] = 0.0;
-    d_mu[5][6] = d_mu_6_0_11 + 0.0;
-    d_mu[5][7] = d_mu_7_0_11 + 0.0;
+    d_mu[5][6] = six_joint_1_fz + 0.0;
+    d_mu[5][7] = six_joint_2_fz + 0.0;
     // D_μ column joint_1
-    d_mu[6][0] = 0.0 - d_mu_6_0;
-    d_mu[6][1] = 0.0 - d_mu_6_1;
-    d_mu[6][2] = 0.0 - d_mu_6_2;
-    d_mu[6][3] = 0.0 - d_mu_6_2_11;
-    d_mu[6][4] = d_mu_6_2_13 + 0.0;
-    d_mu[6][5] = 0.0 - d_mu_6_0_11;
+    d_mu[6][0] = 0.0 - six_joint_1_mx;
+    d_mu[6][1] = 0.0 - six_joint_1_my;
+    d_mu[6][2] = 0.0 - six_joint_1_mz;
+    d_mu[6][3] = 0.0 - six_joint_1_fx;
+    d_mu[6][4] = minus_six_joint_1_fy + 0.0;
+    d_mu[6][5] = 0.0 - six_joint_1_fz;
     d_mu[6][6] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
-    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
-        + inertias.minus_inertia_base_xy
-        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3)) * mu[2];
-    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
-    let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0 * mu[2];
-    let d_mu_7_6 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - minus_wrench_base_mz * screws.connection_joint_2_wz
-        - minus_wrench_base_fx * screws.connection_joint_2_vx;
+    let d_mu_7_6_5 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let six_more_link_2_mz = six_joint_2_mz_0 * mu[2];
+    let d_mu_7_6 = reactions.reaction_joint_1_wz * six_more_link_2_mz
+        - (inertias.minus_inertia_base_xy + inertias.minus_inertia_base_xy
+            + (d_mu_7_6_5 + d_mu_7_6_5)) * mu[2] * screws.connection_joint_2_wz
+        - reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5)
+            * screws.connection_joint_2_vx;
     d_mu[6][7] = d_mu_7_6 + 0.0;
     // D_μ column joint_2
-    d_mu[7][0] = 0.0 - d_mu_7_0;
-    d_mu[7][1] = 0.0 - d_mu_7_1;
-    d_mu[7][2] = 0.0 - d_mu_7_2;
-    d_mu[7][3] = 0.0 - d_mu_7_2_12;
-    d_mu[7][4] = 0.0 - d_mu_7_2_10;
-    d_mu[7][5] = 0.0 - d_mu_7_0_11;
+    d_mu[7][0] = 0.0 - six_joint_2_mx;
+    d_mu[7][1] = 0.0 - six_joint_2_my;
+    d_mu[7][2] = 0.0 - six_joint_2_mz;
+    d_mu[7][3] = 0.0 - six_joint_2_fx;
+    d_mu[7][4] = 0.0 - six_joint_2_fy;
+    d_mu[7][5] = 0.0 - six_joint_2_fz;
     d_mu[7][6] = 0.0 - d_mu_7_6;
     d_mu[7][7] = 0.0;
 }
@@ -852,19 +859,18 @@ fn b2_itself(
 ) {
     // B_2(μ) column joint_1
     b2[0][0] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
-    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
+    let minus_six_joint_1_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let minus_six_joint_1_mz = (inertias.minus_inertia_base_xy
         + inertias.minus_inertia_base_xy
-        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3)) * mu[2];
-    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
-    let wrench_outside_link_1_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let wrench_outside_link_1_mz = (wrench_outside_link_1_mz_1
-        + wrench_outside_link_1_mz_1
-        - (wrench_outside_link_1_mz_3 + wrench_outside_link_1_mz_3)) * mu[2];
-    let b2_1_0 = (reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - minus_wrench_base_mz * screws.connection_joint_2_wz
-        - minus_wrench_base_fx * screws.connection_joint_2_vx) * 0.5;
+        + (minus_six_joint_1_mz_3 + minus_six_joint_1_mz_3)) * mu[2];
+    let minus_six_joint_1_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
+    let six_more_link_2_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let six_more_link_2_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let six_more_link_2_mz = (six_more_link_2_mz_1 + six_more_link_2_mz_1
+        - (six_more_link_2_mz_3 + six_more_link_2_mz_3)) * mu[2];
+    let b2_1_0 = (reactions.reaction_joint_1_wz * six_more_link_2_mz
+        - minus_six_joint_1_mz * screws.connection_joint_2_wz
+        - minus_six_joint_1_fx * screws.connection_joint_2_vx) * 0.5;
     b2[0][1] = 0.0 - b2_1_0;
     // B_2(μ) column joint_2
     b2[1][0] = b2_1_0 + 0.0;
@@ -1095,43 +1101,43 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
         - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
     let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
-    let wrench_base_mz_4 = velocities.velocity_link_1_wz * poses.origin_link_1_x
+    let six_joint_1_mz_4 = velocities.velocity_link_1_wz * poses.origin_link_1_x
         - velocities.minus_velocity_link_1_vy;
-    let wrench_base_mz_2 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
+    let six_joint_1_mz_2 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
         + velocities.velocity_link_1_vx;
-    let wrench_base_mz = factor_link_1_zz
-        - (inertias.composite_link_1_hx * wrench_base_mz_2
-            + inertias.composite_link_1_hy * wrench_base_mz_4);
-    let wrench_base_fy = factor_link_1_px - wrench_base_mz_2 * 1.75;
-    let turn_joint_1_z_0 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
-    let turn_joint_1_z_5 = factor_link_1_zz * reactions.reaction_joint_1_wz;
-    let turn_joint_1_z = turn_joint_1_z_0
+    let three_joint_1_z_0 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
+    let three_joint_1_z_5 = factor_link_1_zz * reactions.reaction_joint_1_wz;
+    let three_joint_1_z = three_joint_1_z_0
         + (factor_outside_link_1_px * screws.connection_joint_1_vy
             + factor_outside_link_1_py * screws.minus_connection_joint_1_vx)
-        - (turn_joint_1_z_5 - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
-    d_qdot[6][6] = reactions.reaction_joint_1_wz * wrench_base_mz
-        - reactions.minus_reaction_joint_1_vy * wrench_base_fy
-        + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
+        - (three_joint_1_z_5 - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
+    let six_joint_1_mz = factor_link_1_zz
+        - (inertias.composite_link_1_hx * six_joint_1_mz_2
+            + inertias.composite_link_1_hy * six_joint_1_mz_4);
+    let six_joint_1_fy = factor_link_1_px - six_joint_1_mz_2 * 1.75;
+    d_qdot[6][6] = reactions.reaction_joint_1_wz * six_joint_1_mz
+        - reactions.minus_reaction_joint_1_vy * six_joint_1_fy
+        + three_joint_1_z * screws.connection_joint_1_wz + 0.0;
     let factor_link_1_py_0 = velocities.velocity_link_1_wz * inertias.inertia_link_1_hx
         - velocities.minus_velocity_link_1_vy;
     let factor_link_2_py = velocities.velocity_link_2_wz * inertias.inertia_link_2_hx
         - velocities.minus_velocity_link_2_vy * 0.75;
     let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
-    let wrench_outside_base_mz = turn_joint_1_z_0 - turn_joint_1_z_5
-        + (inertias.minus_inertia_base_hx * wrench_base_mz_2
-            + inertias.minus_inertia_base_hy * wrench_base_mz_4);
-    let wrench_outside_base_fx = reactions.reaction_joint_1_wz * factor_link_1_py
+    let six_more_link_1_mz = three_joint_1_z_0 - three_joint_1_z_5
+        + (inertias.minus_inertia_base_hx * six_joint_1_mz_2
+            + inertias.minus_inertia_base_hy * six_joint_1_mz_4);
+    let six_more_link_1_fx = reactions.reaction_joint_1_wz * factor_link_1_py
         - screws.connection_joint_1_wz * factor_outside_link_1_py
-        + wrench_base_mz_4 * 2.0;
-    let wrench_outside_base_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
-        - reactions.reaction_joint_1_wz * factor_link_1_px - wrench_base_mz_2 * 2.0;
-    let three_joint_2_z = factor_link_2_zz
+        + six_joint_1_mz_4 * 2.0;
+    let six_more_link_1_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
+        - reactions.reaction_joint_1_wz * factor_link_1_px - six_joint_1_mz_2 * 2.0;
+    let three_more_link_2_z = factor_link_2_zz
         - (factor_link_2_px * poses.origin_link_2_x
             + factor_link_2_py * poses.origin_link_2_y);
-    d_qdot[6][7] = wrench_outside_base_mz * screws.connection_joint_2_wz
-        + wrench_outside_base_fx * screws.connection_joint_2_vx
-        + wrench_outside_base_fy * screws.connection_joint_2_vy
-        + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
+    d_qdot[6][7] = six_more_link_1_mz * screws.connection_joint_2_wz
+        + six_more_link_1_fx * screws.connection_joint_2_vx
+        + six_more_link_1_fy * screws.connection_joint_2_vy
+        + reactions.reaction_joint_1_wz * three_more_link_2_z + 0.0;
     // D_q\u{307} column joint_2
     d_qdot[7][0] = 0.0;
     d_qdot[7][1] = 0.0;
@@ -1139,31 +1145,31 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[7][3] = 0.0;
     d_qdot[7][4] = 0.0;
     d_qdot[7][5] = 0.0;
-    let wrench_link_1_mz_4 = velocities.velocity_link_2_wz * poses.origin_link_2_x
+    let six_joint_2_mz_4 = velocities.velocity_link_2_wz * poses.origin_link_2_x
         - velocities.minus_velocity_link_2_vy;
-    let wrench_link_1_mz_2 = velocities.velocity_link_2_wz * poses.origin_link_2_y
+    let six_joint_2_mz_2 = velocities.velocity_link_2_wz * poses.origin_link_2_y
         - velocities.velocity_link_2_vx;
-    let wrench_link_1_mz = factor_link_2_zz
-        + (inertias.inertia_link_2_hx * wrench_link_1_mz_2
-            - inertias.inertia_link_2_hy * wrench_link_1_mz_4);
-    let wrench_link_1_fy = factor_link_2_px + wrench_link_1_mz_2 * 0.75;
-    d_qdot[7][6] = reactions.reaction_joint_1_wz * wrench_link_1_mz
-        - reactions.minus_reaction_joint_1_vy * wrench_link_1_fy
-        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
+    let six_joint_2_mz = factor_link_2_zz
+        + (inertias.inertia_link_2_hx * six_joint_2_mz_2
+            - inertias.inertia_link_2_hy * six_joint_2_mz_4);
+    let six_joint_2_fy = factor_link_2_px + six_joint_2_mz_2 * 0.75;
+    d_qdot[7][6] = reactions.reaction_joint_1_wz * six_joint_2_mz
+        - reactions.minus_reaction_joint_1_vy * six_joint_2_fy
+        + three_joint_1_z * screws.connection_joint_2_wz + 0.0;
     let factor_outside_link_2_zz = factor_link_1_zz_0 + factor_outside_link_1_zz;
     let factor_outside_link_2_px = factor_link_1_px_0 + factor_outside_link_1_px;
     let factor_outside_link_2_py = factor_link_1_py_0 + factor_outside_link_1_py;
-    let wrench_link_1_fx = wrench_link_1_mz_4 * 0.75 - factor_link_2_py;
-    let turn_joint_2_z = factor_outside_link_2_zz * screws.connection_joint_2_wz
+    let three_joint_2_z = factor_outside_link_2_zz * screws.connection_joint_2_wz
         + (factor_outside_link_2_px * screws.connection_joint_2_vy
             - factor_outside_link_2_py * screws.connection_joint_2_vx)
         - (factor_link_2_zz * reactions.reaction_joint_2_wz
             + (factor_link_2_px * reactions.reaction_joint_2_vy
                 - factor_link_2_py * reactions.reaction_joint_2_vx));
-    d_qdot[7][7] = reactions.reaction_joint_2_wz * wrench_link_1_mz
-        + reactions.reaction_joint_2_vx * wrench_link_1_fx
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy
-        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
+    let six_joint_2_fx = six_joint_2_mz_4 * 0.75 - factor_link_2_py;
+    d_qdot[7][7] = reactions.reaction_joint_2_wz * six_joint_2_mz
+        + reactions.reaction_joint_2_vx * six_joint_2_fx
+        + reactions.reaction_joint_2_vy * six_joint_2_fy
+        + three_joint_2_z * screws.connection_joint_2_wz + 0.0;
 }
 /// The (μ, μ) term of the shape equation.
 ///
@@ -1762,22 +1768,21 @@ pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f6
     curvature[1][1][1] = 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
-    let wrench_outside_link_1_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
+    let minus_six_joint_1_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let six_more_link_2_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let six_more_link_2_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let minus_six_joint_1_mz = (inertias.minus_inertia_base_xy
         + inertias.minus_inertia_base_xy
-        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3))
+        + (minus_six_joint_1_mz_3 + minus_six_joint_1_mz_3))
         * inertias.locked_inverse_pivot_z;
-    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy
+    let minus_six_joint_1_fx = reactions.minus_reaction_joint_1_vy
         * (inertias.locked_inverse_pivot_z * 7.5);
-    let wrench_outside_link_1_mz = (wrench_outside_link_1_mz_1
-        + wrench_outside_link_1_mz_1
-        - (wrench_outside_link_1_mz_3 + wrench_outside_link_1_mz_3))
+    let six_more_link_2_mz = (six_more_link_2_mz_1 + six_more_link_2_mz_1
+        - (six_more_link_2_mz_3 + six_more_link_2_mz_3))
         * inertias.locked_inverse_pivot_z;
-    let curvature_z_1_0 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - minus_wrench_base_mz * screws.connection_joint_2_wz
-        - minus_wrench_base_fx * screws.connection_joint_2_vx;
+    let curvature_z_1_0 = reactions.reaction_joint_1_wz * six_more_link_2_mz
+        - minus_six_joint_1_mz * screws.connection_joint_2_wz
+        - minus_six_joint_1_fx * screws.connection_joint_2_vx;
     curvature[2][0][1] = curvature_z_1_0 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_2
     curvature[2][1][0] = 0.0 - curvature_z_1_0;

@@ -43,6 +43,6 @@ impl<T: Real> Data<T> {
     /// P_j = −(ad_{s_j}ᵀ Iᶜ_j + Iᶜ_j ad_{s_j}), the rate of the locked inertia as joint j moves.
     #[inline(always)]
     pub(super) fn inertia_rate(&self, j: usize) -> Inertia<T> {
-        self.composite[j + 1].rate(self.screw[j])
+        self.composite[j + 1].rate(self.screw.at(j))
     }
 }

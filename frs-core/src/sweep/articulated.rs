@@ -17,7 +17,7 @@ pub(crate) fn articulated_accelerations<T: Real>(
 ) {
     let Data { articulated, wrench, twist, velocity, inertia, screw, rate, inverse_pivot, .. } = data;
     let (torque, column) = (&mut data.row, &mut data.wrench_outside);
-    for k in 0..articulated.len() {
+    for k in 0..model.bodies().len() {
         let v = velocity[k] + locked;
         articulated[k] = ArticulatedInertia::rigid(&inertia[k]);
         wrench[k] = -v.ad_transpose(inertia[k] * v);
@@ -26,7 +26,7 @@ pub(crate) fn articulated_accelerations<T: Real>(
 
     for (k, body) in model.bodies().iter().enumerate().skip(1).rev() {
         let (j, p) = (k - 1, body.parent);
-        let s = screw[j];
+        let s: Twist<T> = screw.at(j);
         let bias = (velocity[k] + locked).ad(s) * rate[j];
         let u = articulated[k] * s;
         let inverse = T::one() / s.dot(u);
@@ -45,6 +45,6 @@ pub(crate) fn articulated_accelerations<T: Real>(
         let j = k - 1;
         let carried = twist[body.parent] + twist[k];
         torque[j] = (torque[j] - carried.dot(column[k])) * inverse_pivot[j];
-        twist[k] = carried + screw[j] * torque[j];
+        twist[k] = carried + screw.at::<Twist<T>>(j) * torque[j];
     }
 }

@@ -22,7 +22,7 @@ pub(crate) fn newton_euler<T: Real>(
         data.twist[k] = if k == 0 {
             base
         } else {
-            let screw = data.screw[k - 1];
+            let screw: Twist<T> = data.screw.at(k - 1);
             data.twist[body.parent] + v.ad(screw) * data.rate[k - 1] + screw * acceleration(k - 1)
         };
         let inertia = data.inertia[k];
@@ -38,7 +38,7 @@ pub(crate) fn project<T: Real>(model: &Model<T>, data: &mut Data<T>, out: &mut [
     data.wrench_before[0] = Wrench::zero();
     outside_sums(model.bodies(), &data.wrench, &mut data.wrench_outside, &mut data.wrench_before);
     model.gather(out, |j| {
-        let inside = data.reaction[j].dot(data.wrench[j + 1]);
-        inside - data.connection[j].dot(data.wrench_outside[j + 1])
+        let (connection, reaction): (Twist<T>, Twist<T>) = (data.connection.at(j), data.reaction.at(j));
+        reaction.dot(data.wrench[j + 1]) - connection.dot(data.wrench_outside[j + 1])
     });
 }
