@@ -97,8 +97,8 @@ pub(crate) struct Data<T: Real> {
 
     // Velocity sweep.
     /// Rate of each joint; `rate_more`: of another motion.
-    pub rate: Vec<T>,
-    pub rate_more: Vec<T>,
+    pub rate: Row<T>,
+    pub rate_more: Row<T>,
     /// w_k, velocity of each body at zero momentum.
     pub velocity: Vec<Twist<T>>,
 
@@ -156,8 +156,8 @@ impl<'m, T: Real> Workspace<'m, T> {
             outside: six.clone(),
             connection: six.clone(),
             reaction: six.clone(),
-            rate: vec![T::zero(); joints],
-            rate_more: vec![T::zero(); joints],
+            rate: Row::new(joints),
+            rate_more: Row::new(joints),
             velocity: twist.clone(),
             row: Row::new(joints),
             inverse_pivot: vec![T::zero(); joints],

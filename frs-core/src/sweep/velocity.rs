@@ -1,6 +1,6 @@
 //! Velocity sweep: what every body does when the momentum is zero. docs/mathematics.md §3.
 
-use super::{Columns, Data};
+use super::{Columns, Data, Row};
 use crate::Real;
 use crate::model::Model;
 use crate::spatial::Twist;
@@ -17,14 +17,14 @@ pub(super) fn velocity<T: Real>(model: &Model<T>, qd: &[T], data: &mut Data<T>) 
 /// The velocities w_k of the bodies at zero momentum, for joint rates `rate`.
 pub(crate) fn free_velocities<T: Real>(
     model: &Model<T>,
-    rate: &[T],
+    rate: &Row<T>,
     connection: &Columns<T, 6>,
     screw: &Columns<T, 6>,
     velocity: &mut [Twist<T>],
 ) {
     let mut base = Twist::zero();
-    for (j, &rate) in rate.iter().enumerate() {
-        base = base - connection.at::<Twist<T>>(j) * rate;
+    for j in 0..model.joints() {
+        base = base - connection.at::<Twist<T>>(j) * rate[j];
     }
     velocity[0] = base;
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
