@@ -3,7 +3,7 @@
 use num_traits::{One, Zero};
 
 use super::{F32x8, F32x16, F64x4, F64x8};
-use crate::real::{Lanes, Real};
+use crate::{Lanes, Real};
 
 macro_rules! impl_real {
     ($Lanes:ident, $element:ty, $($lane:literal)*) => {
