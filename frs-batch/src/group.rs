@@ -65,7 +65,7 @@ impl<T: Lane, R: FloatingBase<T>> Group for Side<T, R> {
     type Element = T::Element;
 
     fn states(&self) -> usize {
-        T::LANES
+        T::WIDTH
     }
 
     fn dof(&self) -> usize {
@@ -87,7 +87,7 @@ impl<T: Lane, R: FloatingBase<T>> Group for Side<T, R> {
             side.clear();
             let last = array.nrows() - 1;
             // What is missing is the last state once more.
-            side.extend(array.columns().into_iter().map(|column| T::gather(|lane| column[lane.min(last)])));
+            side.extend(array.columns().into_iter().map(|column| T::from_fn(|lane| column[lane.min(last)])));
         }
         self.outputs.resize_with(outputs.len(), Vec::new);
         for (side, array) in self.outputs.iter_mut().zip(outputs.iter()) {
@@ -98,7 +98,7 @@ impl<T: Lane, R: FloatingBase<T>> Group for Side<T, R> {
         self.robot.answer(quantity, &given, &mut asked);
         for (side, array) in self.outputs.iter().zip(outputs) {
             for (lane, mut row) in array.axis_iter_mut(Axis(0)).enumerate() {
-                row.iter_mut().zip(side).for_each(|(entry, lanes)| *entry = lanes.get(lane));
+                row.iter_mut().zip(side).for_each(|(entry, lanes)| *entry = lanes.lane(lane));
             }
         }
     }

@@ -9,8 +9,8 @@ use crate::record::{Operation, Place};
 use crate::schedule::{Line, Purpose, Schedule, place_of};
 
 /// Quantities that belong to a joint rather than to a body.
-const JOINT_SYMBOLS: [&str; 9] =
-    ["screw", "inside", "outside", "connection", "reaction", "turn", "six", "three", "inverse_pivot"];
+const JOINT_SYMBOLS: [&str; 10] =
+    ["screw", "inside", "outside", "connection", "reaction", "six", "six_more", "three", "three_more", "inverse_pivot"];
 
 /// The names of a robot's parts, as pieces of identifiers; no two bodies and no two coordinates share one.
 pub struct Parts {

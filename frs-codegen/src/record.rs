@@ -143,6 +143,8 @@ impl One for Recorded {
 }
 
 impl Real for Recorded {
+    type Lanes = Self;
+
     fn from_f64(value: f64) -> Self {
         push(Operation::constant(value))
     }

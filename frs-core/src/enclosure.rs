@@ -147,6 +147,8 @@ impl From<f64> for Interval {
 }
 
 impl Real for Interval {
+    type Lanes = Self;
+
     fn from_f64(value: f64) -> Self {
         value.into()
     }

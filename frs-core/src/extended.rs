@@ -98,6 +98,8 @@ impl From<DoubleDouble> for f64 {
 }
 
 impl Real for DoubleDouble {
+    type Lanes = Self;
+
     fn from_f64(value: f64) -> Self {
         value.into()
     }

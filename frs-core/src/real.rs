@@ -5,6 +5,7 @@ use std::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{One, Zero};
 
+use crate::lanes::{F32x8, F64x4};
 use crate::turn;
 
 /// A number the dynamics can be evaluated over.
@@ -15,8 +16,8 @@ use crate::turn;
 pub trait Real:
     Scalar + Copy + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
 {
-    /// Whether a processor has several of these side by side, so that a few more than are asked for cost nothing.
-    const SIDE_BY_SIDE: bool = false;
+    /// Several of these side by side, as a processor works on them; the number itself where that gains nothing.
+    type Lanes: Lanes<Self>;
 
     /// The number nearest to `value`; exact when this type holds every `f64`.
     fn from_f64(value: f64) -> Self;
@@ -27,11 +28,6 @@ pub trait Real:
     /// (sin `self`, cos `self`), `self` in radians; of floats with the same bits on every machine ([`turn`]).
     fn sin_cos(self) -> (Self, Self);
 
-    /// [`sin_cos`](Self::sin_cos) of several angles, which may go faster at once.
-    fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
-        angles.map(Self::sin_cos)
-    }
-
     /// The angle of the point (`x`, `self`) in (−π, π].
     fn atan2(self, x: Self) -> Self;
 
@@ -39,10 +35,80 @@ pub trait Real:
     fn select_below(self, limit: f64, below: Self, otherwise: Self) -> Self;
 }
 
+/// [`WIDTH`](Self::WIDTH) numbers `T` side by side, each with the bits that it would have by itself.
+///
+/// An algorithm that does the same to every body of a robot does it to a group of bodies at once over [`Real::Lanes`], and to
+/// one after the other over a number that is its own group.
+pub trait Lanes<T>: Real {
+    /// How many.
+    const WIDTH: usize;
+
+    /// The same number in every lane.
+    fn splat(value: T) -> Self;
+
+    /// `number(lane)` in every lane.
+    fn from_fn(number: impl Fn(usize) -> T) -> Self;
+
+    /// `R` numbers in every lane: those of `numbers(lane)`.
+    fn gather<const R: usize>(numbers: impl Fn(usize) -> [T; R]) -> [Self; R];
+
+    /// The number in lane `lane`.
+    fn lane(&self, lane: usize) -> T;
+
+    /// Sets the number in lane `lane`.
+    fn set_lane(&mut self, lane: usize, value: T);
+
+    /// The first [`WIDTH`](Self::WIDTH) of `numbers`.
+    fn read(numbers: &[T]) -> Self;
+
+    /// Writes to the first [`WIDTH`](Self::WIDTH) of `numbers`.
+    fn write(self, numbers: &mut [T]);
+}
+
+/// A number by itself.
+impl<T: Real> Lanes<T> for T {
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn splat(value: T) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn from_fn(number: impl Fn(usize) -> T) -> Self {
+        number(0)
+    }
+
+    #[inline(always)]
+    fn gather<const R: usize>(numbers: impl Fn(usize) -> [T; R]) -> [Self; R] {
+        numbers(0)
+    }
+
+    #[inline(always)]
+    fn lane(&self, _: usize) -> T {
+        *self
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, _: usize, value: T) {
+        *self = value;
+    }
+
+    #[inline(always)]
+    fn read(numbers: &[T]) -> Self {
+        numbers[0]
+    }
+
+    #[inline(always)]
+    fn write(self, numbers: &mut [T]) {
+        numbers[0] = self;
+    }
+}
+
 macro_rules! impl_real {
-    ($float:ty, $from_f64:expr, $sin_cos:expr, $sin_cos_each:expr) => {
+    ($float:ty, $lanes:ty, $from_f64:expr, $sin_cos:expr) => {
         impl Real for $float {
-            const SIDE_BY_SIDE: bool = true;
+            type Lanes = $lanes;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
@@ -60,11 +126,6 @@ macro_rules! impl_real {
             }
 
             #[inline(always)]
-            fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
-                $sin_cos_each(angles)
-            }
-
-            #[inline(always)]
             fn atan2(self, x: Self) -> Self {
                 self.atan2(x)
             }
@@ -77,5 +138,5 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(f64, std::convert::identity, turn::sin_cos, turn::sin_cos_each);
-impl_real!(f32, |value: f64| value as f32, turn::sin_cos_single, turn::sin_cos_single_each);
+impl_real!(f64, F64x4, std::convert::identity, turn::sin_cos);
+impl_real!(f32, F32x8, |value: f64| value as f32, turn::sin_cos_single);

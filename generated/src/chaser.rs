@@ -1312,47 +1312,47 @@ fn common_coupling_torque_d_mu_xi(
 }
 /// What `forward_dynamics`, `inverse_dynamics` have in common.
 struct CommonForwardDynamicsInverseDynamics {
+    wrench_link_3_mx_0_0_0_0_1_0_0: f64,
+    wrench_link_3_mx_0_0_0_1_1_0_1: f64,
+    wrench_link_3_my_0_1_0_1_0_0: f64,
+    wrench_link_3_mx_0_1_1_1_0_0: f64,
+    wrench_link_3_mx_0_1_0_1_0_0: f64,
+    wrench_link_3_mx_0_0_0_0_1_0_1: f64,
+    wrench_link_3_mx_0_0_0_1_1_0_0: f64,
+    wrench_link_3_mx_0_0_1_1_0: f64,
+    wrench_link_3_my_0_1_0_1_0_1: f64,
+    wrench_link_3_mx_0_1_1_1_0_1: f64,
+    wrench_link_3_mx_0_1_0_1_0_1: f64,
+    wrench_link_3_mx_0_0_0_0_1_1: f64,
+    wrench_link_3_mx_0_0_0_1_1_1: f64,
+    wrench_link_3_mx_0_0_1_1_1: f64,
+    wrench_link_3_my_0_1_0_1_1: f64,
+    wrench_link_3_mx_0_1_1_1_1: f64,
+    wrench_link_3_mx_0_1_0_1_1: f64,
     wrench_base_mx_1_0: f64,
     wrench_base_my_1_0: f64,
     wrench_base_mz_1_0: f64,
     wrench_base_fx_1_0: f64,
     wrench_base_fy_1_0: f64,
     wrench_base_fz_0_0: f64,
-    wrench_link_1_mx_1: f64,
-    wrench_link_1_my_1: f64,
-    wrench_link_1_mz_1: f64,
-    wrench_link_1_fx_1: f64,
-    wrench_link_1_fy_1: f64,
-    wrench_link_1_fz_1: f64,
-    wrench_link_2_mx_1: f64,
-    wrench_link_2_my_1: f64,
-    wrench_link_2_mz_1: f64,
-    wrench_link_2_fx_1: f64,
-    wrench_link_2_fy_1: f64,
-    wrench_link_2_fz_1: f64,
-    minus_wrench_link_3_mx: f64,
-    minus_wrench_link_3_my: f64,
-    minus_wrench_link_3_mz: f64,
-    minus_wrench_link_3_fx: f64,
-    minus_wrench_link_3_fy: f64,
-    minus_wrench_link_3_fz: f64,
-    wrench_link_2_mx_0_0_0_1_0_0_1: f64,
-    wrench_link_2_mx_0_0_0_1_0_1_1: f64,
-    wrench_link_2_mx_0_0_0_1_1_1: f64,
-    wrench_link_2_my_0_0_0_1_0_1: f64,
-    wrench_link_2_mx_0_0_0_0_1_1: f64,
-    wrench_link_2_mx_0_0_0_0_0_1: f64,
-    wrench_link_1_mx_0_0_1_1_0_0_1: f64,
-    wrench_link_1_mx_0_0_1_1_0_1_1: f64,
-    wrench_link_1_mx_0_0_1_1_1_1: f64,
-    wrench_link_1_mx_0_0_1_0_1_1_1: f64,
-    wrench_link_1_mx_0_0_1_0_1_0_1: f64,
-    wrench_link_1_mx_0_0_1_0_0_1: f64,
-    wrench_base_mx_0_0_1_0_0_1: f64,
-    wrench_base_mx_0_0_1_0_1_1: f64,
-    wrench_base_mx_0_0_1_1_1_1_1: f64,
-    wrench_base_mx_0_0_1_1_1_0_1: f64,
-    wrench_base_mx_0_0_1_1_0_1: f64,
+    wrench_link_1_mx_0_1: f64,
+    wrench_link_1_my_0_1: f64,
+    wrench_link_1_mz_0_1: f64,
+    wrench_link_1_fx_0_1: f64,
+    wrench_link_1_fy_0_1: f64,
+    wrench_link_1_fz_0_1: f64,
+    wrench_link_2_mx_0_1: f64,
+    wrench_link_2_my_0_1: f64,
+    wrench_link_2_mz_0_1: f64,
+    wrench_link_2_fx_0_1: f64,
+    wrench_link_2_fy_0_1: f64,
+    wrench_link_2_fz_0_1: f64,
+    wrench_link_3_mx_1: f64,
+    wrench_link_3_my_1: f64,
+    wrench_link_3_mz_1: f64,
+    wrench_link_3_fx_1: f64,
+    wrench_link_3_fy_1: f64,
+    wrench_link_3_fz_1: f64,
 }
 /// What `forward_dynamics`, `inverse_dynamics` have in common.
 #[inline(never)]
@@ -1364,265 +1364,284 @@ fn common_forward_dynamics_inverse_dynamics(
     screws: &Screws,
     velocities: &Velocities,
 ) -> CommonForwardDynamicsInverseDynamics {
-    let wrench_base_my_1_0_2_1 = mu[0] - velocities.minus_velocity_base_wx;
-    let wrench_base_my_1_0_2_3 = mu[1] - velocities.minus_velocity_base_wy;
+    let wrench_link_3_mx_0_0_0_1_1_0_1_0 = mu[0] - velocities.minus_velocity_base_wx;
+    let wrench_link_3_mx_0_0_0_0_1_0_0_0 = mu[1] - velocities.minus_velocity_base_wy;
     let wrench_base_my_1_0_2_5 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_my_1_0_2 = inertias.inertia_base_xx * wrench_base_my_1_0_2_1
-        + inertias.inertia_base_xy * wrench_base_my_1_0_2_3
+    let wrench_link_3_my_0_1_0_1_0_0_1 = velocities.velocity_link_1_wz + mu[2];
+    let wrench_link_3_mx_0_0_0_0_1_0_0 = wrench_link_3_mx_0_0_0_0_1_0_0_0 * qd[0];
+    let wrench_link_3_mx_0_0_0_1_1_0_1 = wrench_link_3_mx_0_0_0_1_1_0_1_0 * qd[0];
+    let wrench_link_3_my_0_1_0_1_0_0 = (velocities.velocity_link_1_vy
+        - wrench_link_3_my_0_1_0_1_0_0_1 * poses.minus_origin_base_x) * qd[0];
+    let wrench_link_3_mx_0_1_1_1_0_0 = (wrench_link_3_my_0_1_0_1_0_0_1
+        * poses.origin_base_y - velocities.velocity_link_1_vx) * qd[0];
+    let wrench_link_3_mx_0_1_0_1_0_0 = (wrench_link_3_mx_0_0_0_1_1_0_1_0
+        * poses.minus_origin_base_x
+        - wrench_link_3_mx_0_0_0_0_1_0_0_0 * poses.origin_base_y) * qd[0];
+    let wrench_link_3_mx_0_0_1_1_0_0 = velocities.velocity_link_2_wx + mu[0];
+    let wrench_link_3_mx_0_0_1_1_0_2 = velocities.velocity_link_2_wy + mu[1];
+    let wrench_link_3_mx_0_0_0_0_1_0_1_0 = wrench_link_3_my_0_1_0_1_0_0_1
+        * poses.sin_joint_1;
+    let wrench_link_3_mx_0_0_0_1_1_0_0_0 = wrench_link_3_my_0_1_0_1_0_0_1
+        * poses.cos_joint_1;
+    let wrench_link_3_mx_0_0_0_0_1_0_1 = wrench_link_3_mx_0_0_0_0_1_0_1_0 * qd[1];
+    let wrench_link_3_mx_0_0_0_1_1_0_0 = wrench_link_3_mx_0_0_0_1_1_0_0_0 * qd[1];
+    let wrench_link_3_mx_0_0_1_1_0 = (wrench_link_3_mx_0_0_1_1_0_0 * poses.sin_joint_1
+        - wrench_link_3_mx_0_0_1_1_0_2 * poses.cos_joint_1) * qd[1];
+    let wrench_link_3_my_0_1_0_1_0_1 = (velocities.minus_velocity_link_2_vz
+        * poses.sin_joint_1
+        - (wrench_link_3_mx_0_0_1_1_0_2 * screws.minus_screw_joint_2_vz
+            + wrench_link_3_my_0_1_0_1_0_0_1 * screws.screw_joint_2_vy)) * qd[1];
+    let wrench_link_3_mx_0_1_1_1_0_1 = (wrench_link_3_mx_0_0_1_1_0_0
+        * screws.minus_screw_joint_2_vz
+        - wrench_link_3_my_0_1_0_1_0_0_1 * screws.minus_screw_joint_2_vx
+        - velocities.minus_velocity_link_2_vz * poses.cos_joint_1) * qd[1];
+    let wrench_link_3_mx_0_1_0_1_0_1 = (wrench_link_3_mx_0_0_1_1_0_0
+        * screws.screw_joint_2_vy
+        + wrench_link_3_mx_0_0_1_1_0_2 * screws.minus_screw_joint_2_vx
+        + (velocities.velocity_link_2_vx * poses.sin_joint_1
+            - velocities.velocity_link_2_vy * poses.cos_joint_1)) * qd[1];
+    let wrench_link_3_mx_0_0_1_1_1_0 = velocities.velocity_link_3_wx + mu[0];
+    let wrench_link_3_mx_0_0_1_1_1_2 = velocities.velocity_link_3_wy + mu[1];
+    let wrench_link_3_mx_0_0_0_0_1_1 = wrench_link_3_mx_0_0_0_0_1_0_1_0 * qd[2];
+    let wrench_link_3_mx_0_0_0_1_1_1 = wrench_link_3_mx_0_0_0_1_1_0_0_0 * qd[2];
+    let wrench_link_3_mx_0_0_1_1_1 = (wrench_link_3_mx_0_0_1_1_1_0 * poses.sin_joint_1
+        - wrench_link_3_mx_0_0_1_1_1_2 * poses.cos_joint_1) * qd[2];
+    let wrench_link_3_my_0_1_0_1_1 = (wrench_link_3_mx_0_0_1_1_1_2
+        * screws.screw_joint_3_vz
+        - wrench_link_3_my_0_1_0_1_0_0_1 * screws.screw_joint_3_vy
+        - velocities.velocity_link_3_vz * poses.sin_joint_1) * qd[2];
+    let wrench_link_3_mx_0_1_1_1_1 = (velocities.velocity_link_3_vz * poses.cos_joint_1
+        - (wrench_link_3_my_0_1_0_1_0_0_1 * screws.minus_screw_joint_3_vx
+            + wrench_link_3_mx_0_0_1_1_1_0 * screws.screw_joint_3_vz)) * qd[2];
+    let wrench_link_3_mx_0_1_0_1_1 = (wrench_link_3_mx_0_0_1_1_1_0
+        * screws.screw_joint_3_vy
+        + wrench_link_3_mx_0_0_1_1_1_2 * screws.minus_screw_joint_3_vx
+        + (velocities.velocity_link_3_vx * poses.sin_joint_1
+            - velocities.velocity_link_3_vy * poses.cos_joint_1)) * qd[2];
+    let wrench_base_my_1_0_2 = inertias.inertia_base_xx
+        * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        + inertias.inertia_base_xy * wrench_link_3_mx_0_0_0_0_1_0_0_0
         - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_5
         - (velocities.minus_velocity_base_vz * inertias.inertia_base_hy
             + velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
-    let wrench_base_mx_1_0_0 = inertias.inertia_base_xy * wrench_base_my_1_0_2_1
-        + inertias.inertia_base_yy * wrench_base_my_1_0_2_3
+    let wrench_base_mx_1_0_0 = inertias.inertia_base_xy
+        * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        + inertias.inertia_base_yy * wrench_link_3_mx_0_0_0_0_1_0_0_0
         + inertias.inertia_base_yz * wrench_base_my_1_0_2_5
         + (velocities.minus_velocity_base_vx * inertias.minus_inertia_base_hz
             - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
-    let wrench_base_mx_1_0_2 = inertias.inertia_base_yz * wrench_base_my_1_0_2_3
-        - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_1
+    let wrench_base_mx_1_0_2 = inertias.inertia_base_yz
+        * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        - inertias.minus_inertia_base_xz * wrench_link_3_mx_0_0_0_1_1_0_1_0
         + inertias.inertia_base_zz * wrench_base_my_1_0_2_5
         + (velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
             + velocities.minus_velocity_base_vx * inertias.inertia_base_hy);
     let wrench_base_my_1_0_6 = velocities.minus_velocity_base_vx * 105.0
-        + (wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hz
+        + (wrench_link_3_mx_0_0_0_0_1_0_0_0 * inertias.minus_inertia_base_hz
             + wrench_base_my_1_0_2_5 * inertias.inertia_base_hy);
-    let wrench_base_mx_1_0_6 = wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hz
+    let wrench_base_mx_1_0_6 = wrench_link_3_mx_0_0_0_1_1_0_1_0
+        * inertias.minus_inertia_base_hz
         - wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hx
         - velocities.minus_velocity_base_vy * 105.0;
-    let wrench_base_mx_1_0_4 = wrench_base_my_1_0_2_1 * inertias.inertia_base_hy
-        + wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx
+    let wrench_base_mx_1_0_4 = wrench_link_3_mx_0_0_0_1_1_0_1_0
+        * inertias.inertia_base_hy
+        + wrench_link_3_mx_0_0_0_0_1_0_0_0 * inertias.minus_inertia_base_hx
         - velocities.minus_velocity_base_vz * 105.0;
     let wrench_base_mx_1_0 = wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_5
-        - wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_3
+        - wrench_base_mx_1_0_2 * wrench_link_3_mx_0_0_0_0_1_0_0_0
         + (wrench_base_mx_1_0_4 * velocities.minus_velocity_base_vy
             - wrench_base_mx_1_0_6 * velocities.minus_velocity_base_vz);
-    let wrench_base_my_1_0 = wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_1
+    let wrench_base_my_1_0 = wrench_base_mx_1_0_2 * wrench_link_3_mx_0_0_0_1_1_0_1_0
         - wrench_base_my_1_0_2 * wrench_base_my_1_0_2_5
         - (wrench_base_mx_1_0_4 * velocities.minus_velocity_base_vx
             + wrench_base_my_1_0_6 * velocities.minus_velocity_base_vz);
-    let wrench_base_mz_1_0 = wrench_base_my_1_0_2 * wrench_base_my_1_0_2_3
-        - wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_1
+    let wrench_base_mz_1_0 = wrench_base_my_1_0_2 * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        - wrench_base_mx_1_0_0 * wrench_link_3_mx_0_0_0_1_1_0_1_0
         + (wrench_base_my_1_0_6 * velocities.minus_velocity_base_vy
             + wrench_base_mx_1_0_6 * velocities.minus_velocity_base_vx);
     let wrench_base_fx_1_0 = wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_5
-        - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_3;
-    let wrench_base_fy_1_0 = wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1
+        - wrench_base_mx_1_0_4 * wrench_link_3_mx_0_0_0_0_1_0_0_0;
+    let wrench_base_fy_1_0 = wrench_base_mx_1_0_4 * wrench_link_3_mx_0_0_0_1_1_0_1_0
         + wrench_base_my_1_0_6 * wrench_base_my_1_0_2_5;
-    let wrench_base_fz_0_0 = wrench_base_my_1_0_6 * wrench_base_my_1_0_2_3
-        + wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1;
-    let minus_wrench_link_3_mx_1 = velocities.velocity_link_1_wz + mu[2];
-    let wrench_link_1_my_1_2 = inertias.inertia_link_1_xx * wrench_base_my_1_0_2_1
-        + inertias.inertia_link_1_xy * wrench_base_my_1_0_2_3
-        + inertias.inertia_link_1_xz * minus_wrench_link_3_mx_1
+    let wrench_base_fz_0_0 = wrench_base_my_1_0_6 * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        + wrench_base_mx_1_0_6 * wrench_link_3_mx_0_0_0_1_1_0_1_0;
+    let wrench_link_1_my_0_1_2 = inertias.inertia_link_1_xx
+        * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        + inertias.inertia_link_1_xy * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        + inertias.inertia_link_1_xz * wrench_link_3_my_0_1_0_1_0_0_1
         - (velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
             + velocities.velocity_link_1_vy * inertias.inertia_link_1_hz);
-    let wrench_link_1_mx_1_0 = inertias.inertia_link_1_xy * wrench_base_my_1_0_2_1
-        + inertias.inertia_link_1_yy * wrench_base_my_1_0_2_3
-        - inertias.minus_inertia_link_1_yz * minus_wrench_link_3_mx_1
+    let wrench_link_1_mx_0_1_0 = inertias.inertia_link_1_xy
+        * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        + inertias.inertia_link_1_yy * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        - inertias.minus_inertia_link_1_yz * wrench_link_3_my_0_1_0_1_0_0_1
         + (velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
             - velocities.minus_velocity_base_vz * inertias.minus_inertia_link_1_hx);
-    let wrench_link_1_mx_1_2 = inertias.inertia_link_1_xz * wrench_base_my_1_0_2_1
-        - inertias.minus_inertia_link_1_yz * wrench_base_my_1_0_2_3
-        + inertias.inertia_link_1_zz * minus_wrench_link_3_mx_1
+    let wrench_link_1_mx_0_1_2 = inertias.inertia_link_1_xz
+        * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        - inertias.minus_inertia_link_1_yz * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        + inertias.inertia_link_1_zz * wrench_link_3_my_0_1_0_1_0_0_1
         - (velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
             + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy);
-    let wrench_link_1_my_1_6 = velocities.velocity_link_1_vx * 5.0
-        + (wrench_base_my_1_0_2_3 * inertias.inertia_link_1_hz
-            - minus_wrench_link_3_mx_1 * inertias.inertia_link_1_hy);
-    let wrench_link_1_mx_1_4 = velocities.velocity_link_1_vy * 5.0
-        - (minus_wrench_link_3_mx_1 * inertias.minus_inertia_link_1_hx
-            + wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hz);
-    let wrench_link_1_mx_1_6 = wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hy
-        + wrench_base_my_1_0_2_3 * inertias.minus_inertia_link_1_hx
+    let wrench_link_1_my_0_1_6 = velocities.velocity_link_1_vx * 5.0
+        + (wrench_link_3_mx_0_0_0_0_1_0_0_0 * inertias.inertia_link_1_hz
+            - wrench_link_3_my_0_1_0_1_0_0_1 * inertias.inertia_link_1_hy);
+    let wrench_link_1_mx_0_1_4 = velocities.velocity_link_1_vy * 5.0
+        - (wrench_link_3_my_0_1_0_1_0_0_1 * inertias.minus_inertia_link_1_hx
+            + wrench_link_3_mx_0_0_0_1_1_0_1_0 * inertias.inertia_link_1_hz);
+    let wrench_link_1_mx_0_1_6 = wrench_link_3_mx_0_0_0_1_1_0_1_0
+        * inertias.inertia_link_1_hy
+        + wrench_link_3_mx_0_0_0_0_1_0_0_0 * inertias.minus_inertia_link_1_hx
         - velocities.minus_velocity_base_vz * 5.0;
-    let wrench_link_1_mx_1 = wrench_link_1_mx_1_0 * minus_wrench_link_3_mx_1
-        - wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_3
-        - (wrench_link_1_mx_1_4 * velocities.minus_velocity_base_vz
-            + wrench_link_1_mx_1_6 * velocities.velocity_link_1_vy);
-    let wrench_link_1_my_1 = wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_1
-        - wrench_link_1_my_1_2 * minus_wrench_link_3_mx_1
-        + (wrench_link_1_mx_1_6 * velocities.velocity_link_1_vx
-            + wrench_link_1_my_1_6 * velocities.minus_velocity_base_vz);
-    let wrench_link_1_mz_1 = wrench_link_1_my_1_2 * wrench_base_my_1_0_2_3
-        - wrench_link_1_mx_1_0 * wrench_base_my_1_0_2_1
-        + (wrench_link_1_my_1_6 * velocities.velocity_link_1_vy
-            - wrench_link_1_mx_1_4 * velocities.velocity_link_1_vx);
-    let wrench_link_1_fx_1 = wrench_link_1_mx_1_4 * minus_wrench_link_3_mx_1
-        - wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_3;
-    let wrench_link_1_fy_1 = wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_1
-        - wrench_link_1_my_1_6 * minus_wrench_link_3_mx_1;
-    let wrench_link_1_fz_1 = wrench_link_1_my_1_6 * wrench_base_my_1_0_2_3
-        - wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_1;
-    let wrench_link_2_my_1_2_1 = velocities.velocity_link_2_wx + mu[0];
-    let wrench_link_2_my_1_2_3 = velocities.velocity_link_2_wy + mu[1];
-    let wrench_link_2_my_1_2 = inertias.inertia_link_2_xx * wrench_link_2_my_1_2_1
-        - inertias.minus_inertia_link_2_xy * wrench_link_2_my_1_2_3
-        - inertias.minus_inertia_link_2_xz * minus_wrench_link_3_mx_1
+    let wrench_link_1_mx_0_1 = wrench_link_1_mx_0_1_0 * wrench_link_3_my_0_1_0_1_0_0_1
+        - wrench_link_1_mx_0_1_2 * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        - (wrench_link_1_mx_0_1_4 * velocities.minus_velocity_base_vz
+            + wrench_link_1_mx_0_1_6 * velocities.velocity_link_1_vy);
+    let wrench_link_1_my_0_1 = wrench_link_1_mx_0_1_2 * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        - wrench_link_1_my_0_1_2 * wrench_link_3_my_0_1_0_1_0_0_1
+        + (wrench_link_1_mx_0_1_6 * velocities.velocity_link_1_vx
+            + wrench_link_1_my_0_1_6 * velocities.minus_velocity_base_vz);
+    let wrench_link_1_mz_0_1 = wrench_link_1_my_0_1_2 * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        - wrench_link_1_mx_0_1_0 * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        + (wrench_link_1_my_0_1_6 * velocities.velocity_link_1_vy
+            - wrench_link_1_mx_0_1_4 * velocities.velocity_link_1_vx);
+    let wrench_link_1_fx_0_1 = wrench_link_1_mx_0_1_4 * wrench_link_3_my_0_1_0_1_0_0_1
+        - wrench_link_1_mx_0_1_6 * wrench_link_3_mx_0_0_0_0_1_0_0_0;
+    let wrench_link_1_fy_0_1 = wrench_link_1_mx_0_1_6 * wrench_link_3_mx_0_0_0_1_1_0_1_0
+        - wrench_link_1_my_0_1_6 * wrench_link_3_my_0_1_0_1_0_0_1;
+    let wrench_link_1_fz_0_1 = wrench_link_1_my_0_1_6 * wrench_link_3_mx_0_0_0_0_1_0_0_0
+        - wrench_link_1_mx_0_1_4 * wrench_link_3_mx_0_0_0_1_1_0_1_0;
+    let wrench_link_2_my_0_1_2 = inertias.inertia_link_2_xx
+        * wrench_link_3_mx_0_0_1_1_0_0
+        - inertias.minus_inertia_link_2_xy * wrench_link_3_mx_0_0_1_1_0_2
+        - inertias.minus_inertia_link_2_xz * wrench_link_3_my_0_1_0_1_0_0_1
         - (velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hy
             + velocities.velocity_link_2_vy * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_1_0 = inertias.inertia_link_2_yy * wrench_link_2_my_1_2_3
-        - inertias.minus_inertia_link_2_xy * wrench_link_2_my_1_2_1
-        - inertias.minus_inertia_link_2_yz * minus_wrench_link_3_mx_1
+    let wrench_link_2_mx_0_1_0 = inertias.inertia_link_2_yy
+        * wrench_link_3_mx_0_0_1_1_0_2
+        - inertias.minus_inertia_link_2_xy * wrench_link_3_mx_0_0_1_1_0_0
+        - inertias.minus_inertia_link_2_yz * wrench_link_3_my_0_1_0_1_0_0_1
         + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
             + velocities.minus_velocity_link_2_vz * inertias.inertia_link_2_hx);
-    let wrench_link_2_mx_1_2 = inertias.inertia_link_2_zz * minus_wrench_link_3_mx_1
-        - (inertias.minus_inertia_link_2_xz * wrench_link_2_my_1_2_1
-            + inertias.minus_inertia_link_2_yz * wrench_link_2_my_1_2_3)
+    let wrench_link_2_mx_0_1_2 = inertias.inertia_link_2_zz
+        * wrench_link_3_my_0_1_0_1_0_0_1
+        - (inertias.minus_inertia_link_2_xz * wrench_link_3_mx_0_0_1_1_0_0
+            + inertias.minus_inertia_link_2_yz * wrench_link_3_mx_0_0_1_1_0_2)
         + (velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
             - velocities.velocity_link_2_vx * inertias.inertia_link_2_hy);
-    let wrench_link_2_my_1_6 = velocities.velocity_link_2_vx * 10.0
-        + (wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hz
-            - minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hy);
-    let wrench_link_2_mx_1_4 = velocities.velocity_link_2_vy * 10.0
-        + (minus_wrench_link_3_mx_1 * inertias.inertia_link_2_hx
-            - wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_1_6 = wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hy
-        - wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hx
+    let wrench_link_2_my_0_1_6 = velocities.velocity_link_2_vx * 10.0
+        + (wrench_link_3_mx_0_0_1_1_0_2 * inertias.inertia_link_2_hz
+            - wrench_link_3_my_0_1_0_1_0_0_1 * inertias.inertia_link_2_hy);
+    let wrench_link_2_mx_0_1_4 = velocities.velocity_link_2_vy * 10.0
+        + (wrench_link_3_my_0_1_0_1_0_0_1 * inertias.inertia_link_2_hx
+            - wrench_link_3_mx_0_0_1_1_0_0 * inertias.inertia_link_2_hz);
+    let wrench_link_2_mx_0_1_6 = wrench_link_3_mx_0_0_1_1_0_0
+        * inertias.inertia_link_2_hy
+        - wrench_link_3_mx_0_0_1_1_0_2 * inertias.inertia_link_2_hx
         - velocities.minus_velocity_link_2_vz * 10.0;
-    let wrench_link_2_mx_1 = wrench_link_2_mx_1_0 * minus_wrench_link_3_mx_1
-        - wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_3
-        - (wrench_link_2_mx_1_4 * velocities.minus_velocity_link_2_vz
-            + wrench_link_2_mx_1_6 * velocities.velocity_link_2_vy);
-    let wrench_link_2_my_1 = wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_1
-        - wrench_link_2_my_1_2 * minus_wrench_link_3_mx_1
-        + (wrench_link_2_mx_1_6 * velocities.velocity_link_2_vx
-            + wrench_link_2_my_1_6 * velocities.minus_velocity_link_2_vz);
-    let wrench_link_2_mz_1 = wrench_link_2_my_1_2 * wrench_link_2_my_1_2_3
-        - wrench_link_2_mx_1_0 * wrench_link_2_my_1_2_1
-        + (wrench_link_2_my_1_6 * velocities.velocity_link_2_vy
-            - wrench_link_2_mx_1_4 * velocities.velocity_link_2_vx);
-    let wrench_link_2_fx_1 = wrench_link_2_mx_1_4 * minus_wrench_link_3_mx_1
-        - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_3;
-    let wrench_link_2_fy_1 = wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_1
-        - wrench_link_2_my_1_6 * minus_wrench_link_3_mx_1;
-    let wrench_link_2_fz_1 = wrench_link_2_my_1_6 * wrench_link_2_my_1_2_3
-        - wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_1;
-    let minus_wrench_link_3_my_1 = velocities.velocity_link_3_wx + mu[0];
-    let minus_wrench_link_3_mx_3 = velocities.velocity_link_3_wy + mu[1];
-    let minus_wrench_link_3_my_2 = inertias.inertia_link_3_xx * minus_wrench_link_3_my_1
-        - inertias.minus_inertia_link_3_xy * minus_wrench_link_3_mx_3
-        - inertias.minus_inertia_link_3_xz * minus_wrench_link_3_mx_1
+    let wrench_link_2_mx_0_1 = wrench_link_2_mx_0_1_0 * wrench_link_3_my_0_1_0_1_0_0_1
+        - wrench_link_2_mx_0_1_2 * wrench_link_3_mx_0_0_1_1_0_2
+        - (wrench_link_2_mx_0_1_4 * velocities.minus_velocity_link_2_vz
+            + wrench_link_2_mx_0_1_6 * velocities.velocity_link_2_vy);
+    let wrench_link_2_my_0_1 = wrench_link_2_mx_0_1_2 * wrench_link_3_mx_0_0_1_1_0_0
+        - wrench_link_2_my_0_1_2 * wrench_link_3_my_0_1_0_1_0_0_1
+        + (wrench_link_2_mx_0_1_6 * velocities.velocity_link_2_vx
+            + wrench_link_2_my_0_1_6 * velocities.minus_velocity_link_2_vz);
+    let wrench_link_2_mz_0_1 = wrench_link_2_my_0_1_2 * wrench_link_3_mx_0_0_1_1_0_2
+        - wrench_link_2_mx_0_1_0 * wrench_link_3_mx_0_0_1_1_0_0
+        + (wrench_link_2_my_0_1_6 * velocities.velocity_link_2_vy
+            - wrench_link_2_mx_0_1_4 * velocities.velocity_link_2_vx);
+    let wrench_link_2_fx_0_1 = wrench_link_2_mx_0_1_4 * wrench_link_3_my_0_1_0_1_0_0_1
+        - wrench_link_2_mx_0_1_6 * wrench_link_3_mx_0_0_1_1_0_2;
+    let wrench_link_2_fy_0_1 = wrench_link_2_mx_0_1_6 * wrench_link_3_mx_0_0_1_1_0_0
+        - wrench_link_2_my_0_1_6 * wrench_link_3_my_0_1_0_1_0_0_1;
+    let wrench_link_2_fz_0_1 = wrench_link_2_my_0_1_6 * wrench_link_3_mx_0_0_1_1_0_2
+        - wrench_link_2_mx_0_1_4 * wrench_link_3_mx_0_0_1_1_0_0;
+    let wrench_link_3_my_1_2 = inertias.inertia_link_3_xx * wrench_link_3_mx_0_0_1_1_1_0
+        - inertias.minus_inertia_link_3_xy * wrench_link_3_mx_0_0_1_1_1_2
+        - inertias.minus_inertia_link_3_xz * wrench_link_3_my_0_1_0_1_0_0_1
         + (velocities.velocity_link_3_vz * inertias.inertia_link_3_hy
             - velocities.velocity_link_3_vy * inertias.inertia_link_3_hz);
-    let minus_wrench_link_3_mx_0 = inertias.inertia_link_3_yy * minus_wrench_link_3_mx_3
-        - inertias.minus_inertia_link_3_xy * minus_wrench_link_3_my_1
-        - inertias.minus_inertia_link_3_yz * minus_wrench_link_3_mx_1
+    let wrench_link_3_mx_1_0 = inertias.inertia_link_3_yy * wrench_link_3_mx_0_0_1_1_1_2
+        - inertias.minus_inertia_link_3_xy * wrench_link_3_mx_0_0_1_1_1_0
+        - inertias.minus_inertia_link_3_yz * wrench_link_3_my_0_1_0_1_0_0_1
         + (velocities.velocity_link_3_vx * inertias.inertia_link_3_hz
             - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx);
-    let minus_wrench_link_3_mx_2 = inertias.inertia_link_3_zz * minus_wrench_link_3_mx_1
-        - (inertias.minus_inertia_link_3_xz * minus_wrench_link_3_my_1
-            + inertias.minus_inertia_link_3_yz * minus_wrench_link_3_mx_3)
+    let wrench_link_3_mx_1_2 = inertias.inertia_link_3_zz
+        * wrench_link_3_my_0_1_0_1_0_0_1
+        - (inertias.minus_inertia_link_3_xz * wrench_link_3_mx_0_0_1_1_1_0
+            + inertias.minus_inertia_link_3_yz * wrench_link_3_mx_0_0_1_1_1_2)
         + (velocities.velocity_link_3_vy * inertias.inertia_link_3_hx
             - velocities.velocity_link_3_vx * inertias.inertia_link_3_hy);
-    let minus_wrench_link_3_my_6 = velocities.velocity_link_3_vx * 10.0
-        + (minus_wrench_link_3_mx_3 * inertias.inertia_link_3_hz
-            - minus_wrench_link_3_mx_1 * inertias.inertia_link_3_hy);
-    let minus_wrench_link_3_mx_4 = velocities.velocity_link_3_vy * 10.0
-        + (minus_wrench_link_3_mx_1 * inertias.inertia_link_3_hx
-            - minus_wrench_link_3_my_1 * inertias.inertia_link_3_hz);
-    let minus_wrench_link_3_mx_6 = velocities.velocity_link_3_vz * 10.0
-        + (minus_wrench_link_3_my_1 * inertias.inertia_link_3_hy
-            - minus_wrench_link_3_mx_3 * inertias.inertia_link_3_hx);
-    let minus_wrench_link_3_mx = minus_wrench_link_3_mx_0 * minus_wrench_link_3_mx_1
-        - minus_wrench_link_3_mx_2 * minus_wrench_link_3_mx_3
-        + (minus_wrench_link_3_mx_4 * velocities.velocity_link_3_vz
-            - minus_wrench_link_3_mx_6 * velocities.velocity_link_3_vy);
-    let minus_wrench_link_3_my = minus_wrench_link_3_mx_2 * minus_wrench_link_3_my_1
-        - minus_wrench_link_3_my_2 * minus_wrench_link_3_mx_1
-        + (minus_wrench_link_3_mx_6 * velocities.velocity_link_3_vx
-            - minus_wrench_link_3_my_6 * velocities.velocity_link_3_vz);
-    let minus_wrench_link_3_mz = minus_wrench_link_3_my_2 * minus_wrench_link_3_mx_3
-        - minus_wrench_link_3_mx_0 * minus_wrench_link_3_my_1
-        + (minus_wrench_link_3_my_6 * velocities.velocity_link_3_vy
-            - minus_wrench_link_3_mx_4 * velocities.velocity_link_3_vx);
-    let minus_wrench_link_3_fx = minus_wrench_link_3_mx_4 * minus_wrench_link_3_mx_1
-        - minus_wrench_link_3_mx_6 * minus_wrench_link_3_mx_3;
-    let minus_wrench_link_3_fy = minus_wrench_link_3_mx_6 * minus_wrench_link_3_my_1
-        - minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_1;
-    let minus_wrench_link_3_fz = minus_wrench_link_3_my_6 * minus_wrench_link_3_mx_3
-        - minus_wrench_link_3_mx_4 * minus_wrench_link_3_my_1;
-    let wrench_link_2_mx_0_0_0_1_0_0_1_0 = minus_wrench_link_3_mx_1 * poses.sin_joint_1;
-    let wrench_link_2_mx_0_0_0_1_0_1_1_0 = minus_wrench_link_3_mx_1 * poses.cos_joint_1;
-    let wrench_link_2_mx_0_0_0_1_0_0_1 = wrench_link_2_mx_0_0_0_1_0_0_1_0 * qd[2];
-    let wrench_link_2_mx_0_0_0_1_0_1_1 = wrench_link_2_mx_0_0_0_1_0_1_1_0 * qd[2];
-    let wrench_link_2_mx_0_0_0_1_1_1 = (minus_wrench_link_3_my_1 * poses.sin_joint_1
-        - minus_wrench_link_3_mx_3 * poses.cos_joint_1) * qd[2];
-    let wrench_link_2_my_0_0_0_1_0_1 = (minus_wrench_link_3_mx_3
-        * screws.screw_joint_3_vz - minus_wrench_link_3_mx_1 * screws.screw_joint_3_vy
-        - velocities.velocity_link_3_vz * poses.sin_joint_1) * qd[2];
-    let wrench_link_2_mx_0_0_0_0_1_1 = (velocities.velocity_link_3_vz * poses.cos_joint_1
-        - (minus_wrench_link_3_mx_1 * screws.minus_screw_joint_3_vx
-            + minus_wrench_link_3_my_1 * screws.screw_joint_3_vz)) * qd[2];
-    let wrench_link_2_mx_0_0_0_0_0_1 = (minus_wrench_link_3_my_1
-        * screws.screw_joint_3_vy
-        + minus_wrench_link_3_mx_3 * screws.minus_screw_joint_3_vx
-        + (velocities.velocity_link_3_vx * poses.sin_joint_1
-            - velocities.velocity_link_3_vy * poses.cos_joint_1)) * qd[2];
-    let wrench_link_1_mx_0_0_1_1_0_0_1 = wrench_link_2_mx_0_0_0_1_0_0_1_0 * qd[1];
-    let wrench_link_1_mx_0_0_1_1_0_1_1 = wrench_link_2_mx_0_0_0_1_0_1_1_0 * qd[1];
-    let wrench_link_1_mx_0_0_1_1_1_1 = (wrench_link_2_my_1_2_1 * poses.sin_joint_1
-        - wrench_link_2_my_1_2_3 * poses.cos_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_0_1_1_1 = (velocities.minus_velocity_link_2_vz
-        * poses.sin_joint_1
-        - (wrench_link_2_my_1_2_3 * screws.minus_screw_joint_2_vz
-            + minus_wrench_link_3_mx_1 * screws.screw_joint_2_vy)) * qd[1];
-    let wrench_link_1_mx_0_0_1_0_1_0_1 = (wrench_link_2_my_1_2_1
-        * screws.minus_screw_joint_2_vz
-        - minus_wrench_link_3_mx_1 * screws.minus_screw_joint_2_vx
-        - velocities.minus_velocity_link_2_vz * poses.cos_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_0_0_1 = (wrench_link_2_my_1_2_1 * screws.screw_joint_2_vy
-        + wrench_link_2_my_1_2_3 * screws.minus_screw_joint_2_vx
-        + (velocities.velocity_link_2_vx * poses.sin_joint_1
-            - velocities.velocity_link_2_vy * poses.cos_joint_1)) * qd[1];
-    let wrench_base_mx_0_0_1_0_0_1 = wrench_base_my_1_0_2_3 * qd[0];
-    let wrench_base_mx_0_0_1_0_1_1 = wrench_base_my_1_0_2_1 * qd[0];
-    let wrench_base_mx_0_0_1_1_1_1_1 = (velocities.velocity_link_1_vy
-        - minus_wrench_link_3_mx_1 * poses.minus_origin_base_x) * qd[0];
-    let wrench_base_mx_0_0_1_1_1_0_1 = (minus_wrench_link_3_mx_1 * poses.origin_base_y
-        - velocities.velocity_link_1_vx) * qd[0];
-    let wrench_base_mx_0_0_1_1_0_1 = (wrench_base_my_1_0_2_1 * poses.minus_origin_base_x
-        - wrench_base_my_1_0_2_3 * poses.origin_base_y) * qd[0];
+    let wrench_link_3_my_1_6 = velocities.velocity_link_3_vx * 10.0
+        + (wrench_link_3_mx_0_0_1_1_1_2 * inertias.inertia_link_3_hz
+            - wrench_link_3_my_0_1_0_1_0_0_1 * inertias.inertia_link_3_hy);
+    let wrench_link_3_mx_1_4 = velocities.velocity_link_3_vy * 10.0
+        + (wrench_link_3_my_0_1_0_1_0_0_1 * inertias.inertia_link_3_hx
+            - wrench_link_3_mx_0_0_1_1_1_0 * inertias.inertia_link_3_hz);
+    let wrench_link_3_mx_1_6 = velocities.velocity_link_3_vz * 10.0
+        + (wrench_link_3_mx_0_0_1_1_1_0 * inertias.inertia_link_3_hy
+            - wrench_link_3_mx_0_0_1_1_1_2 * inertias.inertia_link_3_hx);
+    let wrench_link_3_mx_1 = wrench_link_3_mx_1_0 * wrench_link_3_my_0_1_0_1_0_0_1
+        - wrench_link_3_mx_1_2 * wrench_link_3_mx_0_0_1_1_1_2
+        + (wrench_link_3_mx_1_4 * velocities.velocity_link_3_vz
+            - wrench_link_3_mx_1_6 * velocities.velocity_link_3_vy);
+    let wrench_link_3_my_1 = wrench_link_3_mx_1_2 * wrench_link_3_mx_0_0_1_1_1_0
+        - wrench_link_3_my_1_2 * wrench_link_3_my_0_1_0_1_0_0_1
+        + (wrench_link_3_mx_1_6 * velocities.velocity_link_3_vx
+            - wrench_link_3_my_1_6 * velocities.velocity_link_3_vz);
+    let wrench_link_3_mz_1 = wrench_link_3_my_1_2 * wrench_link_3_mx_0_0_1_1_1_2
+        - wrench_link_3_mx_1_0 * wrench_link_3_mx_0_0_1_1_1_0
+        + (wrench_link_3_my_1_6 * velocities.velocity_link_3_vy
+            - wrench_link_3_mx_1_4 * velocities.velocity_link_3_vx);
+    let wrench_link_3_fx_1 = wrench_link_3_mx_1_4 * wrench_link_3_my_0_1_0_1_0_0_1
+        - wrench_link_3_mx_1_6 * wrench_link_3_mx_0_0_1_1_1_2;
+    let wrench_link_3_fy_1 = wrench_link_3_mx_1_6 * wrench_link_3_mx_0_0_1_1_1_0
+        - wrench_link_3_my_1_6 * wrench_link_3_my_0_1_0_1_0_0_1;
+    let wrench_link_3_fz_1 = wrench_link_3_my_1_6 * wrench_link_3_mx_0_0_1_1_1_2
+        - wrench_link_3_mx_1_4 * wrench_link_3_mx_0_0_1_1_1_0;
     CommonForwardDynamicsInverseDynamics {
+        wrench_link_3_mx_0_0_0_0_1_0_0,
+        wrench_link_3_mx_0_0_0_1_1_0_1,
+        wrench_link_3_my_0_1_0_1_0_0,
+        wrench_link_3_mx_0_1_1_1_0_0,
+        wrench_link_3_mx_0_1_0_1_0_0,
+        wrench_link_3_mx_0_0_0_0_1_0_1,
+        wrench_link_3_mx_0_0_0_1_1_0_0,
+        wrench_link_3_mx_0_0_1_1_0,
+        wrench_link_3_my_0_1_0_1_0_1,
+        wrench_link_3_mx_0_1_1_1_0_1,
+        wrench_link_3_mx_0_1_0_1_0_1,
+        wrench_link_3_mx_0_0_0_0_1_1,
+        wrench_link_3_mx_0_0_0_1_1_1,
+        wrench_link_3_mx_0_0_1_1_1,
+        wrench_link_3_my_0_1_0_1_1,
+        wrench_link_3_mx_0_1_1_1_1,
+        wrench_link_3_mx_0_1_0_1_1,
         wrench_base_mx_1_0,
         wrench_base_my_1_0,
         wrench_base_mz_1_0,
         wrench_base_fx_1_0,
         wrench_base_fy_1_0,
         wrench_base_fz_0_0,
-        wrench_link_1_mx_1,
-        wrench_link_1_my_1,
-        wrench_link_1_mz_1,
-        wrench_link_1_fx_1,
-        wrench_link_1_fy_1,
-        wrench_link_1_fz_1,
-        wrench_link_2_mx_1,
-        wrench_link_2_my_1,
-        wrench_link_2_mz_1,
-        wrench_link_2_fx_1,
-        wrench_link_2_fy_1,
-        wrench_link_2_fz_1,
-        minus_wrench_link_3_mx,
-        minus_wrench_link_3_my,
-        minus_wrench_link_3_mz,
-        minus_wrench_link_3_fx,
-        minus_wrench_link_3_fy,
-        minus_wrench_link_3_fz,
-        wrench_link_2_mx_0_0_0_1_0_0_1,
-        wrench_link_2_mx_0_0_0_1_0_1_1,
-        wrench_link_2_mx_0_0_0_1_1_1,
-        wrench_link_2_my_0_0_0_1_0_1,
-        wrench_link_2_mx_0_0_0_0_1_1,
-        wrench_link_2_mx_0_0_0_0_0_1,
-        wrench_link_1_mx_0_0_1_1_0_0_1,
-        wrench_link_1_mx_0_0_1_1_0_1_1,
-        wrench_link_1_mx_0_0_1_1_1_1,
-        wrench_link_1_mx_0_0_1_0_1_1_1,
-        wrench_link_1_mx_0_0_1_0_1_0_1,
-        wrench_link_1_mx_0_0_1_0_0_1,
-        wrench_base_mx_0_0_1_0_0_1,
-        wrench_base_mx_0_0_1_0_1_1,
-        wrench_base_mx_0_0_1_1_1_1_1,
-        wrench_base_mx_0_0_1_1_1_0_1,
-        wrench_base_mx_0_0_1_1_0_1,
+        wrench_link_1_mx_0_1,
+        wrench_link_1_my_0_1,
+        wrench_link_1_mz_0_1,
+        wrench_link_1_fx_0_1,
+        wrench_link_1_fy_0_1,
+        wrench_link_1_fz_0_1,
+        wrench_link_2_mx_0_1,
+        wrench_link_2_my_0_1,
+        wrench_link_2_mz_0_1,
+        wrench_link_2_fx_0_1,
+        wrench_link_2_fy_0_1,
+        wrench_link_2_fz_0_1,
+        wrench_link_3_mx_1,
+        wrench_link_3_my_1,
+        wrench_link_3_mz_1,
+        wrench_link_3_fx_1,
+        wrench_link_3_fy_1,
+        wrench_link_3_fz_1,
     }
 }
 /// What only `inertia` computes.
@@ -1781,236 +1800,258 @@ fn d_mu_itself(
     reactions: &Reactions,
     d_mu: &mut [[f64; 9]; 9],
 ) {
-    let d_mu_0_0_1_1 = poses.com_z + 0.023809523809523808;
+    let six_joint_1_mx_16 = poses.com_z + 0.023809523809523808;
     let d_mu_0_0_1_0 = mu[0] * 130.0;
-    let d_mu_0_0_1 = d_mu_0_0_1_0 * d_mu_0_0_1_1;
+    let d_mu_0_0_1 = d_mu_0_0_1_0 * six_joint_1_mx_16;
     let d_mu_0_0_3 = d_mu_0_0_1_0 * poses.minus_com_y;
     // D_μ column 0
-    d_mu[0][0] = 0.0 - (poses.minus_com_y * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_0_0_3);
-    let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
+    d_mu[0][0] = 0.0 - (poses.minus_com_y * d_mu_0_0_1 - six_joint_1_mx_16 * d_mu_0_0_3);
+    let six_joint_1_mx_11 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
         + inertias.composite_base_zz) * 0.5;
-    let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - wrench_base_mx_1;
+    let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - six_joint_1_mx_11;
     let d_mu_1_0_4_1_0 = mu[2] * 130.0;
     let d_mu_1_0_4_0_0 = mu[1] * 130.0;
-    let d_mu_1_0_4_1 = d_mu_1_0_4_1_0 * d_mu_0_0_1_1;
+    let d_mu_1_0_4_1 = d_mu_1_0_4_1_0 * six_joint_1_mx_16;
     let d_mu_1_0_4_0 = d_mu_1_0_4_0_0 * poses.minus_com_y;
     let d_mu_1_0_4 = d_mu_1_0_4_0 - d_mu_1_0_4_1;
     d_mu[0][1] = 0.0
-        - (d_mu_1_0_0 + (poses.com_x * d_mu_0_0_1 - d_mu_0_0_1_1 * d_mu_1_0_4));
-    let wrench_base_mx_3 = inertias.composite_base_xy * mu[0]
+        - (d_mu_1_0_0 + (poses.com_x * d_mu_0_0_1 - six_joint_1_mx_16 * d_mu_1_0_4));
+    let six_joint_1_mx_9 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let d_mu_2_0_4 = mu[1] * d_mu_1_0_0_1 - wrench_base_mx_3;
+    let d_mu_2_0_4 = mu[1] * d_mu_1_0_0_1 - six_joint_1_mx_9;
     d_mu[0][2] = 0.0
         - (poses.com_x * d_mu_0_0_3 - poses.minus_com_y * d_mu_1_0_4 - d_mu_2_0_4);
     d_mu[0][3] = d_mu_1_0_4 + 0.0;
     d_mu[0][4] = 0.0 - d_mu_0_0_3;
     d_mu[0][5] = d_mu_0_0_1 + 0.0;
-    let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
-    let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
-    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
+    let six_joint_1_mx_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let six_joint_1_mx_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
+    let six_joint_1_mx_0 = six_joint_1_mx_0_1 + six_joint_1_mx_0_1;
+    let six_joint_1_mx_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1);
-    let d_mu_6_0_15_4_0 = mu[3] + (mu[1] * d_mu_0_0_1_1 + mu[2] * poses.minus_com_y);
-    let d_mu_6_0_17_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_mu_0_0_1_1);
-    let d_mu_6_0_15_2_0 = mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
-    let d_mu_6_0_15_4 = d_mu_6_0_15_4_0 * 130.0;
-    let d_mu_6_0_17_6 = d_mu_6_0_17_6_0 * 130.0;
-    let d_mu_6_0_15_2 = d_mu_6_0_15_2_0 * 130.0;
-    let d_mu_6_0_17_0 = mu[0] * 0.5;
-    let d_mu_6_0_17_2 = mu[1] * 0.5;
-    let d_mu_6_0_15_0 = mu[2] * 0.5;
-    let d_mu_6_0_8 = d_mu_6_0_15_2_0 * 0.5;
-    let d_mu_6_0_15 = d_mu_6_0_15_0 * screws.inside_joint_1_fx
-        + (d_mu_6_0_15_2 * screws.connection_joint_1_wx
-            - d_mu_6_0_15_4 * screws.connection_joint_1_wz);
-    let d_mu_6_0_17 = d_mu_6_0_17_0 * screws.inside_joint_1_fy
-        - d_mu_6_0_17_2 * screws.inside_joint_1_fx
-        + (d_mu_6_0_15_4 * screws.connection_joint_1_wy
-            - d_mu_6_0_17_6 * screws.connection_joint_1_wx);
-    let d_mu_6_0 = (d_mu_6_0_0 - d_mu_6_0_1) * d_mu_6_0_17_0 + d_mu_6_0_3 * d_mu_6_0_17_2
-        - screws.inside_joint_1_my * d_mu_6_0_15_0
-        + screws.inside_joint_1_fy * d_mu_6_0_8
-        + (wrench_base_mx_3 * screws.connection_joint_1_wz
-            - wrench_base_mx_1 * screws.connection_joint_1_wy
-            - d_mu_6_0_15_2 * screws.connection_joint_1_vy)
-        - (d_mu_6_0_15 * d_mu_0_0_1_1 + d_mu_6_0_17 * poses.minus_com_y);
-    d_mu[0][6] = d_mu_6_0 + 0.0;
-    let d_mu_7_0_0_3 = poses.sin_joint_1 * inertias.minus_composite_link_2_xz;
-    let d_mu_7_0_0_0_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
-    let d_mu_7_0_0_1_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
-    let d_mu_7_0_0_0 = d_mu_7_0_0_0_1 + d_mu_7_0_0_0_1;
-    let d_mu_7_0_0_1 = d_mu_7_0_0_1_1 + d_mu_7_0_0_1_1;
-    let d_mu_7_0_0 = d_mu_7_0_0_0 - d_mu_7_0_0_1 - (d_mu_7_0_0_3 + d_mu_7_0_0_3);
-    let d_mu_7_0_2 = inertias.inside_joint_2_mz_1_0 - inertias.inside_joint_2_mz_1_1
+    let six_joint_1_fy_4_0 = mu[3]
+        + (mu[1] * six_joint_1_mx_16 + mu[2] * poses.minus_com_y);
+    let six_joint_1_fz_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * six_joint_1_mx_16);
+    let six_joint_1_fy_2_0 = mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
+    let six_joint_1_fy_4 = six_joint_1_fy_4_0 * 130.0;
+    let six_joint_1_fz_6 = six_joint_1_fz_6_0 * 130.0;
+    let six_joint_1_fy_2 = six_joint_1_fy_2_0 * 130.0;
+    let six_joint_1_fz_0 = mu[0] * 0.5;
+    let six_joint_1_fz_2 = mu[1] * 0.5;
+    let six_joint_1_fy_0 = mu[2] * 0.5;
+    let six_joint_1_mx_8 = six_joint_1_fy_2_0 * 0.5;
+    let six_joint_1_fy = six_joint_1_fy_0 * screws.inside_joint_1_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_1_wx
+            - six_joint_1_fy_4 * screws.connection_joint_1_wz);
+    let six_joint_1_fz = six_joint_1_fz_0 * screws.inside_joint_1_fy
+        - six_joint_1_fz_2 * screws.inside_joint_1_fx
+        + (six_joint_1_fy_4 * screws.connection_joint_1_wy
+            - six_joint_1_fz_6 * screws.connection_joint_1_wx);
+    let six_joint_1_mx = (six_joint_1_mx_0 - six_joint_1_mx_1) * six_joint_1_fz_0
+        + six_joint_1_mx_3 * six_joint_1_fz_2
+        - screws.inside_joint_1_my * six_joint_1_fy_0
+        + screws.inside_joint_1_fy * six_joint_1_mx_8
+        + (six_joint_1_mx_9 * screws.connection_joint_1_wz
+            - six_joint_1_mx_11 * screws.connection_joint_1_wy
+            - six_joint_1_fy_2 * screws.connection_joint_1_vy)
+        - (six_joint_1_fy * six_joint_1_mx_16 + six_joint_1_fz * poses.minus_com_y);
+    d_mu[0][6] = six_joint_1_mx + 0.0;
+    let six_joint_2_mx_0_3 = poses.sin_joint_1 * inertias.minus_composite_link_2_xz;
+    let six_joint_2_mx_0_0_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
+    let six_joint_2_mx_0_1_1 = inertias.composite_link_2_hz
+        * screws.minus_screw_joint_2_vz;
+    let six_joint_2_mx_0_0 = six_joint_2_mx_0_0_1 + six_joint_2_mx_0_0_1;
+    let six_joint_2_mx_0_1 = six_joint_2_mx_0_1_1 + six_joint_2_mx_0_1_1;
+    let six_joint_2_mx_0 = six_joint_2_mx_0_0 - six_joint_2_mx_0_1
+        - (six_joint_2_mx_0_3 + six_joint_2_mx_0_3);
+    let six_joint_2_mx_2 = inertias.inside_joint_2_mz_1_0
+        - inertias.inside_joint_2_mz_1_1
         - (screws.inside_joint_2_mz_0 - screws.inside_joint_2_mz_1);
-    let d_mu_7_0_4 = poses.sin_joint_1 * inertias.composite_link_2_zz
+    let six_joint_2_mx_4 = poses.sin_joint_1 * inertias.composite_link_2_zz
         - (inertias.inside_joint_2_my_0_1
             + poses.sin_joint_1 * inertias.composite_link_2_xx)
         + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
-    let d_mu_7_0_9 = d_mu_6_0_17_6_0 * 0.5;
-    let d_mu_7_0_18 = d_mu_6_0_15_0 * screws.inside_joint_2_fx
-        - d_mu_6_0_17_0 * screws.inside_joint_2_fz
-        + (d_mu_6_0_15_2 * screws.connection_joint_2_wx
-            - d_mu_6_0_15_4 * screws.connection_joint_2_wz);
-    let d_mu_7_0_20 = d_mu_6_0_17_0 * screws.inside_joint_2_fy
-        - d_mu_6_0_17_2 * screws.inside_joint_2_fx
-        + (d_mu_6_0_15_4 * screws.connection_joint_2_wy
-            - d_mu_6_0_17_6 * screws.connection_joint_2_wx);
-    let d_mu_7_0 = d_mu_7_0_0 * d_mu_6_0_17_0 + d_mu_7_0_2 * d_mu_6_0_17_2
-        + d_mu_7_0_4 * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fy * d_mu_6_0_8 - screws.inside_joint_2_fz * d_mu_7_0_9)
-        + (wrench_base_mx_3 * screws.connection_joint_2_wz
-            - wrench_base_mx_1 * screws.connection_joint_2_wy
-            + (d_mu_6_0_17_6 * screws.connection_joint_2_vz
-                - d_mu_6_0_15_2 * screws.connection_joint_2_vy))
-        - (d_mu_7_0_18 * d_mu_0_0_1_1 + d_mu_7_0_20 * poses.minus_com_y);
-    d_mu[0][7] = d_mu_7_0 + 0.0;
-    let d_mu_8_0_0_3 = poses.sin_joint_1 * inertias.minus_inertia_link_3_xz;
-    let d_mu_8_0_0_0_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
-    let d_mu_8_0_0_1_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
-    let d_mu_8_0_0_0 = d_mu_8_0_0_0_1 + d_mu_8_0_0_0_1;
-    let d_mu_8_0_0_1 = d_mu_8_0_0_1_1 + d_mu_8_0_0_1_1;
-    let d_mu_8_0_0 = d_mu_8_0_0_0 + d_mu_8_0_0_1 - (d_mu_8_0_0_3 + d_mu_8_0_0_3);
-    let d_mu_8_0_2 = inertias.inside_joint_3_mz_1_0 - inertias.inside_joint_3_mz_1_1
+    let six_joint_2_mx_9 = six_joint_1_fz_6_0 * 0.5;
+    let six_joint_2_fy = six_joint_1_fy_0 * screws.inside_joint_2_fx
+        - six_joint_1_fz_0 * screws.inside_joint_2_fz
+        + (six_joint_1_fy_2 * screws.connection_joint_2_wx
+            - six_joint_1_fy_4 * screws.connection_joint_2_wz);
+    let six_joint_2_fz = six_joint_1_fz_0 * screws.inside_joint_2_fy
+        - six_joint_1_fz_2 * screws.inside_joint_2_fx
+        + (six_joint_1_fy_4 * screws.connection_joint_2_wy
+            - six_joint_1_fz_6 * screws.connection_joint_2_wx);
+    let six_joint_2_mx = six_joint_2_mx_0 * six_joint_1_fz_0
+        + six_joint_2_mx_2 * six_joint_1_fz_2 + six_joint_2_mx_4 * six_joint_1_fy_0
+        + (screws.inside_joint_2_fy * six_joint_1_mx_8
+            - screws.inside_joint_2_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_2_wz
+            - six_joint_1_mx_11 * screws.connection_joint_2_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_2_vz
+                - six_joint_1_fy_2 * screws.connection_joint_2_vy))
+        - (six_joint_2_fy * six_joint_1_mx_16 + six_joint_2_fz * poses.minus_com_y);
+    d_mu[0][7] = six_joint_2_mx + 0.0;
+    let six_joint_3_mx_0_3 = poses.sin_joint_1 * inertias.minus_inertia_link_3_xz;
+    let six_joint_3_mx_0_0_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
+    let six_joint_3_mx_0_1_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
+    let six_joint_3_mx_0_0 = six_joint_3_mx_0_0_1 + six_joint_3_mx_0_0_1;
+    let six_joint_3_mx_0_1 = six_joint_3_mx_0_1_1 + six_joint_3_mx_0_1_1;
+    let six_joint_3_mx_0 = six_joint_3_mx_0_0 + six_joint_3_mx_0_1
+        - (six_joint_3_mx_0_3 + six_joint_3_mx_0_3);
+    let six_joint_3_mx_2 = inertias.inside_joint_3_mz_1_0
+        - inertias.inside_joint_3_mz_1_1
         - (screws.inside_joint_3_mz_0 - screws.inside_joint_3_mz_1);
-    let d_mu_8_0_4 = poses.sin_joint_1 * inertias.inertia_link_3_zz
+    let six_joint_3_mx_4 = poses.sin_joint_1 * inertias.inertia_link_3_zz
         - (inertias.inside_joint_3_my_0_1
             + poses.sin_joint_1 * inertias.inertia_link_3_xx)
         - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
-    let d_mu_8_0_18 = d_mu_6_0_15_0 * screws.inside_joint_3_fx
-        - d_mu_6_0_17_0 * screws.inside_joint_3_fz
-        + (d_mu_6_0_15_2 * screws.connection_joint_3_wx
-            - d_mu_6_0_15_4 * screws.connection_joint_3_wz);
-    let d_mu_8_0_20 = d_mu_6_0_17_0 * screws.inside_joint_3_fy
-        - d_mu_6_0_17_2 * screws.inside_joint_3_fx
-        + (d_mu_6_0_15_4 * screws.connection_joint_3_wy
-            - d_mu_6_0_17_6 * screws.connection_joint_3_wx);
-    let d_mu_8_0 = d_mu_8_0_0 * d_mu_6_0_17_0 + d_mu_8_0_2 * d_mu_6_0_17_2
-        + d_mu_8_0_4 * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fy * d_mu_6_0_8 - screws.inside_joint_3_fz * d_mu_7_0_9)
-        + (wrench_base_mx_3 * screws.connection_joint_3_wz
-            - wrench_base_mx_1 * screws.connection_joint_3_wy
-            + (d_mu_6_0_17_6 * screws.connection_joint_3_vz
-                - d_mu_6_0_15_2 * screws.connection_joint_3_vy))
-        - (d_mu_8_0_18 * d_mu_0_0_1_1 + d_mu_8_0_20 * poses.minus_com_y);
-    d_mu[0][8] = d_mu_8_0 + 0.0;
-    let d_mu_0_1_1 = d_mu_1_0_4_0_0 * d_mu_0_0_1_1;
+    let six_joint_3_fy = six_joint_1_fy_0 * screws.inside_joint_3_fx
+        - six_joint_1_fz_0 * screws.inside_joint_3_fz
+        + (six_joint_1_fy_2 * screws.connection_joint_3_wx
+            - six_joint_1_fy_4 * screws.connection_joint_3_wz);
+    let six_joint_3_fz = six_joint_1_fz_0 * screws.inside_joint_3_fy
+        - six_joint_1_fz_2 * screws.inside_joint_3_fx
+        + (six_joint_1_fy_4 * screws.connection_joint_3_wy
+            - six_joint_1_fz_6 * screws.connection_joint_3_wx);
+    let six_joint_3_mx = six_joint_3_mx_0 * six_joint_1_fz_0
+        + six_joint_3_mx_2 * six_joint_1_fz_2 + six_joint_3_mx_4 * six_joint_1_fy_0
+        + (screws.inside_joint_3_fy * six_joint_1_mx_8
+            - screws.inside_joint_3_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_3_wz
+            - six_joint_1_mx_11 * screws.connection_joint_3_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_3_vz
+                - six_joint_1_fy_2 * screws.connection_joint_3_vy))
+        - (six_joint_3_fy * six_joint_1_mx_16 + six_joint_3_fz * poses.minus_com_y);
+    d_mu[0][8] = six_joint_3_mx + 0.0;
+    let d_mu_0_1_1 = d_mu_1_0_4_0_0 * six_joint_1_mx_16;
     let d_mu_0_1_3_0 = d_mu_0_0_1_0 * poses.com_x;
     let d_mu_0_1_3 = d_mu_0_1_3_0 + d_mu_1_0_4_1;
     // D_μ column 1
     d_mu[1][0] = 0.0
-        - (poses.minus_com_y * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_0_1_3 - d_mu_1_0_0);
+        - (poses.minus_com_y * d_mu_0_1_1 - six_joint_1_mx_16 * d_mu_0_1_3 - d_mu_1_0_0);
     let d_mu_1_1_3 = d_mu_1_0_4_0_0 * poses.com_x;
-    d_mu[1][1] = 0.0 - (poses.com_x * d_mu_0_1_1 - d_mu_0_0_1_1 * d_mu_1_1_3);
-    let wrench_base_my_1 = inertias.composite_base_xx * mu[0]
+    d_mu[1][1] = 0.0 - (poses.com_x * d_mu_0_1_1 - six_joint_1_mx_16 * d_mu_1_1_3);
+    let six_joint_1_my_11 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - wrench_base_my_1;
+    let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - six_joint_1_my_11;
     d_mu[1][2] = 0.0
         - (d_mu_2_1_0 + (poses.com_x * d_mu_0_1_3 - poses.minus_com_y * d_mu_1_1_3));
     d_mu[1][3] = d_mu_1_1_3 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_0_1_3;
     d_mu[1][5] = d_mu_0_1_1 + 0.0;
-    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.origin_base_y;
-    let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
-    let d_mu_6_1_15 = d_mu_6_0_17_6 * screws.connection_joint_1_wz
-        - d_mu_6_0_15_2 * screws.connection_joint_1_wy
-        - d_mu_6_0_15_0 * screws.inside_joint_1_fy;
-    let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_17_0 + (d_mu_6_0_1 + d_mu_6_1_3) * d_mu_6_0_17_2
-        + screws.inside_joint_1_mx * d_mu_6_0_15_0
-        - screws.inside_joint_1_fx * d_mu_6_0_8
-        + (wrench_base_mx_1 * screws.connection_joint_1_wx
-            - wrench_base_my_1 * screws.connection_joint_1_wz
-            + d_mu_6_0_15_2 * screws.connection_joint_1_vx)
-        + (d_mu_6_1_15 * d_mu_0_0_1_1 - d_mu_6_0_17 * poses.com_x);
-    d_mu[1][6] = d_mu_6_1 + 0.0;
-    let d_mu_7_1_2_1 = poses.cos_joint_1 * inertias.minus_composite_link_2_yz;
-    let d_mu_7_1_2_2_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
-    let d_mu_7_1_2_2 = d_mu_7_1_2_2_1 + d_mu_7_1_2_2_1;
-    let d_mu_7_1_2 = d_mu_7_1_2_1 + d_mu_7_1_2_1 - (d_mu_7_1_2_2 + d_mu_7_0_0_1);
-    let d_mu_7_1_4 = poses.cos_joint_1 * inertias.composite_link_2_yy
+    let six_joint_1_my_3_1 = inertias.composite_link_1_hx * poses.origin_base_y;
+    let six_joint_1_my_3 = six_joint_1_my_3_1 + six_joint_1_my_3_1;
+    let six_joint_1_fx = six_joint_1_fz_6 * screws.connection_joint_1_wz
+        - six_joint_1_fy_2 * screws.connection_joint_1_wy
+        - six_joint_1_fy_0 * screws.inside_joint_1_fy;
+    let six_joint_1_my = six_joint_1_mx_3 * six_joint_1_fz_0
+        + (six_joint_1_mx_1 + six_joint_1_my_3) * six_joint_1_fz_2
+        + screws.inside_joint_1_mx * six_joint_1_fy_0
+        - screws.inside_joint_1_fx * six_joint_1_mx_8
+        + (six_joint_1_mx_11 * screws.connection_joint_1_wx
+            - six_joint_1_my_11 * screws.connection_joint_1_wz
+            + six_joint_1_fy_2 * screws.connection_joint_1_vx)
+        + (six_joint_1_fx * six_joint_1_mx_16 - six_joint_1_fz * poses.com_x);
+    d_mu[1][6] = six_joint_1_my + 0.0;
+    let six_joint_2_my_2_1 = poses.cos_joint_1 * inertias.minus_composite_link_2_yz;
+    let six_joint_2_my_2_2_1 = inertias.composite_link_2_hx
+        * screws.minus_screw_joint_2_vx;
+    let six_joint_2_my_2_2 = six_joint_2_my_2_2_1 + six_joint_2_my_2_2_1;
+    let six_joint_2_my_2 = six_joint_2_my_2_1 + six_joint_2_my_2_1
+        - (six_joint_2_my_2_2 + six_joint_2_mx_0_1);
+    let six_joint_2_my_4 = poses.cos_joint_1 * inertias.composite_link_2_yy
         + inertias.inside_joint_2_mx_0_1
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
-    let d_mu_7_1_7 = d_mu_6_0_15_4_0 * 0.5;
-    let d_mu_7_1_18 = d_mu_6_0_17_2 * screws.inside_joint_2_fz
-        - d_mu_6_0_15_0 * screws.inside_joint_2_fy
-        + (d_mu_6_0_17_6 * screws.connection_joint_2_wz
-            - d_mu_6_0_15_2 * screws.connection_joint_2_wy);
-    let d_mu_7_1 = d_mu_7_0_2 * d_mu_6_0_17_0 + d_mu_7_1_2 * d_mu_6_0_17_2
-        + d_mu_7_1_4 * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fz * d_mu_7_1_7 - screws.inside_joint_2_fx * d_mu_6_0_8)
-        + (wrench_base_mx_1 * screws.connection_joint_2_wx
-            - wrench_base_my_1 * screws.connection_joint_2_wz
-            + (d_mu_6_0_15_2 * screws.connection_joint_2_vx
-                - d_mu_6_0_15_4 * screws.connection_joint_2_vz))
-        + (d_mu_7_1_18 * d_mu_0_0_1_1 - d_mu_7_0_20 * poses.com_x);
-    d_mu[1][7] = d_mu_7_1 + 0.0;
-    let d_mu_8_1_2_1 = poses.cos_joint_1 * inertias.minus_inertia_link_3_yz;
-    let d_mu_8_1_2_3_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
-    let d_mu_8_1_2_3 = d_mu_8_1_2_3_1 + d_mu_8_1_2_3_1;
-    let d_mu_8_1_2 = d_mu_8_1_2_1 + d_mu_8_1_2_1 + (d_mu_8_0_0_1 - d_mu_8_1_2_3);
-    let d_mu_8_1_4 = poses.cos_joint_1 * inertias.inertia_link_3_yy
+    let six_joint_2_my_7 = six_joint_1_fy_4_0 * 0.5;
+    let six_joint_2_fx = six_joint_1_fz_2 * screws.inside_joint_2_fz
+        - six_joint_1_fy_0 * screws.inside_joint_2_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_2_wz
+            - six_joint_1_fy_2 * screws.connection_joint_2_wy);
+    let six_joint_2_my = six_joint_2_mx_2 * six_joint_1_fz_0
+        + six_joint_2_my_2 * six_joint_1_fz_2 + six_joint_2_my_4 * six_joint_1_fy_0
+        + (screws.inside_joint_2_fz * six_joint_2_my_7
+            - screws.inside_joint_2_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_2_wx
+            - six_joint_1_my_11 * screws.connection_joint_2_wz
+            + (six_joint_1_fy_2 * screws.connection_joint_2_vx
+                - six_joint_1_fy_4 * screws.connection_joint_2_vz))
+        + (six_joint_2_fx * six_joint_1_mx_16 - six_joint_2_fz * poses.com_x);
+    d_mu[1][7] = six_joint_2_my + 0.0;
+    let six_joint_3_my_2_1 = poses.cos_joint_1 * inertias.minus_inertia_link_3_yz;
+    let six_joint_3_my_2_3_1 = inertias.inertia_link_3_hx
+        * screws.minus_screw_joint_3_vx;
+    let six_joint_3_my_2_3 = six_joint_3_my_2_3_1 + six_joint_3_my_2_3_1;
+    let six_joint_3_my_2 = six_joint_3_my_2_1 + six_joint_3_my_2_1
+        + (six_joint_3_mx_0_1 - six_joint_3_my_2_3);
+    let six_joint_3_my_4 = poses.cos_joint_1 * inertias.inertia_link_3_yy
         + inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
         - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
-    let d_mu_8_1_18 = d_mu_6_0_17_2 * screws.inside_joint_3_fz
-        - d_mu_6_0_15_0 * screws.inside_joint_3_fy
-        + (d_mu_6_0_17_6 * screws.connection_joint_3_wz
-            - d_mu_6_0_15_2 * screws.connection_joint_3_wy);
-    let d_mu_8_1 = d_mu_8_0_2 * d_mu_6_0_17_0 + d_mu_8_1_2 * d_mu_6_0_17_2
-        + d_mu_8_1_4 * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fz * d_mu_7_1_7 - screws.inside_joint_3_fx * d_mu_6_0_8)
-        + (wrench_base_mx_1 * screws.connection_joint_3_wx
-            - wrench_base_my_1 * screws.connection_joint_3_wz
-            + (d_mu_6_0_15_2 * screws.connection_joint_3_vx
-                - d_mu_6_0_15_4 * screws.connection_joint_3_vz))
-        + (d_mu_8_1_18 * d_mu_0_0_1_1 - d_mu_8_0_20 * poses.com_x);
-    d_mu[1][8] = d_mu_8_1 + 0.0;
+    let six_joint_3_fx = six_joint_1_fz_2 * screws.inside_joint_3_fz
+        - six_joint_1_fy_0 * screws.inside_joint_3_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_3_wz
+            - six_joint_1_fy_2 * screws.connection_joint_3_wy);
+    let six_joint_3_my = six_joint_3_mx_2 * six_joint_1_fz_0
+        + six_joint_3_my_2 * six_joint_1_fz_2 + six_joint_3_my_4 * six_joint_1_fy_0
+        + (screws.inside_joint_3_fz * six_joint_2_my_7
+            - screws.inside_joint_3_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_3_wx
+            - six_joint_1_my_11 * screws.connection_joint_3_wz
+            + (six_joint_1_fy_2 * screws.connection_joint_3_vx
+                - six_joint_1_fy_4 * screws.connection_joint_3_vz))
+        + (six_joint_3_fx * six_joint_1_mx_16 - six_joint_3_fz * poses.com_x);
+    d_mu[1][8] = six_joint_3_my + 0.0;
     let d_mu_0_2_4 = d_mu_1_0_4_1_0 * poses.minus_com_y;
     let d_mu_0_2_2 = d_mu_1_0_4_0 - d_mu_0_1_3_0;
     // D_μ column 2
     d_mu[2][0] = 0.0
-        - (d_mu_2_0_4 + (poses.minus_com_y * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_0_2_4));
+        - (d_mu_2_0_4
+            + (poses.minus_com_y * d_mu_0_2_2 - six_joint_1_mx_16 * d_mu_0_2_4));
     let d_mu_1_2_3 = d_mu_1_0_4_1_0 * poses.com_x;
     d_mu[2][1] = 0.0
-        - (poses.com_x * d_mu_0_2_2 - d_mu_0_0_1_1 * d_mu_1_2_3 - d_mu_2_1_0);
+        - (poses.com_x * d_mu_0_2_2 - six_joint_1_mx_16 * d_mu_1_2_3 - d_mu_2_1_0);
     d_mu[2][2] = 0.0 - (poses.com_x * d_mu_0_2_4 - poses.minus_com_y * d_mu_1_2_3);
     d_mu[2][3] = d_mu_1_2_3 + 0.0;
     d_mu[2][4] = 0.0 - d_mu_0_2_4;
     d_mu[2][5] = d_mu_0_2_2 + 0.0;
-    let d_mu_6_2 = screws.inside_joint_1_mx * d_mu_6_0_17_2
-        - screws.inside_joint_1_my * d_mu_6_0_17_0
-        + (d_mu_6_1_3 + d_mu_6_0_0) * d_mu_6_0_15_0
-        + (screws.inside_joint_1_fx * d_mu_7_0_9 - screws.inside_joint_1_fy * d_mu_7_1_7)
-        + (wrench_base_my_1 * screws.connection_joint_1_wy
-            - wrench_base_mx_3 * screws.connection_joint_1_wx
-            + (d_mu_6_0_15_4 * screws.connection_joint_1_vy
-                - d_mu_6_0_17_6 * screws.connection_joint_1_vx))
-        + (d_mu_6_1_15 * poses.minus_com_y + d_mu_6_0_15 * poses.com_x);
-    d_mu[2][6] = d_mu_6_2 + 0.0;
-    let d_mu_7_2_4_1 = d_mu_7_0_0_3 - d_mu_7_1_2_1;
-    let d_mu_7_2_4 = d_mu_7_2_4_1 + d_mu_7_2_4_1 + (d_mu_7_0_0_0 - d_mu_7_1_2_2);
-    let d_mu_7_2 = d_mu_7_0_4 * d_mu_6_0_17_0 + d_mu_7_1_4 * d_mu_6_0_17_2
-        + d_mu_7_2_4 * d_mu_6_0_15_0
-        + (screws.inside_joint_2_fx * d_mu_7_0_9 - screws.inside_joint_2_fy * d_mu_7_1_7)
-        + (wrench_base_my_1 * screws.connection_joint_2_wy
-            - wrench_base_mx_3 * screws.connection_joint_2_wx
-            + (d_mu_6_0_15_4 * screws.connection_joint_2_vy
-                - d_mu_6_0_17_6 * screws.connection_joint_2_vx))
-        + (d_mu_7_1_18 * poses.minus_com_y + d_mu_7_0_18 * poses.com_x);
-    d_mu[2][7] = d_mu_7_2 + 0.0;
-    let d_mu_8_2_4_1 = d_mu_8_0_0_3 - d_mu_8_1_2_1;
-    let d_mu_8_2_4 = d_mu_8_2_4_1 + d_mu_8_2_4_1 + (d_mu_8_0_0_0 - d_mu_8_1_2_3);
-    let d_mu_8_2 = d_mu_8_0_4 * d_mu_6_0_17_0 + d_mu_8_1_4 * d_mu_6_0_17_2
-        + d_mu_8_2_4 * d_mu_6_0_15_0
-        + (screws.inside_joint_3_fx * d_mu_7_0_9 - screws.inside_joint_3_fy * d_mu_7_1_7)
-        + (wrench_base_my_1 * screws.connection_joint_3_wy
-            - wrench_base_mx_3 * screws.connection_joint_3_wx
-            + (d_mu_6_0_15_4 * screws.connection_joint_3_vy
-                - d_mu_6_0_17_6 * screws.connection_joint_3_vx))
-        + (d_mu_8_1_18 * poses.minus_com_y + d_mu_8_0_18 * poses.com_x);
-    d_mu[2][8] = d_mu_8_2 + 0.0;
+    let six_joint_1_mz = screws.inside_joint_1_mx * six_joint_1_fz_2
+        - screws.inside_joint_1_my * six_joint_1_fz_0
+        + (six_joint_1_my_3 + six_joint_1_mx_0) * six_joint_1_fy_0
+        + (screws.inside_joint_1_fx * six_joint_2_mx_9
+            - screws.inside_joint_1_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_1_wy
+            - six_joint_1_mx_9 * screws.connection_joint_1_wx
+            + (six_joint_1_fy_4 * screws.connection_joint_1_vy
+                - six_joint_1_fz_6 * screws.connection_joint_1_vx))
+        + (six_joint_1_fx * poses.minus_com_y + six_joint_1_fy * poses.com_x);
+    d_mu[2][6] = six_joint_1_mz + 0.0;
+    let six_joint_2_mz_4_1 = six_joint_2_mx_0_3 - six_joint_2_my_2_1;
+    let six_joint_2_mz_4 = six_joint_2_mz_4_1 + six_joint_2_mz_4_1
+        + (six_joint_2_mx_0_0 - six_joint_2_my_2_2);
+    let six_joint_2_mz = six_joint_2_mx_4 * six_joint_1_fz_0
+        + six_joint_2_my_4 * six_joint_1_fz_2 + six_joint_2_mz_4 * six_joint_1_fy_0
+        + (screws.inside_joint_2_fx * six_joint_2_mx_9
+            - screws.inside_joint_2_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_2_wy
+            - six_joint_1_mx_9 * screws.connection_joint_2_wx
+            + (six_joint_1_fy_4 * screws.connection_joint_2_vy
+                - six_joint_1_fz_6 * screws.connection_joint_2_vx))
+        + (six_joint_2_fx * poses.minus_com_y + six_joint_2_fy * poses.com_x);
+    d_mu[2][7] = six_joint_2_mz + 0.0;
+    let six_joint_3_mz_4_1 = six_joint_3_mx_0_3 - six_joint_3_my_2_1;
+    let six_joint_3_mz_4 = six_joint_3_mz_4_1 + six_joint_3_mz_4_1
+        + (six_joint_3_mx_0_0 - six_joint_3_my_2_3);
+    let six_joint_3_mz = six_joint_3_mx_4 * six_joint_1_fz_0
+        + six_joint_3_my_4 * six_joint_1_fz_2 + six_joint_3_mz_4 * six_joint_1_fy_0
+        + (screws.inside_joint_3_fx * six_joint_2_mx_9
+            - screws.inside_joint_3_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_3_wy
+            - six_joint_1_mx_9 * screws.connection_joint_3_wx
+            + (six_joint_1_fy_4 * screws.connection_joint_3_vy
+                - six_joint_1_fz_6 * screws.connection_joint_3_vx))
+        + (six_joint_3_fx * poses.minus_com_y + six_joint_3_fy * poses.com_x);
+    d_mu[2][8] = six_joint_3_mz + 0.0;
     // D_μ column 3
     d_mu[3][0] = 0.0 - d_mu_1_0_4;
     d_mu[3][1] = 0.0 - d_mu_1_1_3;
@@ -2018,9 +2059,9 @@ fn d_mu_itself(
     d_mu[3][3] = 0.0;
     d_mu[3][4] = 0.0 - d_mu_1_0_4_1_0;
     d_mu[3][5] = d_mu_1_0_4_0_0 + 0.0;
-    d_mu[3][6] = d_mu_6_1_15 + 0.0;
-    d_mu[3][7] = d_mu_7_1_18 + 0.0;
-    d_mu[3][8] = d_mu_8_1_18 + 0.0;
+    d_mu[3][6] = six_joint_1_fx + 0.0;
+    d_mu[3][7] = six_joint_2_fx + 0.0;
+    d_mu[3][8] = six_joint_3_fx + 0.0;
     // D_μ column 4
     d_mu[4][0] = d_mu_0_0_3 + 0.0;
     d_mu[4][1] = d_mu_0_1_3 + 0.0;
@@ -2028,9 +2069,9 @@ fn d_mu_itself(
     d_mu[4][3] = d_mu_1_0_4_1_0 + 0.0;
     d_mu[4][4] = 0.0;
     d_mu[4][5] = 0.0 - d_mu_0_0_1_0;
-    d_mu[4][6] = d_mu_6_0_15 + 0.0;
-    d_mu[4][7] = d_mu_7_0_18 + 0.0;
-    d_mu[4][8] = d_mu_8_0_18 + 0.0;
+    d_mu[4][6] = six_joint_1_fy + 0.0;
+    d_mu[4][7] = six_joint_2_fy + 0.0;
+    d_mu[4][8] = six_joint_3_fy + 0.0;
     // D_μ column 5
     d_mu[5][0] = 0.0 - d_mu_0_0_1;
     d_mu[5][1] = 0.0 - d_mu_0_1_1;
@@ -2038,127 +2079,125 @@ fn d_mu_itself(
     d_mu[5][3] = 0.0 - d_mu_1_0_4_0_0;
     d_mu[5][4] = d_mu_0_0_1_0 + 0.0;
     d_mu[5][5] = 0.0;
-    d_mu[5][6] = d_mu_6_0_17 + 0.0;
-    d_mu[5][7] = d_mu_7_0_20 + 0.0;
-    d_mu[5][8] = d_mu_8_0_20 + 0.0;
+    d_mu[5][6] = six_joint_1_fz + 0.0;
+    d_mu[5][7] = six_joint_2_fz + 0.0;
+    d_mu[5][8] = six_joint_3_fz + 0.0;
     // D_μ column joint_1
-    d_mu[6][0] = 0.0 - d_mu_6_0;
-    d_mu[6][1] = 0.0 - d_mu_6_1;
-    d_mu[6][2] = 0.0 - d_mu_6_2;
-    d_mu[6][3] = 0.0 - d_mu_6_1_15;
-    d_mu[6][4] = 0.0 - d_mu_6_0_15;
-    d_mu[6][5] = 0.0 - d_mu_6_0_17;
+    d_mu[6][0] = 0.0 - six_joint_1_mx;
+    d_mu[6][1] = 0.0 - six_joint_1_my;
+    d_mu[6][2] = 0.0 - six_joint_1_mz;
+    d_mu[6][3] = 0.0 - six_joint_1_fx;
+    d_mu[6][4] = 0.0 - six_joint_1_fy;
+    d_mu[6][5] = 0.0 - six_joint_1_fz;
     d_mu[6][6] = 0.0;
-    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
-    let wrench_base_mx_4 = wrench_base_mx_4_1 + wrench_base_mx_4_1
+    let d_mu_7_6_6_4_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
+    let d_mu_7_6_6_4 = d_mu_7_6_6_4_1 + d_mu_7_6_6_4_1
         - (inertias.inertia_base_xy + inertias.inertia_base_xy);
-    let wrench_base_mx_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
+    let d_mu_7_6_6_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
         - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
-    let wrench_base_mx = reactions.reaction_joint_1_wy * wrench_base_mx_1
-        - reactions.reaction_joint_1_wz * wrench_base_mx_3
-        - (wrench_base_mx_4 * mu[0] + wrench_base_mx_6 * mu[1]
+    let d_mu_7_6_6 = reactions.reaction_joint_1_wy * six_joint_1_mx_11
+        - reactions.reaction_joint_1_wz * six_joint_1_mx_9
+        - (d_mu_7_6_6_4 * mu[0] + d_mu_7_6_6_6 * mu[1]
             - outside.outside_joint_1_my * mu[2]);
-    let wrench_base_my = reactions.reaction_joint_1_wz * wrench_base_my_1
-        - reactions.reaction_joint_1_wx * wrench_base_mx_1
-        - (wrench_base_mx_6 * mu[0] + outside.outside_joint_1_mx * mu[2]);
-    let wrench_base_mz = reactions.reaction_joint_1_wx * wrench_base_mx_3
-        - reactions.reaction_joint_1_wy * wrench_base_my_1
+    let d_mu_7_6_8 = reactions.reaction_joint_1_wz * six_joint_1_my_11
+        - reactions.reaction_joint_1_wx * six_joint_1_mx_11
+        - (d_mu_7_6_6_6 * mu[0] + outside.outside_joint_1_mx * mu[2]);
+    let d_mu_7_6_10 = reactions.reaction_joint_1_wx * six_joint_1_mx_9
+        - reactions.reaction_joint_1_wy * six_joint_1_my_11
         - (outside.outside_joint_1_mx * mu[1] - outside.outside_joint_1_my * mu[0]
-            + wrench_base_mx_4 * mu[2]);
-    let d_mu_7_6 = reactions.reaction_joint_1_wx
-        * (d_mu_7_0_0 * mu[0] + d_mu_7_0_2 * mu[1] + d_mu_7_0_4 * mu[2])
-        + reactions.reaction_joint_1_wy
-            * (d_mu_7_0_2 * mu[0] + d_mu_7_1_2 * mu[1] + d_mu_7_1_4 * mu[2])
-        + reactions.reaction_joint_1_wz
-            * (d_mu_7_0_4 * mu[0] + d_mu_7_1_4 * mu[1] + d_mu_7_2_4 * mu[2])
-        + wrench_base_mx * screws.connection_joint_2_wx
-        + wrench_base_my * screws.connection_joint_2_wy
-        + wrench_base_mz * screws.connection_joint_2_wz;
+            + d_mu_7_6_6_4 * mu[2]);
+    let three_joint_2_x = six_joint_2_mx_0 * mu[0] + six_joint_2_mx_2 * mu[1]
+        + six_joint_2_mx_4 * mu[2];
+    let three_joint_2_y = six_joint_2_mx_2 * mu[0] + six_joint_2_my_2 * mu[1]
+        + six_joint_2_my_4 * mu[2];
+    let three_joint_2_z = six_joint_2_mx_4 * mu[0] + six_joint_2_my_4 * mu[1]
+        + six_joint_2_mz_4 * mu[2];
+    let d_mu_7_6 = reactions.reaction_joint_1_wx * three_joint_2_x
+        + reactions.reaction_joint_1_wy * three_joint_2_y
+        + reactions.reaction_joint_1_wz * three_joint_2_z
+        + d_mu_7_6_6 * screws.connection_joint_2_wx
+        + d_mu_7_6_8 * screws.connection_joint_2_wy
+        + d_mu_7_6_10 * screws.connection_joint_2_wz;
     d_mu[6][7] = d_mu_7_6 + 0.0;
-    let d_mu_8_6_1 = d_mu_8_0_0 * mu[0] + d_mu_8_0_2 * mu[1] + d_mu_8_0_4 * mu[2];
-    let d_mu_8_6_3 = d_mu_8_0_2 * mu[0] + d_mu_8_1_2 * mu[1] + d_mu_8_1_4 * mu[2];
-    let d_mu_8_6_5 = d_mu_8_0_4 * mu[0] + d_mu_8_1_4 * mu[1] + d_mu_8_2_4 * mu[2];
-    let d_mu_8_6 = reactions.reaction_joint_1_wx * d_mu_8_6_1
-        + reactions.reaction_joint_1_wy * d_mu_8_6_3
-        + reactions.reaction_joint_1_wz * d_mu_8_6_5
-        + wrench_base_mx * screws.connection_joint_3_wx
-        + wrench_base_my * screws.connection_joint_3_wy
-        + wrench_base_mz * screws.connection_joint_3_wz;
+    let three_joint_3_x = six_joint_3_mx_0 * mu[0] + six_joint_3_mx_2 * mu[1]
+        + six_joint_3_mx_4 * mu[2];
+    let three_joint_3_y = six_joint_3_mx_2 * mu[0] + six_joint_3_my_2 * mu[1]
+        + six_joint_3_my_4 * mu[2];
+    let three_joint_3_z = six_joint_3_mx_4 * mu[0] + six_joint_3_my_4 * mu[1]
+        + six_joint_3_mz_4 * mu[2];
+    let d_mu_8_6 = reactions.reaction_joint_1_wx * three_joint_3_x
+        + reactions.reaction_joint_1_wy * three_joint_3_y
+        + reactions.reaction_joint_1_wz * three_joint_3_z
+        + d_mu_7_6_6 * screws.connection_joint_3_wx
+        + d_mu_7_6_8 * screws.connection_joint_3_wy
+        + d_mu_7_6_10 * screws.connection_joint_3_wz;
     d_mu[6][8] = d_mu_8_6 + 0.0;
     // D_μ column joint_2
-    d_mu[7][0] = 0.0 - d_mu_7_0;
-    d_mu[7][1] = 0.0 - d_mu_7_1;
-    d_mu[7][2] = 0.0 - d_mu_7_2;
-    d_mu[7][3] = 0.0 - d_mu_7_1_18;
-    d_mu[7][4] = 0.0 - d_mu_7_0_18;
-    d_mu[7][5] = 0.0 - d_mu_7_0_20;
+    d_mu[7][0] = 0.0 - six_joint_2_mx;
+    d_mu[7][1] = 0.0 - six_joint_2_my;
+    d_mu[7][2] = 0.0 - six_joint_2_mz;
+    d_mu[7][3] = 0.0 - six_joint_2_fx;
+    d_mu[7][4] = 0.0 - six_joint_2_fy;
+    d_mu[7][5] = 0.0 - six_joint_2_fz;
     d_mu[7][6] = 0.0 - d_mu_7_6;
     d_mu[7][7] = 0.0;
-    let wrench_link_1_fy_1 = mu[0] * 260.0;
-    let wrench_link_1_fx_3 = mu[1] * 260.0;
-    let wrench_link_1_fx_1 = mu[2] * 260.0;
-    let wrench_link_1_mx_5 = poses.sin_joint_1 * complements.complement_link_2_xz;
-    let wrench_link_1_my_9 = poses.cos_joint_1 * complements.complement_link_2_yz;
-    let wrench_link_1_mz_9 = wrench_link_1_my_9 - wrench_link_1_mx_5;
-    let wrench_link_1_my_6_1 = complements.minus_complement_link_2_hx
+    let d_mu_8_7_61 = mu[0] * 260.0;
+    let d_mu_8_7_59 = mu[1] * 260.0;
+    let d_mu_8_7_56 = mu[2] * 260.0;
+    let d_mu_8_7_43_1 = poses.sin_joint_1 * complements.complement_link_2_xz;
+    let d_mu_8_7_43_0 = poses.cos_joint_1 * complements.complement_link_2_yz;
+    let d_mu_8_7_43 = d_mu_8_7_43_0 - d_mu_8_7_43_1;
+    let d_mu_8_7_44_1 = complements.minus_complement_link_2_hx
         * screws.minus_screw_joint_2_vx;
-    let wrench_link_1_mx_6_1 = complements.complement_link_2_hy
-        * screws.screw_joint_2_vy;
-    let wrench_link_1_mx_7_1 = complements.complement_link_2_hz
-        * screws.minus_screw_joint_2_vz;
-    let wrench_link_1_mx_6 = wrench_link_1_mx_6_1 + wrench_link_1_mx_6_1;
-    let wrench_link_1_mx_7 = wrench_link_1_mx_7_1 + wrench_link_1_mx_7_1;
-    let wrench_link_1_my_6 = wrench_link_1_my_6_1 + wrench_link_1_my_6_1;
-    let wrench_link_1_mx_9 = complements.outside_joint_2_mz_0_1
+    let d_mu_8_7_45_1 = complements.complement_link_2_hy * screws.screw_joint_2_vy;
+    let d_mu_8_7_27_1 = complements.complement_link_2_hz * screws.minus_screw_joint_2_vz;
+    let d_mu_8_7_45 = d_mu_8_7_45_1 + d_mu_8_7_45_1;
+    let d_mu_8_7_27 = d_mu_8_7_27_1 + d_mu_8_7_27_1;
+    let d_mu_8_7_44 = d_mu_8_7_44_1 + d_mu_8_7_44_1;
+    let d_mu_8_7_24 = complements.outside_joint_2_mz_0_1
         - complements.outside_joint_2_mz_0_0
         + (screws.outside_joint_2_mz_1_1 + screws.outside_joint_2_mz_1_0);
-    let wrench_link_1_mx_11 = poses.sin_joint_1 * complements.complement_link_2_zz
+    let d_mu_8_7_38 = poses.sin_joint_1 * complements.complement_link_2_zz
         + (complements.outside_joint_2_my_0_0
             - poses.sin_joint_1 * complements.complement_link_2_xx)
         - (screws.outside_joint_2_my_1_1 - screws.outside_joint_2_my_1_0);
-    let wrench_link_1_my_11 = poses.cos_joint_1 * complements.complement_link_2_yy
+    let d_mu_8_7_40 = poses.cos_joint_1 * complements.complement_link_2_yy
         - complements.outside_joint_2_mx_0_1
         - poses.cos_joint_1 * complements.complement_link_2_zz
         - (screws.outside_joint_2_mx_1_1 - screws.outside_joint_2_mx_1_0);
-    let wrench_link_1_mx = reactions.reaction_joint_2_wy * wrench_base_mx_1
-        - reactions.reaction_joint_2_wz * wrench_base_mx_3
-        - ((wrench_link_1_mx_5 + wrench_link_1_mx_5
-            + (wrench_link_1_mx_6 - wrench_link_1_mx_7)) * mu[0]
-            + wrench_link_1_mx_9 * mu[1] + wrench_link_1_mx_11 * mu[2]);
-    let wrench_link_1_my = reactions.reaction_joint_2_wz * wrench_base_my_1
-        - reactions.reaction_joint_2_wx * wrench_base_mx_1
-        - (wrench_link_1_mx_9 * mu[0]
-            + (wrench_link_1_my_6 - wrench_link_1_mx_7
-                - (wrench_link_1_my_9 + wrench_link_1_my_9)) * mu[1]
-            + wrench_link_1_my_11 * mu[2]);
-    let wrench_link_1_mz = reactions.reaction_joint_2_wx * wrench_base_mx_3
-        - reactions.reaction_joint_2_wy * wrench_base_my_1
-        - (wrench_link_1_mx_11 * mu[0] + wrench_link_1_my_11 * mu[1]
-            + (wrench_link_1_mz_9 + wrench_link_1_mz_9
-                + (wrench_link_1_my_6 + wrench_link_1_mx_6)) * mu[2]);
-    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
-        - reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
-    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
-    let wrench_link_1_fz = reactions.reaction_joint_2_vx * wrench_link_1_fx_3
-        - reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
-    let d_mu_8_7 = reactions.reaction_joint_2_wx * d_mu_8_6_1
-        + reactions.reaction_joint_2_wy * d_mu_8_6_3
-        + reactions.reaction_joint_2_wz * d_mu_8_6_5
-        + wrench_link_1_mx * screws.connection_joint_3_wx
-        + wrench_link_1_my * screws.connection_joint_3_wy
-        + wrench_link_1_mz * screws.connection_joint_3_wz
-        + wrench_link_1_fx * screws.connection_joint_3_vx
-        + wrench_link_1_fy * screws.connection_joint_3_vy
-        + wrench_link_1_fz * screws.connection_joint_3_vz;
+    let d_mu_8_7 = reactions.reaction_joint_2_wx * three_joint_3_x
+        + reactions.reaction_joint_2_wy * three_joint_3_y
+        + reactions.reaction_joint_2_wz * three_joint_3_z
+        + (reactions.reaction_joint_2_wy * six_joint_1_mx_11
+            - reactions.reaction_joint_2_wz * six_joint_1_mx_9
+            - ((d_mu_8_7_43_1 + d_mu_8_7_43_1 + (d_mu_8_7_45 - d_mu_8_7_27)) * mu[0]
+                + d_mu_8_7_24 * mu[1] + d_mu_8_7_38 * mu[2]))
+            * screws.connection_joint_3_wx
+        + (reactions.reaction_joint_2_wz * six_joint_1_my_11
+            - reactions.reaction_joint_2_wx * six_joint_1_mx_11
+            - (d_mu_8_7_24 * mu[0]
+                + (d_mu_8_7_44 - d_mu_8_7_27 - (d_mu_8_7_43_0 + d_mu_8_7_43_0)) * mu[1]
+                + d_mu_8_7_40 * mu[2])) * screws.connection_joint_3_wy
+        + (reactions.reaction_joint_2_wx * six_joint_1_mx_9
+            - reactions.reaction_joint_2_wy * six_joint_1_my_11
+            - (d_mu_8_7_38 * mu[0] + d_mu_8_7_40 * mu[1]
+                + (d_mu_8_7_43 + d_mu_8_7_43 + (d_mu_8_7_44 + d_mu_8_7_45)) * mu[2]))
+            * screws.connection_joint_3_wz
+        + (reactions.reaction_joint_2_vy * d_mu_8_7_56
+            - reactions.reaction_joint_2_vz * d_mu_8_7_59) * screws.connection_joint_3_vx
+        + (reactions.reaction_joint_2_vz * d_mu_8_7_61
+            - reactions.reaction_joint_2_vx * d_mu_8_7_56) * screws.connection_joint_3_vy
+        + (reactions.reaction_joint_2_vx * d_mu_8_7_59
+            - reactions.reaction_joint_2_vy * d_mu_8_7_61)
+            * screws.connection_joint_3_vz;
     d_mu[7][8] = d_mu_8_7 + 0.0;
     // D_μ column joint_3
-    d_mu[8][0] = 0.0 - d_mu_8_0;
-    d_mu[8][1] = 0.0 - d_mu_8_1;
-    d_mu[8][2] = 0.0 - d_mu_8_2;
-    d_mu[8][3] = 0.0 - d_mu_8_1_18;
-    d_mu[8][4] = 0.0 - d_mu_8_0_18;
-    d_mu[8][5] = 0.0 - d_mu_8_0_20;
+    d_mu[8][0] = 0.0 - six_joint_3_mx;
+    d_mu[8][1] = 0.0 - six_joint_3_my;
+    d_mu[8][2] = 0.0 - six_joint_3_mz;
+    d_mu[8][3] = 0.0 - six_joint_3_fx;
+    d_mu[8][4] = 0.0 - six_joint_3_fy;
+    d_mu[8][5] = 0.0 - six_joint_3_fz;
     d_mu[8][6] = 0.0 - d_mu_8_6;
     d_mu[8][7] = 0.0 - d_mu_8_7;
     d_mu[8][8] = 0.0;
@@ -2177,153 +2216,161 @@ fn b2_itself(
 ) {
     // B_2(μ) column joint_1
     b2[0][0] = 0.0;
-    let wrench_base_my_1 = inertias.composite_base_xx * mu[0]
+    let six_joint_1_my_1 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let wrench_base_mx_3 = inertias.composite_base_xy * mu[0]
+    let six_joint_1_mx_3 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
+    let six_joint_1_mx_1 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let wrench_base_mx_4_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
-    let wrench_base_mx_4 = wrench_base_mx_4_1 + wrench_base_mx_4_1
+    let six_joint_1_mx_4_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
+    let six_joint_1_mx_4 = six_joint_1_mx_4_1 + six_joint_1_mx_4_1
         - (inertias.inertia_base_xy + inertias.inertia_base_xy);
-    let wrench_base_mx_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
+    let six_joint_1_mx_6 = inertias.inertia_base_xx - inertias.inertia_base_yy
         - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
-    let wrench_base_mx = reactions.reaction_joint_1_wy * wrench_base_mx_1
-        - reactions.reaction_joint_1_wz * wrench_base_mx_3
-        - (wrench_base_mx_4 * mu[0] + wrench_base_mx_6 * mu[1]
+    let six_joint_1_mx = reactions.reaction_joint_1_wy * six_joint_1_mx_1
+        - reactions.reaction_joint_1_wz * six_joint_1_mx_3
+        - (six_joint_1_mx_4 * mu[0] + six_joint_1_mx_6 * mu[1]
             - outside.outside_joint_1_my * mu[2]);
-    let wrench_base_my = reactions.reaction_joint_1_wz * wrench_base_my_1
-        - reactions.reaction_joint_1_wx * wrench_base_mx_1
-        - (wrench_base_mx_6 * mu[0] + outside.outside_joint_1_mx * mu[2]);
-    let wrench_base_mz = reactions.reaction_joint_1_wx * wrench_base_mx_3
-        - reactions.reaction_joint_1_wy * wrench_base_my_1
+    let six_joint_1_my = reactions.reaction_joint_1_wz * six_joint_1_my_1
+        - reactions.reaction_joint_1_wx * six_joint_1_mx_1
+        - (six_joint_1_mx_6 * mu[0] + outside.outside_joint_1_mx * mu[2]);
+    let six_joint_1_mz = reactions.reaction_joint_1_wx * six_joint_1_mx_3
+        - reactions.reaction_joint_1_wy * six_joint_1_my_1
         - (outside.outside_joint_1_mx * mu[1] - outside.outside_joint_1_my * mu[0]
-            + wrench_base_mx_4 * mu[2]);
-    let b2_1_0_26_0 = poses.sin_joint_1 * inertias.minus_composite_link_2_xz;
-    let b2_1_0_26_1 = poses.cos_joint_1 * inertias.minus_composite_link_2_yz;
-    let b2_1_0_26 = b2_1_0_26_0 - b2_1_0_26_1;
-    let b2_1_0_28_1 = inertias.composite_link_2_hx * screws.minus_screw_joint_2_vx;
-    let b2_1_0_27_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
-    let b2_1_0_16_1 = inertias.composite_link_2_hz * screws.minus_screw_joint_2_vz;
-    let b2_1_0_27 = b2_1_0_27_1 + b2_1_0_27_1;
-    let b2_1_0_16 = b2_1_0_16_1 + b2_1_0_16_1;
-    let b2_1_0_28 = b2_1_0_28_1 + b2_1_0_28_1;
-    let b2_1_0_11 = inertias.inside_joint_2_mz_1_0 - inertias.inside_joint_2_mz_1_1
+            + six_joint_1_mx_4 * mu[2]);
+    let three_joint_2_x_3 = poses.sin_joint_1 * inertias.minus_composite_link_2_xz;
+    let three_joint_2_y_3 = poses.cos_joint_1 * inertias.minus_composite_link_2_yz;
+    let three_joint_2_z_5 = three_joint_2_x_3 - three_joint_2_y_3;
+    let three_joint_2_y_4_1 = inertias.composite_link_2_hx
+        * screws.minus_screw_joint_2_vx;
+    let three_joint_2_x_0_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
+    let three_joint_2_x_1_1 = inertias.composite_link_2_hz
+        * screws.minus_screw_joint_2_vz;
+    let three_joint_2_x_0 = three_joint_2_x_0_1 + three_joint_2_x_0_1;
+    let three_joint_2_x_1 = three_joint_2_x_1_1 + three_joint_2_x_1_1;
+    let three_joint_2_y_4 = three_joint_2_y_4_1 + three_joint_2_y_4_1;
+    let three_joint_2_x_5 = inertias.inside_joint_2_mz_1_0
+        - inertias.inside_joint_2_mz_1_1
         - (screws.inside_joint_2_mz_0 - screws.inside_joint_2_mz_1);
-    let b2_1_0_21 = poses.sin_joint_1 * inertias.composite_link_2_zz
+    let three_joint_2_x_7 = poses.sin_joint_1 * inertias.composite_link_2_zz
         - (inertias.inside_joint_2_my_0_1
             + poses.sin_joint_1 * inertias.composite_link_2_xx)
         + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
-    let b2_1_0_23 = poses.cos_joint_1 * inertias.composite_link_2_yy
+    let three_joint_2_y_7 = poses.cos_joint_1 * inertias.composite_link_2_yy
         + inertias.inside_joint_2_mx_0_1
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
-    let b2_1_0 = (reactions.reaction_joint_1_wx
-        * ((b2_1_0_27 - b2_1_0_16 - (b2_1_0_26_0 + b2_1_0_26_0)) * mu[0]
-            + b2_1_0_11 * mu[1] + b2_1_0_21 * mu[2])
-        + reactions.reaction_joint_1_wy
-            * (b2_1_0_11 * mu[0]
-                + (b2_1_0_26_1 + b2_1_0_26_1 - (b2_1_0_28 + b2_1_0_16)) * mu[1]
-                + b2_1_0_23 * mu[2])
-        + reactions.reaction_joint_1_wz
-            * (b2_1_0_21 * mu[0] + b2_1_0_23 * mu[1]
-                + (b2_1_0_26 + b2_1_0_26 + (b2_1_0_27 - b2_1_0_28)) * mu[2])
-        + wrench_base_mx * screws.connection_joint_2_wx
-        + wrench_base_my * screws.connection_joint_2_wy
-        + wrench_base_mz * screws.connection_joint_2_wz) * 0.5;
+    let three_joint_2_x = (three_joint_2_x_0 - three_joint_2_x_1
+        - (three_joint_2_x_3 + three_joint_2_x_3)) * mu[0] + three_joint_2_x_5 * mu[1]
+        + three_joint_2_x_7 * mu[2];
+    let three_joint_2_y = three_joint_2_x_5 * mu[0]
+        + (three_joint_2_y_3 + three_joint_2_y_3
+            - (three_joint_2_y_4 + three_joint_2_x_1)) * mu[1]
+        + three_joint_2_y_7 * mu[2];
+    let three_joint_2_z = three_joint_2_x_7 * mu[0] + three_joint_2_y_7 * mu[1]
+        + (three_joint_2_z_5 + three_joint_2_z_5
+            + (three_joint_2_x_0 - three_joint_2_y_4)) * mu[2];
+    let b2_1_0 = (reactions.reaction_joint_1_wx * three_joint_2_x
+        + reactions.reaction_joint_1_wy * three_joint_2_y
+        + reactions.reaction_joint_1_wz * three_joint_2_z
+        + six_joint_1_mx * screws.connection_joint_2_wx
+        + six_joint_1_my * screws.connection_joint_2_wy
+        + six_joint_1_mz * screws.connection_joint_2_wz) * 0.5;
     b2[0][1] = 0.0 - b2_1_0;
-    let b2_2_0_5_5_0 = poses.sin_joint_1 * inertias.minus_inertia_link_3_xz;
-    let b2_2_0_5_5_1 = poses.cos_joint_1 * inertias.minus_inertia_link_3_yz;
-    let b2_2_0_5_5 = b2_2_0_5_5_0 - b2_2_0_5_5_1;
-    let b2_2_0_3_5_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
-    let b2_2_0_1_0_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
-    let b2_2_0_1_1_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
-    let b2_2_0_1_0 = b2_2_0_1_0_1 + b2_2_0_1_0_1;
-    let b2_2_0_1_1 = b2_2_0_1_1_1 + b2_2_0_1_1_1;
-    let b2_2_0_3_5 = b2_2_0_3_5_1 + b2_2_0_3_5_1;
-    let b2_2_0_1_5 = inertias.inside_joint_3_mz_1_0 - inertias.inside_joint_3_mz_1_1
+    let three_joint_3_x_3 = poses.sin_joint_1 * inertias.minus_inertia_link_3_xz;
+    let three_joint_3_y_3 = poses.cos_joint_1 * inertias.minus_inertia_link_3_yz;
+    let three_joint_3_z_5 = three_joint_3_x_3 - three_joint_3_y_3;
+    let three_joint_3_y_5_1 = inertias.inertia_link_3_hx * screws.minus_screw_joint_3_vx;
+    let three_joint_3_x_0_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
+    let three_joint_3_x_1_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
+    let three_joint_3_x_0 = three_joint_3_x_0_1 + three_joint_3_x_0_1;
+    let three_joint_3_x_1 = three_joint_3_x_1_1 + three_joint_3_x_1_1;
+    let three_joint_3_y_5 = three_joint_3_y_5_1 + three_joint_3_y_5_1;
+    let three_joint_3_x_5 = inertias.inside_joint_3_mz_1_0
+        - inertias.inside_joint_3_mz_1_1
         - (screws.inside_joint_3_mz_0 - screws.inside_joint_3_mz_1);
-    let b2_2_0_1_7 = poses.sin_joint_1 * inertias.inertia_link_3_zz
+    let three_joint_3_x_7 = poses.sin_joint_1 * inertias.inertia_link_3_zz
         - (inertias.inside_joint_3_my_0_1
             + poses.sin_joint_1 * inertias.inertia_link_3_xx)
         - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
-    let b2_2_0_3_7 = poses.cos_joint_1 * inertias.inertia_link_3_yy
+    let three_joint_3_y_7 = poses.cos_joint_1 * inertias.inertia_link_3_yy
         + inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
         - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
-    let b2_2_0_1 = (b2_2_0_1_0 + b2_2_0_1_1 - (b2_2_0_5_5_0 + b2_2_0_5_5_0)) * mu[0]
-        + b2_2_0_1_5 * mu[1] + b2_2_0_1_7 * mu[2];
-    let b2_2_0_3 = b2_2_0_1_5 * mu[0]
-        + (b2_2_0_5_5_1 + b2_2_0_5_5_1 + (b2_2_0_1_1 - b2_2_0_3_5)) * mu[1]
-        + b2_2_0_3_7 * mu[2];
-    let b2_2_0_5 = b2_2_0_1_7 * mu[0] + b2_2_0_3_7 * mu[1]
-        + (b2_2_0_5_5 + b2_2_0_5_5 + (b2_2_0_1_0 - b2_2_0_3_5)) * mu[2];
-    let b2_2_0 = (reactions.reaction_joint_1_wx * b2_2_0_1
-        + reactions.reaction_joint_1_wy * b2_2_0_3
-        + reactions.reaction_joint_1_wz * b2_2_0_5
-        + wrench_base_mx * screws.connection_joint_3_wx
-        + wrench_base_my * screws.connection_joint_3_wy
-        + wrench_base_mz * screws.connection_joint_3_wz) * 0.5;
+    let three_joint_3_x = (three_joint_3_x_0 + three_joint_3_x_1
+        - (three_joint_3_x_3 + three_joint_3_x_3)) * mu[0] + three_joint_3_x_5 * mu[1]
+        + three_joint_3_x_7 * mu[2];
+    let three_joint_3_y = three_joint_3_x_5 * mu[0]
+        + (three_joint_3_y_3 + three_joint_3_y_3
+            + (three_joint_3_x_1 - three_joint_3_y_5)) * mu[1]
+        + three_joint_3_y_7 * mu[2];
+    let three_joint_3_z = three_joint_3_x_7 * mu[0] + three_joint_3_y_7 * mu[1]
+        + (three_joint_3_z_5 + three_joint_3_z_5
+            + (three_joint_3_x_0 - three_joint_3_y_5)) * mu[2];
+    let b2_2_0 = (reactions.reaction_joint_1_wx * three_joint_3_x
+        + reactions.reaction_joint_1_wy * three_joint_3_y
+        + reactions.reaction_joint_1_wz * three_joint_3_z
+        + six_joint_1_mx * screws.connection_joint_3_wx
+        + six_joint_1_my * screws.connection_joint_3_wy
+        + six_joint_1_mz * screws.connection_joint_3_wz) * 0.5;
     b2[0][2] = 0.0 - b2_2_0;
     // B_2(μ) column joint_2
     b2[1][0] = b2_1_0 + 0.0;
     b2[1][1] = 0.0;
-    let wrench_link_1_fy_1 = mu[0] * 260.0;
-    let wrench_link_1_fx_3 = mu[1] * 260.0;
-    let wrench_link_1_fx_1 = mu[2] * 260.0;
-    let wrench_link_1_mx_5 = poses.sin_joint_1 * complements.complement_link_2_xz;
-    let wrench_link_1_my_9 = poses.cos_joint_1 * complements.complement_link_2_yz;
-    let wrench_link_1_mz_9 = wrench_link_1_my_9 - wrench_link_1_mx_5;
-    let wrench_link_1_my_6_1 = complements.minus_complement_link_2_hx
+    let six_joint_2_fy_1 = mu[0] * 260.0;
+    let six_joint_2_fx_3 = mu[1] * 260.0;
+    let six_joint_2_fx_1 = mu[2] * 260.0;
+    let six_joint_2_mx_5 = poses.sin_joint_1 * complements.complement_link_2_xz;
+    let six_joint_2_my_9 = poses.cos_joint_1 * complements.complement_link_2_yz;
+    let six_joint_2_mz_9 = six_joint_2_my_9 - six_joint_2_mx_5;
+    let six_joint_2_my_6_1 = complements.minus_complement_link_2_hx
         * screws.minus_screw_joint_2_vx;
-    let wrench_link_1_mx_6_1 = complements.complement_link_2_hy
-        * screws.screw_joint_2_vy;
-    let wrench_link_1_mx_7_1 = complements.complement_link_2_hz
+    let six_joint_2_mx_6_1 = complements.complement_link_2_hy * screws.screw_joint_2_vy;
+    let six_joint_2_mx_7_1 = complements.complement_link_2_hz
         * screws.minus_screw_joint_2_vz;
-    let wrench_link_1_mx_6 = wrench_link_1_mx_6_1 + wrench_link_1_mx_6_1;
-    let wrench_link_1_mx_7 = wrench_link_1_mx_7_1 + wrench_link_1_mx_7_1;
-    let wrench_link_1_my_6 = wrench_link_1_my_6_1 + wrench_link_1_my_6_1;
-    let wrench_link_1_mx_9 = complements.outside_joint_2_mz_0_1
+    let six_joint_2_mx_6 = six_joint_2_mx_6_1 + six_joint_2_mx_6_1;
+    let six_joint_2_mx_7 = six_joint_2_mx_7_1 + six_joint_2_mx_7_1;
+    let six_joint_2_my_6 = six_joint_2_my_6_1 + six_joint_2_my_6_1;
+    let six_joint_2_mx_9 = complements.outside_joint_2_mz_0_1
         - complements.outside_joint_2_mz_0_0
         + (screws.outside_joint_2_mz_1_1 + screws.outside_joint_2_mz_1_0);
-    let wrench_link_1_mx_11 = poses.sin_joint_1 * complements.complement_link_2_zz
+    let six_joint_2_mx_11 = poses.sin_joint_1 * complements.complement_link_2_zz
         + (complements.outside_joint_2_my_0_0
             - poses.sin_joint_1 * complements.complement_link_2_xx)
         - (screws.outside_joint_2_my_1_1 - screws.outside_joint_2_my_1_0);
-    let wrench_link_1_my_11 = poses.cos_joint_1 * complements.complement_link_2_yy
+    let six_joint_2_my_11 = poses.cos_joint_1 * complements.complement_link_2_yy
         - complements.outside_joint_2_mx_0_1
         - poses.cos_joint_1 * complements.complement_link_2_zz
         - (screws.outside_joint_2_mx_1_1 - screws.outside_joint_2_mx_1_0);
-    let wrench_link_1_mx = reactions.reaction_joint_2_wy * wrench_base_mx_1
-        - reactions.reaction_joint_2_wz * wrench_base_mx_3
-        - ((wrench_link_1_mx_5 + wrench_link_1_mx_5
-            + (wrench_link_1_mx_6 - wrench_link_1_mx_7)) * mu[0]
-            + wrench_link_1_mx_9 * mu[1] + wrench_link_1_mx_11 * mu[2]);
-    let wrench_link_1_my = reactions.reaction_joint_2_wz * wrench_base_my_1
-        - reactions.reaction_joint_2_wx * wrench_base_mx_1
-        - (wrench_link_1_mx_9 * mu[0]
-            + (wrench_link_1_my_6 - wrench_link_1_mx_7
-                - (wrench_link_1_my_9 + wrench_link_1_my_9)) * mu[1]
-            + wrench_link_1_my_11 * mu[2]);
-    let wrench_link_1_mz = reactions.reaction_joint_2_wx * wrench_base_mx_3
-        - reactions.reaction_joint_2_wy * wrench_base_my_1
-        - (wrench_link_1_mx_11 * mu[0] + wrench_link_1_my_11 * mu[1]
-            + (wrench_link_1_mz_9 + wrench_link_1_mz_9
-                + (wrench_link_1_my_6 + wrench_link_1_mx_6)) * mu[2]);
-    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
-        - reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
-    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
-    let wrench_link_1_fz = reactions.reaction_joint_2_vx * wrench_link_1_fx_3
-        - reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
-    let b2_2_1 = (reactions.reaction_joint_2_wx * b2_2_0_1
-        + reactions.reaction_joint_2_wy * b2_2_0_3
-        + reactions.reaction_joint_2_wz * b2_2_0_5
-        + wrench_link_1_mx * screws.connection_joint_3_wx
-        + wrench_link_1_my * screws.connection_joint_3_wy
-        + wrench_link_1_mz * screws.connection_joint_3_wz
-        + wrench_link_1_fx * screws.connection_joint_3_vx
-        + wrench_link_1_fy * screws.connection_joint_3_vy
-        + wrench_link_1_fz * screws.connection_joint_3_vz) * 0.5;
+    let six_joint_2_mx = reactions.reaction_joint_2_wy * six_joint_1_mx_1
+        - reactions.reaction_joint_2_wz * six_joint_1_mx_3
+        - ((six_joint_2_mx_5 + six_joint_2_mx_5 + (six_joint_2_mx_6 - six_joint_2_mx_7))
+            * mu[0] + six_joint_2_mx_9 * mu[1] + six_joint_2_mx_11 * mu[2]);
+    let six_joint_2_my = reactions.reaction_joint_2_wz * six_joint_1_my_1
+        - reactions.reaction_joint_2_wx * six_joint_1_mx_1
+        - (six_joint_2_mx_9 * mu[0]
+            + (six_joint_2_my_6 - six_joint_2_mx_7
+                - (six_joint_2_my_9 + six_joint_2_my_9)) * mu[1]
+            + six_joint_2_my_11 * mu[2]);
+    let six_joint_2_mz = reactions.reaction_joint_2_wx * six_joint_1_mx_3
+        - reactions.reaction_joint_2_wy * six_joint_1_my_1
+        - (six_joint_2_mx_11 * mu[0] + six_joint_2_my_11 * mu[1]
+            + (six_joint_2_mz_9 + six_joint_2_mz_9
+                + (six_joint_2_my_6 + six_joint_2_mx_6)) * mu[2]);
+    let six_joint_2_fx = reactions.reaction_joint_2_vy * six_joint_2_fx_1
+        - reactions.reaction_joint_2_vz * six_joint_2_fx_3;
+    let six_joint_2_fy = reactions.reaction_joint_2_vz * six_joint_2_fy_1
+        - reactions.reaction_joint_2_vx * six_joint_2_fx_1;
+    let six_joint_2_fz = reactions.reaction_joint_2_vx * six_joint_2_fx_3
+        - reactions.reaction_joint_2_vy * six_joint_2_fy_1;
+    let b2_2_1 = (reactions.reaction_joint_2_wx * three_joint_3_x
+        + reactions.reaction_joint_2_wy * three_joint_3_y
+        + reactions.reaction_joint_2_wz * three_joint_3_z
+        + six_joint_2_mx * screws.connection_joint_3_wx
+        + six_joint_2_my * screws.connection_joint_3_wy
+        + six_joint_2_mz * screws.connection_joint_3_wz
+        + six_joint_2_fx * screws.connection_joint_3_vx
+        + six_joint_2_fy * screws.connection_joint_3_vy
+        + six_joint_2_fz * screws.connection_joint_3_vz) * 0.5;
     b2[1][2] = 0.0 - b2_2_1;
     // B_2(μ) column joint_3
     b2[2][0] = b2_2_0 + 0.0;
@@ -2453,7 +2500,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (3; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (9×9, by columns; Λ's · 1/s)
 ///
-/// 1774 operations: 899 + −, 872 ×, 3 ÷; 3 sin cos; about 20.9 KiB of code.
+/// 1764 operations: 894 + −, 867 ×, 3 ÷; 3 sin cos; about 20.8 KiB of code.
 pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -2476,10 +2523,8 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let d_qdot_0_0_9_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
     let d_qdot_0_0_8 = d_qdot_0_0_8_1 + d_qdot_0_0_8_1;
     let d_qdot_0_0_9 = d_qdot_0_0_9_1 + d_qdot_0_0_9_1;
-    let d_qdot_0_0_15_1_0 = (screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2]) * 0.5;
-    let d_qdot_0_0_15_0_0 = (screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]) * 0.5;
+    let d_qdot_0_0_15_1_0 = velocities.minus_velocity_base_vz * 130.0 * 0.5;
+    let d_qdot_0_0_15_0_0 = velocities.minus_velocity_base_vy * 130.0 * 0.5;
     let d_qdot_0_0_15_1 = d_qdot_0_0_15_1_0 * d_qdot_0_0_15_1_1;
     let d_qdot_0_0_15_0 = d_qdot_0_0_15_0_0 * poses.minus_com_y;
     let d_qdot_0_0_15 = d_qdot_0_0_15_0 - d_qdot_0_0_15_1;
@@ -2494,8 +2539,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             - (screws.inside_joint_2_mz_0 - screws.inside_joint_2_mz_1)) * qd[1]
         + (inertias.inside_joint_3_mz_1_0 - inertias.inside_joint_3_mz_1_1
             - (screws.inside_joint_3_mz_0 - screws.inside_joint_3_mz_1)) * qd[2]) * 0.5;
-    let d_qdot_1_0_1_0 = (screws.inside_joint_1_fx * qd[0]
-        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2]) * 0.5;
+    let d_qdot_1_0_1_0 = velocities.minus_velocity_base_vx * 130.0 * 0.5;
     let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.minus_com_y;
     let d_qdot_1_0_2 = d_qdot_0_0_15_0_0 * poses.com_x;
     d_qdot[0][1] = d_qdot_1_0_0 + d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
@@ -2910,57 +2954,57 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_1_xz = factor_link_1_xz_0 + factor_link_2_xz;
     let factor_link_1_yz = factor_link_1_yz_0 + factor_link_2_yz;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
-    let wrench_base_mx_6 = velocities.minus_velocity_base_wy * poses.origin_base_y
+    let six_joint_1_mx_6 = velocities.minus_velocity_base_wy * poses.origin_base_y
         - velocities.minus_velocity_base_wx * poses.minus_origin_base_x;
-    let wrench_base_my_6 = velocities.velocity_link_1_vy
+    let six_joint_1_my_6 = velocities.velocity_link_1_vy
         - velocities.velocity_link_1_wz * poses.minus_origin_base_x;
-    let wrench_base_mx_8 = velocities.velocity_link_1_wz * poses.origin_base_y
+    let six_joint_1_mx_8 = velocities.velocity_link_1_wz * poses.origin_base_y
         - velocities.velocity_link_1_vx;
-    let wrench_base_mx = factor_link_1_xz
-        + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
-            - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hy * wrench_base_mx_6
-                - inertias.composite_link_1_hz * wrench_base_mx_8));
-    let wrench_base_my = factor_link_1_yz
-        + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
-            - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
-            + (inertias.composite_link_1_hz * wrench_base_my_6
-                - inertias.composite_link_1_hx * wrench_base_mx_6));
-    let wrench_base_mz = factor_link_1_zz
-        + (inertias.composite_link_1_hx * wrench_base_mx_8
-            - inertias.composite_link_1_hy * wrench_base_my_6
-            - (inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
-                + inertias.minus_composite_link_1_yz
-                    * velocities.minus_velocity_base_wx));
-    let turn_joint_1_x_0 = factor_outside_link_1_xx * screws.connection_joint_1_wx;
-    let turn_joint_1_y_2 = factor_outside_link_1_yy * screws.connection_joint_1_wy;
-    let turn_joint_1_z_4 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
-    let turn_joint_1_x_7 = factor_link_1_xx * reactions.reaction_joint_1_wx;
-    let turn_joint_1_y_9 = factor_link_1_yy * reactions.reaction_joint_1_wy;
-    let turn_joint_1_z_13 = factor_link_1_zz * reactions.reaction_joint_1_wz;
-    let turn_joint_1_x = turn_joint_1_x_0
+    let three_joint_1_x_0 = factor_outside_link_1_xx * screws.connection_joint_1_wx;
+    let three_joint_1_y_2 = factor_outside_link_1_yy * screws.connection_joint_1_wy;
+    let three_joint_1_z_4 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
+    let three_joint_1_x_7 = factor_link_1_xx * reactions.reaction_joint_1_wx;
+    let three_joint_1_y_9 = factor_link_1_yy * reactions.reaction_joint_1_wy;
+    let three_joint_1_z_13 = factor_link_1_zz * reactions.reaction_joint_1_wz;
+    let three_joint_1_x = three_joint_1_x_0
         + factor_outside_link_1_yx * screws.connection_joint_1_wy
         + factor_outside_link_1_zx * screws.connection_joint_1_wz
         + minus_factor_outside_link_1_pz * screws.connection_joint_1_vy
-        - (turn_joint_1_x_7 + factor_link_1_yx * reactions.reaction_joint_1_wy
+        - (three_joint_1_x_7 + factor_link_1_yx * reactions.reaction_joint_1_wy
             + factor_link_1_zx * reactions.reaction_joint_1_wz);
-    let turn_joint_1_y = factor_outside_link_1_xy * screws.connection_joint_1_wx
-        + turn_joint_1_y_2 + factor_outside_link_1_zy * screws.connection_joint_1_wz
+    let three_joint_1_y = factor_outside_link_1_xy * screws.connection_joint_1_wx
+        + three_joint_1_y_2 + factor_outside_link_1_zy * screws.connection_joint_1_wz
         - minus_factor_outside_link_1_pz * screws.connection_joint_1_vx
-        - (factor_link_1_xy * reactions.reaction_joint_1_wx + turn_joint_1_y_9
+        - (factor_link_1_xy * reactions.reaction_joint_1_wx + three_joint_1_y_9
             + factor_link_1_zy * reactions.reaction_joint_1_wz);
-    let turn_joint_1_z = factor_outside_link_1_xz * screws.connection_joint_1_wx
-        + factor_outside_link_1_yz * screws.connection_joint_1_wy + turn_joint_1_z_4
+    let three_joint_1_z = factor_outside_link_1_xz * screws.connection_joint_1_wx
+        + factor_outside_link_1_yz * screws.connection_joint_1_wy + three_joint_1_z_4
         + (factor_outside_link_1_px * screws.connection_joint_1_vy
             - factor_outside_link_1_py * screws.connection_joint_1_vx)
         - (factor_link_1_xz * reactions.reaction_joint_1_wx
-            + factor_link_1_yz * reactions.reaction_joint_1_wy + turn_joint_1_z_13);
-    d_qdot[6][6] = reactions.reaction_joint_1_wx * wrench_base_mx
-        + reactions.reaction_joint_1_wy * wrench_base_my
-        + reactions.reaction_joint_1_wz * wrench_base_mz
-        + turn_joint_1_x * screws.connection_joint_1_wx
-        + turn_joint_1_y * screws.connection_joint_1_wy
-        + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
+            + factor_link_1_yz * reactions.reaction_joint_1_wy + three_joint_1_z_13);
+    let six_joint_1_mx = factor_link_1_xz
+        + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
+            - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
+            + (inertias.composite_link_1_hy * six_joint_1_mx_6
+                - inertias.composite_link_1_hz * six_joint_1_mx_8));
+    let six_joint_1_my = factor_link_1_yz
+        + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
+            - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
+            + (inertias.composite_link_1_hz * six_joint_1_my_6
+                - inertias.composite_link_1_hx * six_joint_1_mx_6));
+    let six_joint_1_mz = factor_link_1_zz
+        + (inertias.composite_link_1_hx * six_joint_1_mx_8
+            - inertias.composite_link_1_hy * six_joint_1_my_6
+            - (inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
+                + inertias.minus_composite_link_1_yz
+                    * velocities.minus_velocity_base_wx));
+    d_qdot[6][6] = reactions.reaction_joint_1_wx * six_joint_1_mx
+        + reactions.reaction_joint_1_wy * six_joint_1_my
+        + reactions.reaction_joint_1_wz * six_joint_1_mz
+        + three_joint_1_x * screws.connection_joint_1_wx
+        + three_joint_1_y * screws.connection_joint_1_wy
+        + three_joint_1_z * screws.connection_joint_1_wz + 0.0;
     let factor_link_1_px_0 = velocities.velocity_link_1_vx * 5.0
         - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
             + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
@@ -2994,88 +3038,92 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
     let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
     let factor_link_1_pz = factor_link_2_pz - factor_link_1_pz_1;
-    let wrench_outside_base_mx = factor_outside_link_1_xz * screws.connection_joint_1_wz
-        + (factor_outside_link_1_xy * screws.connection_joint_1_wy + turn_joint_1_x_0)
+    let six_more_joint_1_mx = factor_outside_link_1_xz * screws.connection_joint_1_wz
+        + (factor_outside_link_1_xy * screws.connection_joint_1_wy + three_joint_1_x_0)
         - (factor_link_1_xz * reactions.reaction_joint_1_wz
-            + (factor_link_1_xy * reactions.reaction_joint_1_wy + turn_joint_1_x_7))
-        + (inertias.inertia_base_hy * wrench_base_mx_6
-            + inertias.minus_inertia_base_hz * wrench_base_mx_8
+            + (factor_link_1_xy * reactions.reaction_joint_1_wy + three_joint_1_x_7))
+        + (inertias.inertia_base_hy * six_joint_1_mx_6
+            + inertias.minus_inertia_base_hz * six_joint_1_mx_8
             - factor_outside_link_1_xz_0);
-    let wrench_outside_base_my = factor_outside_link_1_yz * screws.connection_joint_1_wz
-        + (turn_joint_1_y_2 + factor_outside_link_1_yx * screws.connection_joint_1_wx)
+    let six_more_joint_1_my = factor_outside_link_1_yz * screws.connection_joint_1_wz
+        + (three_joint_1_y_2 + factor_outside_link_1_yx * screws.connection_joint_1_wx)
         - (factor_link_1_yz * reactions.reaction_joint_1_wz
-            + (turn_joint_1_y_9 + factor_link_1_yx * reactions.reaction_joint_1_wx))
-        + (inertias.minus_inertia_base_hx * wrench_base_mx_6
-            - inertias.minus_inertia_base_hz * wrench_base_my_6
+            + (three_joint_1_y_9 + factor_link_1_yx * reactions.reaction_joint_1_wx))
+        + (inertias.minus_inertia_base_hx * six_joint_1_mx_6
+            - inertias.minus_inertia_base_hz * six_joint_1_my_6
             - factor_outside_link_1_yz_0);
-    let wrench_outside_base_mz = turn_joint_1_z_4
+    let six_more_joint_1_mz = three_joint_1_z_4
         + (factor_outside_link_1_zy * screws.connection_joint_1_wy
             + factor_outside_link_1_zx * screws.connection_joint_1_wx)
-        - (turn_joint_1_z_13
+        - (three_joint_1_z_13
             + (factor_link_1_zy * reactions.reaction_joint_1_wy
                 + factor_link_1_zx * reactions.reaction_joint_1_wx))
         + (factor_outside_link_1_zz_1
-            - (inertias.minus_inertia_base_hx * wrench_base_mx_8
-                + inertias.inertia_base_hy * wrench_base_my_6));
-    let wrench_outside_base_fx = wrench_base_my_6 * 105.0 - factor_outside_link_1_py_2
+            - (inertias.minus_inertia_base_hx * six_joint_1_mx_8
+                + inertias.inertia_base_hy * six_joint_1_my_6));
+    let six_more_joint_1_fx = six_joint_1_my_6 * 105.0 - factor_outside_link_1_py_2
         - (screws.connection_joint_1_wy * minus_factor_outside_link_1_pz
             + screws.connection_joint_1_wz * factor_outside_link_1_py
             + (reactions.reaction_joint_1_wy * factor_link_1_pz
                 - reactions.reaction_joint_1_wz * factor_link_1_py));
-    let wrench_outside_base_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
+    let six_more_joint_1_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
         + screws.connection_joint_1_wx * minus_factor_outside_link_1_pz
         - (reactions.reaction_joint_1_wz * factor_link_1_px
             - reactions.reaction_joint_1_wx * factor_link_1_pz)
-        + (wrench_base_mx_8 * 105.0 - factor_outside_link_1_px_0);
-    let wrench_outside_base_fz = screws.connection_joint_1_wx * factor_outside_link_1_py
+        + (six_joint_1_mx_8 * 105.0 - factor_outside_link_1_px_0);
+    let six_more_joint_1_fz = screws.connection_joint_1_wx * factor_outside_link_1_py
         - screws.connection_joint_1_wy * factor_outside_link_1_px
         - (reactions.reaction_joint_1_wx * factor_link_1_py
             - reactions.reaction_joint_1_wy * factor_link_1_px)
-        + (wrench_base_mx_6 * 105.0
+        + (six_joint_1_mx_6 * 105.0
             + (velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hx
                 - velocities.minus_velocity_base_wy * inertias.inertia_base_hy));
-    let three_joint_2_x_0 = factor_link_2_xx * poses.cos_joint_1;
-    let three_joint_2_y_2 = factor_link_2_yy * poses.sin_joint_1;
-    let three_joint_2_x = three_joint_2_x_0 + factor_link_2_yx * poses.sin_joint_1
+    let three_more_joint_2_x_0 = factor_link_2_xx * poses.cos_joint_1;
+    let three_more_joint_2_y_2 = factor_link_2_yy * poses.sin_joint_1;
+    let three_more_joint_2_x = three_more_joint_2_x_0
+        + factor_link_2_yx * poses.sin_joint_1
         - (factor_link_2_py * screws.minus_screw_joint_2_vz
             + factor_link_2_pz * screws.screw_joint_2_vy);
-    let three_joint_2_y = factor_link_2_xy * poses.cos_joint_1 + three_joint_2_y_2
+    let three_more_joint_2_y = factor_link_2_xy * poses.cos_joint_1
+        + three_more_joint_2_y_2
         + (factor_link_2_px * screws.minus_screw_joint_2_vz
             - factor_link_2_pz * screws.minus_screw_joint_2_vx);
-    let three_joint_2_z = factor_link_2_xz * poses.cos_joint_1
+    let three_more_joint_2_z = factor_link_2_xz * poses.cos_joint_1
         + factor_link_2_yz * poses.sin_joint_1
         + (factor_link_2_px * screws.screw_joint_2_vy
             + factor_link_2_py * screws.minus_screw_joint_2_vx);
-    d_qdot[6][7] = wrench_outside_base_mx * screws.connection_joint_2_wx
-        + wrench_outside_base_my * screws.connection_joint_2_wy
-        + wrench_outside_base_mz * screws.connection_joint_2_wz
-        + wrench_outside_base_fx * screws.connection_joint_2_vx
-        + wrench_outside_base_fy * screws.connection_joint_2_vy
-        + wrench_outside_base_fz * screws.connection_joint_2_vz
-        + reactions.reaction_joint_1_wx * three_joint_2_x
-        + reactions.reaction_joint_1_wy * three_joint_2_y
-        + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
-    let three_joint_3_x_0 = factor_link_3_xx * poses.cos_joint_1;
-    let three_joint_3_y_2 = factor_link_3_yy * poses.sin_joint_1;
-    let three_joint_3_x = three_joint_3_x_0 + factor_link_3_yx * poses.sin_joint_1
+    d_qdot[6][7] = six_more_joint_1_mx * screws.connection_joint_2_wx
+        + six_more_joint_1_my * screws.connection_joint_2_wy
+        + six_more_joint_1_mz * screws.connection_joint_2_wz
+        + six_more_joint_1_fx * screws.connection_joint_2_vx
+        + six_more_joint_1_fy * screws.connection_joint_2_vy
+        + six_more_joint_1_fz * screws.connection_joint_2_vz
+        + reactions.reaction_joint_1_wx * three_more_joint_2_x
+        + reactions.reaction_joint_1_wy * three_more_joint_2_y
+        + reactions.reaction_joint_1_wz * three_more_joint_2_z + 0.0;
+    let three_more_joint_3_x_0 = factor_link_3_xx * poses.cos_joint_1;
+    let three_more_joint_3_y_2 = factor_link_3_yy * poses.sin_joint_1;
+    let three_more_joint_3_x = three_more_joint_3_x_0
+        + factor_link_3_yx * poses.sin_joint_1
         + (factor_link_3_py * screws.screw_joint_3_vz
             - factor_link_3_pz * screws.screw_joint_3_vy);
-    let three_joint_3_y = factor_link_3_xy * poses.cos_joint_1 + three_joint_3_y_2
+    let three_more_joint_3_y = factor_link_3_xy * poses.cos_joint_1
+        + three_more_joint_3_y_2
         - (factor_link_3_pz * screws.minus_screw_joint_3_vx
             + factor_link_3_px * screws.screw_joint_3_vz);
-    let three_joint_3_z = factor_link_3_xz * poses.cos_joint_1
+    let three_more_joint_3_z = factor_link_3_xz * poses.cos_joint_1
         + factor_link_3_yz * poses.sin_joint_1
         + (factor_link_3_px * screws.screw_joint_3_vy
             + factor_link_3_py * screws.minus_screw_joint_3_vx);
-    d_qdot[6][8] = wrench_outside_base_mx * screws.connection_joint_3_wx
-        + wrench_outside_base_my * screws.connection_joint_3_wy
-        + wrench_outside_base_mz * screws.connection_joint_3_wz
-        + wrench_outside_base_fx * screws.connection_joint_3_vx
-        + wrench_outside_base_fy * screws.connection_joint_3_vy
-        + wrench_outside_base_fz * screws.connection_joint_3_vz
-        + reactions.reaction_joint_1_wx * three_joint_3_x
-        + reactions.reaction_joint_1_wy * three_joint_3_y
-        + reactions.reaction_joint_1_wz * three_joint_3_z + 0.0;
+    d_qdot[6][8] = six_more_joint_1_mx * screws.connection_joint_3_wx
+        + six_more_joint_1_my * screws.connection_joint_3_wy
+        + six_more_joint_1_mz * screws.connection_joint_3_wz
+        + six_more_joint_1_fx * screws.connection_joint_3_vx
+        + six_more_joint_1_fy * screws.connection_joint_3_vy
+        + six_more_joint_1_fz * screws.connection_joint_3_vz
+        + reactions.reaction_joint_1_wx * three_more_joint_3_x
+        + reactions.reaction_joint_1_wy * three_more_joint_3_y
+        + reactions.reaction_joint_1_wz * three_more_joint_3_z + 0.0;
     // D_q\u{307} column joint_2
     d_qdot[7][0] = 0.0;
     d_qdot[7][1] = 0.0;
@@ -3083,46 +3131,45 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     d_qdot[7][3] = 0.0;
     d_qdot[7][4] = 0.0;
     d_qdot[7][5] = 0.0;
-    let wrench_link_1_mx_8 = velocities.velocity_link_1_wz * poses.sin_joint_1;
-    let wrench_link_1_mx_10 = velocities.velocity_link_1_wz * poses.cos_joint_1;
-    let wrench_link_1_mx_12 = velocities.velocity_link_2_wx * poses.sin_joint_1
+    let six_joint_2_mx_8 = velocities.velocity_link_1_wz * poses.sin_joint_1;
+    let six_joint_2_mx_10 = velocities.velocity_link_1_wz * poses.cos_joint_1;
+    let six_joint_2_mx_12 = velocities.velocity_link_2_wx * poses.sin_joint_1
         - velocities.velocity_link_2_wy * poses.cos_joint_1;
-    let wrench_link_1_my_10 = velocities.minus_velocity_link_2_vz * poses.sin_joint_1
+    let six_joint_2_my_10 = velocities.minus_velocity_link_2_vz * poses.sin_joint_1
         - (velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vz
             + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
-    let wrench_link_1_mx_6 = velocities.velocity_link_2_wx
-        * screws.minus_screw_joint_2_vz
+    let six_joint_2_mx_6 = velocities.velocity_link_2_wx * screws.minus_screw_joint_2_vz
         - velocities.velocity_link_1_wz * screws.minus_screw_joint_2_vx
         - velocities.minus_velocity_link_2_vz * poses.cos_joint_1;
-    let wrench_link_1_mx_4 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
+    let six_joint_2_mx_4 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
         + velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vx
         + (velocities.velocity_link_2_vx * poses.sin_joint_1
             - velocities.velocity_link_2_vy * poses.cos_joint_1);
-    let wrench_link_1_mx = factor_link_2_xy * poses.sin_joint_1 + three_joint_2_x_0
-        + (inertias.composite_link_2_hy * wrench_link_1_mx_4
-            - inertias.composite_link_2_hz * wrench_link_1_mx_6
-            - (inertias.composite_link_2_xx * wrench_link_1_mx_8
-                + inertias.minus_composite_link_2_xy * wrench_link_1_mx_10
-                + inertias.minus_composite_link_2_xz * wrench_link_1_mx_12));
-    let wrench_link_1_my = three_joint_2_y_2 + factor_link_2_yx * poses.cos_joint_1
-        + (inertias.minus_composite_link_2_xy * wrench_link_1_mx_8
-            + inertias.composite_link_2_yy * wrench_link_1_mx_10
-            - inertias.minus_composite_link_2_yz * wrench_link_1_mx_12
-            + (inertias.composite_link_2_hz * wrench_link_1_my_10
-                - inertias.composite_link_2_hx * wrench_link_1_mx_4));
-    let wrench_link_1_mz = factor_link_2_zy * poses.sin_joint_1
+    let six_joint_2_mx = factor_link_2_xy * poses.sin_joint_1 + three_more_joint_2_x_0
+        + (inertias.composite_link_2_hy * six_joint_2_mx_4
+            - inertias.composite_link_2_hz * six_joint_2_mx_6
+            - (inertias.composite_link_2_xx * six_joint_2_mx_8
+                + inertias.minus_composite_link_2_xy * six_joint_2_mx_10
+                + inertias.minus_composite_link_2_xz * six_joint_2_mx_12));
+    let six_joint_2_my = three_more_joint_2_y_2 + factor_link_2_yx * poses.cos_joint_1
+        + (inertias.minus_composite_link_2_xy * six_joint_2_mx_8
+            + inertias.composite_link_2_yy * six_joint_2_mx_10
+            - inertias.minus_composite_link_2_yz * six_joint_2_mx_12
+            + (inertias.composite_link_2_hz * six_joint_2_my_10
+                - inertias.composite_link_2_hx * six_joint_2_mx_4));
+    let six_joint_2_mz = factor_link_2_zy * poses.sin_joint_1
         + factor_link_2_zx * poses.cos_joint_1
-        + (inertias.minus_composite_link_2_xz * wrench_link_1_mx_8
-            - inertias.minus_composite_link_2_yz * wrench_link_1_mx_10
-            + inertias.composite_link_2_zz * wrench_link_1_mx_12
-            + (inertias.composite_link_2_hx * wrench_link_1_mx_6
-                - inertias.composite_link_2_hy * wrench_link_1_my_10));
-    d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
-        + reactions.reaction_joint_1_wy * wrench_link_1_my
-        + reactions.reaction_joint_1_wz * wrench_link_1_mz
-        + turn_joint_1_x * screws.connection_joint_2_wx
-        + turn_joint_1_y * screws.connection_joint_2_wy
-        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
+        + (inertias.minus_composite_link_2_xz * six_joint_2_mx_8
+            - inertias.minus_composite_link_2_yz * six_joint_2_mx_10
+            + inertias.composite_link_2_zz * six_joint_2_mx_12
+            + (inertias.composite_link_2_hx * six_joint_2_mx_6
+                - inertias.composite_link_2_hy * six_joint_2_my_10));
+    d_qdot[7][6] = reactions.reaction_joint_1_wx * six_joint_2_mx
+        + reactions.reaction_joint_1_wy * six_joint_2_my
+        + reactions.reaction_joint_1_wz * six_joint_2_mz
+        + three_joint_1_x * screws.connection_joint_2_wx
+        + three_joint_1_y * screws.connection_joint_2_wy
+        + three_joint_1_z * screws.connection_joint_2_wz + 0.0;
     let factor_outside_link_2_xx = factor_link_1_xx_0 + factor_outside_link_1_xx;
     let factor_outside_link_2_yx = factor_link_1_yx_0 + factor_outside_link_1_yx;
     let factor_outside_link_2_zx = factor_link_1_zx_0 + factor_outside_link_1_zx;
@@ -3136,122 +3183,118 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_outside_link_2_py = factor_link_1_py_0 + factor_outside_link_1_py;
     let minus_factor_outside_link_2_pz = factor_link_1_pz_1
         + minus_factor_outside_link_1_pz;
-    let wrench_link_1_fx = poses.sin_joint_1 * factor_link_2_pz
-        + (wrench_link_1_my_10 * 20.0
-            + (wrench_link_1_mx_10 * inertias.composite_link_2_hz
-                - wrench_link_1_mx_12 * inertias.composite_link_2_hy));
-    let wrench_link_1_fy = wrench_link_1_mx_6 * 20.0
-        + (wrench_link_1_mx_12 * inertias.composite_link_2_hx
-            + wrench_link_1_mx_8 * inertias.composite_link_2_hz)
-        - poses.cos_joint_1 * factor_link_2_pz;
-    let wrench_link_1_fz = poses.cos_joint_1 * factor_link_2_py
-        - poses.sin_joint_1 * factor_link_2_px
-        + (wrench_link_1_mx_4 * 20.0
-            - (wrench_link_1_mx_8 * inertias.composite_link_2_hy
-                + wrench_link_1_mx_10 * inertias.composite_link_2_hx));
-    let turn_joint_2_x_0 = factor_outside_link_2_xx * screws.connection_joint_2_wx;
-    let turn_joint_2_y_2 = factor_outside_link_2_yy * screws.connection_joint_2_wy;
-    let turn_joint_2_z_4 = factor_outside_link_2_zz * screws.connection_joint_2_wz;
-    let turn_joint_2_x_9 = factor_link_2_xx * reactions.reaction_joint_2_wx;
-    let turn_joint_2_y_11 = factor_link_2_yy * reactions.reaction_joint_2_wy;
-    let turn_joint_2_z_13 = factor_link_2_zz * reactions.reaction_joint_2_wz;
-    let turn_joint_2_x = turn_joint_2_x_0
+    let three_joint_2_x_0 = factor_outside_link_2_xx * screws.connection_joint_2_wx;
+    let three_joint_2_y_2 = factor_outside_link_2_yy * screws.connection_joint_2_wy;
+    let three_joint_2_z_4 = factor_outside_link_2_zz * screws.connection_joint_2_wz;
+    let three_joint_2_x_9 = factor_link_2_xx * reactions.reaction_joint_2_wx;
+    let three_joint_2_y_11 = factor_link_2_yy * reactions.reaction_joint_2_wy;
+    let three_joint_2_z_13 = factor_link_2_zz * reactions.reaction_joint_2_wz;
+    let three_joint_2_x = three_joint_2_x_0
         + factor_outside_link_2_yx * screws.connection_joint_2_wy
         + factor_outside_link_2_zx * screws.connection_joint_2_wz
         + (factor_outside_link_2_py * screws.connection_joint_2_vz
             + minus_factor_outside_link_2_pz * screws.connection_joint_2_vy)
-        - (turn_joint_2_x_9 + factor_link_2_yx * reactions.reaction_joint_2_wy
+        - (three_joint_2_x_9 + factor_link_2_yx * reactions.reaction_joint_2_wy
             + factor_link_2_zx * reactions.reaction_joint_2_wz
             + (factor_link_2_py * reactions.reaction_joint_2_vz
                 - factor_link_2_pz * reactions.reaction_joint_2_vy));
-    let turn_joint_2_y = factor_outside_link_2_xy * screws.connection_joint_2_wx
-        + turn_joint_2_y_2 + factor_outside_link_2_zy * screws.connection_joint_2_wz
+    let three_joint_2_y = factor_outside_link_2_xy * screws.connection_joint_2_wx
+        + three_joint_2_y_2 + factor_outside_link_2_zy * screws.connection_joint_2_wz
         - (minus_factor_outside_link_2_pz * screws.connection_joint_2_vx
             + factor_outside_link_2_px * screws.connection_joint_2_vz)
-        - (factor_link_2_xy * reactions.reaction_joint_2_wx + turn_joint_2_y_11
+        - (factor_link_2_xy * reactions.reaction_joint_2_wx + three_joint_2_y_11
             + factor_link_2_zy * reactions.reaction_joint_2_wz
             + (factor_link_2_pz * reactions.reaction_joint_2_vx
                 - factor_link_2_px * reactions.reaction_joint_2_vz));
-    let turn_joint_2_z = factor_outside_link_2_xz * screws.connection_joint_2_wx
-        + factor_outside_link_2_yz * screws.connection_joint_2_wy + turn_joint_2_z_4
+    let three_joint_2_z = factor_outside_link_2_xz * screws.connection_joint_2_wx
+        + factor_outside_link_2_yz * screws.connection_joint_2_wy + three_joint_2_z_4
         + (factor_outside_link_2_px * screws.connection_joint_2_vy
             - factor_outside_link_2_py * screws.connection_joint_2_vx)
         - (factor_link_2_xz * reactions.reaction_joint_2_wx
-            + factor_link_2_yz * reactions.reaction_joint_2_wy + turn_joint_2_z_13
+            + factor_link_2_yz * reactions.reaction_joint_2_wy + three_joint_2_z_13
             + (factor_link_2_px * reactions.reaction_joint_2_vy
                 - factor_link_2_py * reactions.reaction_joint_2_vx));
-    d_qdot[7][7] = reactions.reaction_joint_2_wx * wrench_link_1_mx
-        + reactions.reaction_joint_2_wy * wrench_link_1_my
-        + reactions.reaction_joint_2_wz * wrench_link_1_mz
-        + reactions.reaction_joint_2_vx * wrench_link_1_fx
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy
-        + reactions.reaction_joint_2_vz * wrench_link_1_fz
-        + turn_joint_2_x * screws.connection_joint_2_wx
-        + turn_joint_2_y * screws.connection_joint_2_wy
-        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
-    let wrench_outside_link_1_mx = factor_outside_link_2_xz
-        * screws.connection_joint_2_wz
-        + (factor_outside_link_2_xy * screws.connection_joint_2_wy + turn_joint_2_x_0)
+    let six_joint_2_fx = poses.sin_joint_1 * factor_link_2_pz
+        + (six_joint_2_my_10 * 20.0
+            + (six_joint_2_mx_10 * inertias.composite_link_2_hz
+                - six_joint_2_mx_12 * inertias.composite_link_2_hy));
+    let six_joint_2_fy = six_joint_2_mx_6 * 20.0
+        + (six_joint_2_mx_12 * inertias.composite_link_2_hx
+            + six_joint_2_mx_8 * inertias.composite_link_2_hz)
+        - poses.cos_joint_1 * factor_link_2_pz;
+    let six_joint_2_fz = poses.cos_joint_1 * factor_link_2_py
+        - poses.sin_joint_1 * factor_link_2_px
+        + (six_joint_2_mx_4 * 20.0
+            - (six_joint_2_mx_8 * inertias.composite_link_2_hy
+                + six_joint_2_mx_10 * inertias.composite_link_2_hx));
+    d_qdot[7][7] = reactions.reaction_joint_2_wx * six_joint_2_mx
+        + reactions.reaction_joint_2_wy * six_joint_2_my
+        + reactions.reaction_joint_2_wz * six_joint_2_mz
+        + reactions.reaction_joint_2_vx * six_joint_2_fx
+        + reactions.reaction_joint_2_vy * six_joint_2_fy
+        + reactions.reaction_joint_2_vz * six_joint_2_fz
+        + three_joint_2_x * screws.connection_joint_2_wx
+        + three_joint_2_y * screws.connection_joint_2_wy
+        + three_joint_2_z * screws.connection_joint_2_wz + 0.0;
+    let six_more_joint_2_mx = factor_outside_link_2_xz * screws.connection_joint_2_wz
+        + (factor_outside_link_2_xy * screws.connection_joint_2_wy + three_joint_2_x_0)
         - (factor_link_2_xz * reactions.reaction_joint_2_wz
-            + (factor_link_2_xy * reactions.reaction_joint_2_wy + turn_joint_2_x_9))
-        + (complements.complement_link_2_xy * wrench_link_1_mx_10
-            - complements.complement_link_2_xx * wrench_link_1_mx_8
-            + complements.complement_link_2_xz * wrench_link_1_mx_12
-            + (complements.complement_link_2_hy * wrench_link_1_mx_4
-                - complements.complement_link_2_hz * wrench_link_1_mx_6));
-    let wrench_outside_link_1_my = factor_outside_link_2_yz
-        * screws.connection_joint_2_wz
-        + (turn_joint_2_y_2 + factor_outside_link_2_yx * screws.connection_joint_2_wx)
+            + (factor_link_2_xy * reactions.reaction_joint_2_wy + three_joint_2_x_9))
+        + (complements.complement_link_2_xy * six_joint_2_mx_10
+            - complements.complement_link_2_xx * six_joint_2_mx_8
+            + complements.complement_link_2_xz * six_joint_2_mx_12
+            + (complements.complement_link_2_hy * six_joint_2_mx_4
+                - complements.complement_link_2_hz * six_joint_2_mx_6));
+    let six_more_joint_2_my = factor_outside_link_2_yz * screws.connection_joint_2_wz
+        + (three_joint_2_y_2 + factor_outside_link_2_yx * screws.connection_joint_2_wx)
         - (factor_link_2_yz * reactions.reaction_joint_2_wz
-            + (turn_joint_2_y_11 + factor_link_2_yx * reactions.reaction_joint_2_wx))
-        + (complements.complement_link_2_yy * wrench_link_1_mx_10
-            - complements.complement_link_2_xy * wrench_link_1_mx_8
-            + complements.complement_link_2_yz * wrench_link_1_mx_12
-            + (complements.complement_link_2_hz * wrench_link_1_my_10
-                + complements.minus_complement_link_2_hx * wrench_link_1_mx_4));
-    let wrench_outside_link_1_mz = turn_joint_2_z_4
+            + (three_joint_2_y_11 + factor_link_2_yx * reactions.reaction_joint_2_wx))
+        + (complements.complement_link_2_yy * six_joint_2_mx_10
+            - complements.complement_link_2_xy * six_joint_2_mx_8
+            + complements.complement_link_2_yz * six_joint_2_mx_12
+            + (complements.complement_link_2_hz * six_joint_2_my_10
+                + complements.minus_complement_link_2_hx * six_joint_2_mx_4));
+    let six_more_joint_2_mz = three_joint_2_z_4
         + (factor_outside_link_2_zy * screws.connection_joint_2_wy
             + factor_outside_link_2_zx * screws.connection_joint_2_wx)
-        - (turn_joint_2_z_13
+        - (three_joint_2_z_13
             + (factor_link_2_zy * reactions.reaction_joint_2_wy
                 + factor_link_2_zx * reactions.reaction_joint_2_wx))
-        + (complements.complement_link_2_yz * wrench_link_1_mx_10
-            - complements.complement_link_2_xz * wrench_link_1_mx_8
-            + complements.complement_link_2_zz * wrench_link_1_mx_12
-            - (complements.minus_complement_link_2_hx * wrench_link_1_mx_6
-                + complements.complement_link_2_hy * wrench_link_1_my_10));
-    let wrench_outside_link_1_fx = wrench_link_1_my_10 * 110.0
-        + (wrench_link_1_mx_10 * complements.complement_link_2_hz
-            - wrench_link_1_mx_12 * complements.complement_link_2_hy)
+        + (complements.complement_link_2_yz * six_joint_2_mx_10
+            - complements.complement_link_2_xz * six_joint_2_mx_8
+            + complements.complement_link_2_zz * six_joint_2_mx_12
+            - (complements.minus_complement_link_2_hx * six_joint_2_mx_6
+                + complements.complement_link_2_hy * six_joint_2_my_10));
+    let six_more_joint_2_fx = six_joint_2_my_10 * 110.0
+        + (six_joint_2_mx_10 * complements.complement_link_2_hz
+            - six_joint_2_mx_12 * complements.complement_link_2_hy)
         - (screws.connection_joint_2_wy * minus_factor_outside_link_2_pz
             + screws.connection_joint_2_wz * factor_outside_link_2_py
             + (reactions.reaction_joint_2_wy * factor_link_2_pz
                 - reactions.reaction_joint_2_wz * factor_link_2_py));
-    let wrench_outside_link_1_fy = screws.connection_joint_2_wz
-        * factor_outside_link_2_px
+    let six_more_joint_2_fy = screws.connection_joint_2_wz * factor_outside_link_2_px
         + screws.connection_joint_2_wx * minus_factor_outside_link_2_pz
         - (reactions.reaction_joint_2_wz * factor_link_2_px
             - reactions.reaction_joint_2_wx * factor_link_2_pz)
-        + (wrench_link_1_mx_6 * 110.0
-            + (wrench_link_1_mx_8 * complements.complement_link_2_hz
-                - wrench_link_1_mx_12 * complements.minus_complement_link_2_hx));
-    let wrench_outside_link_1_fz = screws.connection_joint_2_wx
-        * factor_outside_link_2_py
+        + (six_joint_2_mx_6 * 110.0
+            + (six_joint_2_mx_8 * complements.complement_link_2_hz
+                - six_joint_2_mx_12 * complements.minus_complement_link_2_hx));
+    let six_more_joint_2_fz = screws.connection_joint_2_wx * factor_outside_link_2_py
         - screws.connection_joint_2_wy * factor_outside_link_2_px
         - (reactions.reaction_joint_2_wx * factor_link_2_py
             - reactions.reaction_joint_2_wy * factor_link_2_px)
-        + (wrench_link_1_mx_4 * 110.0
-            + (wrench_link_1_mx_10 * complements.minus_complement_link_2_hx
-                - wrench_link_1_mx_8 * complements.complement_link_2_hy));
-    d_qdot[7][8] = wrench_outside_link_1_mx * screws.connection_joint_3_wx
-        + wrench_outside_link_1_my * screws.connection_joint_3_wy
-        + wrench_outside_link_1_mz * screws.connection_joint_3_wz
-        + wrench_outside_link_1_fx * screws.connection_joint_3_vx
-        + wrench_outside_link_1_fy * screws.connection_joint_3_vy
-        + wrench_outside_link_1_fz * screws.connection_joint_3_vz
-        + reactions.reaction_joint_2_wx * three_joint_3_x
-        + reactions.reaction_joint_2_wy * three_joint_3_y
-        + reactions.reaction_joint_2_wz * three_joint_3_z + 0.0;
+        + (six_joint_2_mx_4 * 110.0
+            + (six_joint_2_mx_10 * complements.minus_complement_link_2_hx
+                - six_joint_2_mx_8 * complements.complement_link_2_hy));
+    d_qdot[7][8] = six_more_joint_2_mx * screws.connection_joint_3_wx
+        + six_more_joint_2_my * screws.connection_joint_3_wy
+        + six_more_joint_2_mz * screws.connection_joint_3_wz
+        + six_more_joint_2_fx * screws.connection_joint_3_vx
+        + six_more_joint_2_fy * screws.connection_joint_3_vy
+        + six_more_joint_2_fz * screws.connection_joint_3_vz
+        + reactions.reaction_joint_2_wx * three_more_joint_3_x
+        + reactions.reaction_joint_2_wy * three_more_joint_3_y
+        + reactions.reaction_joint_2_wz * three_more_joint_3_z + 0.0;
     // D_q\u{307} column joint_3
     d_qdot[8][0] = 0.0;
     d_qdot[8][1] = 0.0;
@@ -3259,65 +3302,65 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     d_qdot[8][3] = 0.0;
     d_qdot[8][4] = 0.0;
     d_qdot[8][5] = 0.0;
-    let wrench_link_2_mx_12 = velocities.velocity_link_3_wx * poses.sin_joint_1
+    let six_joint_3_mx_12 = velocities.velocity_link_3_wx * poses.sin_joint_1
         - velocities.velocity_link_3_wy * poses.cos_joint_1;
-    let wrench_link_2_my_10 = velocities.velocity_link_3_wy * screws.screw_joint_3_vz
+    let six_joint_3_my_10 = velocities.velocity_link_3_wy * screws.screw_joint_3_vz
         - velocities.velocity_link_1_wz * screws.screw_joint_3_vy
         - velocities.velocity_link_3_vz * poses.sin_joint_1;
-    let wrench_link_2_mx_6 = velocities.velocity_link_3_vz * poses.cos_joint_1
+    let six_joint_3_mx_6 = velocities.velocity_link_3_vz * poses.cos_joint_1
         - (velocities.velocity_link_1_wz * screws.minus_screw_joint_3_vx
             + velocities.velocity_link_3_wx * screws.screw_joint_3_vz);
-    let wrench_link_2_mx_4 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
+    let six_joint_3_mx_4 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
         + velocities.velocity_link_3_wy * screws.minus_screw_joint_3_vx
         + (velocities.velocity_link_3_vx * poses.sin_joint_1
             - velocities.velocity_link_3_vy * poses.cos_joint_1);
-    let wrench_link_2_mx = factor_link_3_xy * poses.sin_joint_1 + three_joint_3_x_0
-        + (inertias.inertia_link_3_hy * wrench_link_2_mx_4
-            - inertias.inertia_link_3_hz * wrench_link_2_mx_6
-            - (inertias.inertia_link_3_xx * wrench_link_1_mx_8
-                + inertias.minus_inertia_link_3_xy * wrench_link_1_mx_10
-                + inertias.minus_inertia_link_3_xz * wrench_link_2_mx_12));
-    let wrench_link_2_my = three_joint_3_y_2 + factor_link_3_yx * poses.cos_joint_1
-        + (inertias.minus_inertia_link_3_xy * wrench_link_1_mx_8
-            + inertias.inertia_link_3_yy * wrench_link_1_mx_10
-            - inertias.minus_inertia_link_3_yz * wrench_link_2_mx_12
-            + (inertias.inertia_link_3_hz * wrench_link_2_my_10
-                - inertias.inertia_link_3_hx * wrench_link_2_mx_4));
-    let wrench_link_2_mz = factor_link_3_zy * poses.sin_joint_1
+    let six_joint_3_mx = factor_link_3_xy * poses.sin_joint_1 + three_more_joint_3_x_0
+        + (inertias.inertia_link_3_hy * six_joint_3_mx_4
+            - inertias.inertia_link_3_hz * six_joint_3_mx_6
+            - (inertias.inertia_link_3_xx * six_joint_2_mx_8
+                + inertias.minus_inertia_link_3_xy * six_joint_2_mx_10
+                + inertias.minus_inertia_link_3_xz * six_joint_3_mx_12));
+    let six_joint_3_my = three_more_joint_3_y_2 + factor_link_3_yx * poses.cos_joint_1
+        + (inertias.minus_inertia_link_3_xy * six_joint_2_mx_8
+            + inertias.inertia_link_3_yy * six_joint_2_mx_10
+            - inertias.minus_inertia_link_3_yz * six_joint_3_mx_12
+            + (inertias.inertia_link_3_hz * six_joint_3_my_10
+                - inertias.inertia_link_3_hx * six_joint_3_mx_4));
+    let six_joint_3_mz = factor_link_3_zy * poses.sin_joint_1
         + factor_link_3_zx * poses.cos_joint_1
-        + (inertias.minus_inertia_link_3_xz * wrench_link_1_mx_8
-            - inertias.minus_inertia_link_3_yz * wrench_link_1_mx_10
-            + inertias.inertia_link_3_zz * wrench_link_2_mx_12
-            + (inertias.inertia_link_3_hx * wrench_link_2_mx_6
-                - inertias.inertia_link_3_hy * wrench_link_2_my_10));
-    d_qdot[8][6] = reactions.reaction_joint_1_wx * wrench_link_2_mx
-        + reactions.reaction_joint_1_wy * wrench_link_2_my
-        + reactions.reaction_joint_1_wz * wrench_link_2_mz
-        + turn_joint_1_x * screws.connection_joint_3_wx
-        + turn_joint_1_y * screws.connection_joint_3_wy
-        + turn_joint_1_z * screws.connection_joint_3_wz + 0.0;
-    let wrench_link_2_fx = poses.sin_joint_1 * factor_link_3_pz
-        + (wrench_link_2_my_10 * 10.0
-            + (wrench_link_1_mx_10 * inertias.inertia_link_3_hz
-                - wrench_link_2_mx_12 * inertias.inertia_link_3_hy));
-    let wrench_link_2_fy = wrench_link_2_mx_6 * 10.0
-        + (wrench_link_2_mx_12 * inertias.inertia_link_3_hx
-            + wrench_link_1_mx_8 * inertias.inertia_link_3_hz)
+        + (inertias.minus_inertia_link_3_xz * six_joint_2_mx_8
+            - inertias.minus_inertia_link_3_yz * six_joint_2_mx_10
+            + inertias.inertia_link_3_zz * six_joint_3_mx_12
+            + (inertias.inertia_link_3_hx * six_joint_3_mx_6
+                - inertias.inertia_link_3_hy * six_joint_3_my_10));
+    d_qdot[8][6] = reactions.reaction_joint_1_wx * six_joint_3_mx
+        + reactions.reaction_joint_1_wy * six_joint_3_my
+        + reactions.reaction_joint_1_wz * six_joint_3_mz
+        + three_joint_1_x * screws.connection_joint_3_wx
+        + three_joint_1_y * screws.connection_joint_3_wy
+        + three_joint_1_z * screws.connection_joint_3_wz + 0.0;
+    let six_joint_3_fx = poses.sin_joint_1 * factor_link_3_pz
+        + (six_joint_3_my_10 * 10.0
+            + (six_joint_2_mx_10 * inertias.inertia_link_3_hz
+                - six_joint_3_mx_12 * inertias.inertia_link_3_hy));
+    let six_joint_3_fy = six_joint_3_mx_6 * 10.0
+        + (six_joint_3_mx_12 * inertias.inertia_link_3_hx
+            + six_joint_2_mx_8 * inertias.inertia_link_3_hz)
         - poses.cos_joint_1 * factor_link_3_pz;
-    let wrench_link_2_fz = poses.cos_joint_1 * factor_link_3_py
+    let six_joint_3_fz = poses.cos_joint_1 * factor_link_3_py
         - poses.sin_joint_1 * factor_link_3_px
-        + (wrench_link_2_mx_4 * 10.0
-            - (wrench_link_1_mx_8 * inertias.inertia_link_3_hy
-                + wrench_link_1_mx_10 * inertias.inertia_link_3_hx));
-    d_qdot[8][7] = reactions.reaction_joint_2_wx * wrench_link_2_mx
-        + reactions.reaction_joint_2_wy * wrench_link_2_my
-        + reactions.reaction_joint_2_wz * wrench_link_2_mz
-        + reactions.reaction_joint_2_vx * wrench_link_2_fx
-        + reactions.reaction_joint_2_vy * wrench_link_2_fy
-        + reactions.reaction_joint_2_vz * wrench_link_2_fz
-        + turn_joint_2_x * screws.connection_joint_3_wx
-        + turn_joint_2_y * screws.connection_joint_3_wy
-        + turn_joint_2_z * screws.connection_joint_3_wz + 0.0;
+        + (six_joint_3_mx_4 * 10.0
+            - (six_joint_2_mx_8 * inertias.inertia_link_3_hy
+                + six_joint_2_mx_10 * inertias.inertia_link_3_hx));
+    d_qdot[8][7] = reactions.reaction_joint_2_wx * six_joint_3_mx
+        + reactions.reaction_joint_2_wy * six_joint_3_my
+        + reactions.reaction_joint_2_wz * six_joint_3_mz
+        + reactions.reaction_joint_2_vx * six_joint_3_fx
+        + reactions.reaction_joint_2_vy * six_joint_3_fy
+        + reactions.reaction_joint_2_vz * six_joint_3_fz
+        + three_joint_2_x * screws.connection_joint_3_wx
+        + three_joint_2_y * screws.connection_joint_3_wy
+        + three_joint_2_z * screws.connection_joint_3_wz + 0.0;
     let factor_outside_link_3_xx = factor_link_2_xx_0 + factor_outside_link_2_xx;
     let factor_outside_link_3_yx = factor_link_2_yx_0 + factor_outside_link_2_yx;
     let factor_outside_link_3_zx = factor_link_2_zx_0 + factor_outside_link_2_zx;
@@ -3330,7 +3373,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
     let factor_outside_link_3_px = factor_link_2_px_0 + factor_outside_link_2_px;
     let factor_outside_link_3_py = factor_link_2_py_0 + factor_outside_link_2_py;
     let factor_outside_link_3_pz = factor_link_2_pz_0 - minus_factor_outside_link_2_pz;
-    let turn_joint_3_x = factor_outside_link_3_xx * screws.connection_joint_3_wx
+    let three_joint_3_x = factor_outside_link_3_xx * screws.connection_joint_3_wx
         + factor_outside_link_3_yx * screws.connection_joint_3_wy
         + factor_outside_link_3_zx * screws.connection_joint_3_wz
         + (factor_outside_link_3_py * screws.connection_joint_3_vz
@@ -3340,7 +3383,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + factor_link_3_zx * reactions.reaction_joint_3_wz
             + (factor_link_3_py * reactions.reaction_joint_3_vz
                 - factor_link_3_pz * reactions.reaction_joint_3_vy));
-    let turn_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
+    let three_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
         + factor_outside_link_3_yy * screws.connection_joint_3_wy
         + factor_outside_link_3_zy * screws.connection_joint_3_wz
         + (factor_outside_link_3_pz * screws.connection_joint_3_vx
@@ -3350,7 +3393,7 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + factor_link_3_zy * reactions.reaction_joint_3_wz
             + (factor_link_3_pz * reactions.reaction_joint_3_vx
                 - factor_link_3_px * reactions.reaction_joint_3_vz));
-    let turn_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
+    let three_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
         + factor_outside_link_3_yz * screws.connection_joint_3_wy
         + factor_outside_link_3_zz * screws.connection_joint_3_wz
         + (factor_outside_link_3_px * screws.connection_joint_3_vy
@@ -3360,15 +3403,15 @@ pub fn d_qdot(q: &[f64; 3], qd: &[f64; 3], d_qdot: &mut [[f64; 9]; 9]) {
             + factor_link_3_zz * reactions.reaction_joint_3_wz
             + (factor_link_3_px * reactions.reaction_joint_3_vy
                 - factor_link_3_py * reactions.reaction_joint_3_vx));
-    d_qdot[8][8] = reactions.reaction_joint_3_wx * wrench_link_2_mx
-        + reactions.reaction_joint_3_wy * wrench_link_2_my
-        + reactions.reaction_joint_3_wz * wrench_link_2_mz
-        + reactions.reaction_joint_3_vx * wrench_link_2_fx
-        + reactions.reaction_joint_3_vy * wrench_link_2_fy
-        + reactions.reaction_joint_3_vz * wrench_link_2_fz
-        + turn_joint_3_x * screws.connection_joint_3_wx
-        + turn_joint_3_y * screws.connection_joint_3_wy
-        + turn_joint_3_z * screws.connection_joint_3_wz + 0.0;
+    d_qdot[8][8] = reactions.reaction_joint_3_wx * six_joint_3_mx
+        + reactions.reaction_joint_3_wy * six_joint_3_my
+        + reactions.reaction_joint_3_wz * six_joint_3_mz
+        + reactions.reaction_joint_3_vx * six_joint_3_fx
+        + reactions.reaction_joint_3_vy * six_joint_3_fy
+        + reactions.reaction_joint_3_vz * six_joint_3_fz
+        + three_joint_3_x * screws.connection_joint_3_wx
+        + three_joint_3_y * screws.connection_joint_3_wy
+        + three_joint_3_z * screws.connection_joint_3_wz + 0.0;
 }
 /// The (μ, μ) term of the shape equation.
 ///
@@ -3403,7 +3446,7 @@ pub fn coupling_torque(q: &[f64; 3], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (9; N·m, N)
 ///
-/// 1430 operations: 655 + −, 772 ×, 3 ÷; 3 sin cos; about 16.9 KiB of code.
+/// 1420 operations: 650 + −, 767 ×, 3 ÷; 3 sin cos; about 16.8 KiB of code.
 pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3444,12 +3487,6 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
     let d_mu_xi_0_31_2 = d_mu_xi_0_31_2_0 * 130.0;
     let d_mu_xi_0_33_2 = d_mu_xi_0_33_2_0 * 130.0;
     let d_mu_xi_0_31_0 = d_mu_xi_0_31_0_0 * 130.0;
-    let d_mu_xi_0_31_5 = screws.inside_joint_1_fx * qd[0]
-        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let d_mu_xi_0_33_5 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let d_mu_xi_0_31_7 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2];
     let d_mu_xi_0_22 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
         + (inertias.inside_joint_2_mz_1_0 - inertias.inside_joint_2_mz_1_1
@@ -3465,6 +3502,9 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
             - (inertias.inside_joint_3_my_0_1
                 + poses.sin_joint_1 * inertias.inertia_link_3_xx)
             - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2];
+    let d_mu_xi_0_31_5 = velocities.minus_velocity_base_vx * 130.0;
+    let d_mu_xi_0_33_5 = velocities.minus_velocity_base_vy * 130.0;
+    let d_mu_xi_0_31_7 = velocities.minus_velocity_base_vz * 130.0;
     let d_mu_xi_0_31_1 = mu[0] - velocities.minus_velocity_base_wx;
     let d_mu_xi_0_33_1 = mu[1] - velocities.minus_velocity_base_wy;
     let d_mu_xi_0_31_3 = mu[2] - velocities.minus_velocity_base_wz;
@@ -3769,7 +3809,7 @@ pub fn d_mu_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_mu_xi: &mut [f64; 9
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (9; N·m, N)
 ///
-/// 1294 operations: 611 + −, 680 ×, 3 ÷; 3 sin cos; about 15.3 KiB of code.
+/// 1284 operations: 606 + −, 675 ×, 3 ÷; 3 sin cos; about 15.2 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f64; 9]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -3794,12 +3834,6 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_0_9 = d_qdot_xi_0_9_1 + d_qdot_xi_0_9_1;
     let d_qdot_xi_0_21 = mu[4] + (mu[2] * poses.com_x - mu[0] * d_qdot_xi_0_21_4);
     let d_qdot_xi_0_19 = mu[5] - (mu[0] * poses.minus_com_y + mu[1] * poses.com_x);
-    let d_qdot_xi_0_23_1 = screws.inside_joint_1_fx * qd[0]
-        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let d_qdot_xi_0_25_1 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let d_qdot_xi_0_23_3 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2];
     let d_qdot_xi_0_14 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
         + (inertias.inside_joint_2_mz_1_0 - inertias.inside_joint_2_mz_1_1
@@ -3815,6 +3849,9 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - (inertias.inside_joint_3_my_0_1
                 + poses.sin_joint_1 * inertias.inertia_link_3_xx)
             - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2];
+    let d_qdot_xi_0_23_1 = velocities.minus_velocity_base_vx * 130.0;
+    let d_qdot_xi_0_25_1 = velocities.minus_velocity_base_vy * 130.0;
+    let d_qdot_xi_0_23_3 = velocities.minus_velocity_base_vz * 130.0;
     let d_qdot_xi_0_23 = (mu[2] * d_qdot_xi_0_23_1 - mu[0] * d_qdot_xi_0_23_3) * 0.5;
     let d_qdot_xi_0_25 = (mu[0] * d_qdot_xi_0_25_1 - mu[1] * d_qdot_xi_0_23_1) * 0.5;
     // D_q\u{307} ξ
@@ -3903,6 +3940,49 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - velocities.velocity_link_3_wy * inertias.inertia_link_3_hx);
     let minus_twist_link_2_wx_1 = velocities.velocity_link_1_wz * poses.sin_joint_1;
     let twist_link_2_wy_1 = velocities.velocity_link_1_wz * poses.cos_joint_1;
+    let minus_twist_link_1_wx = velocities.minus_velocity_base_wy * qd[0];
+    let twist_link_1_wy = velocities.minus_velocity_base_wx * qd[0];
+    let twist_link_1_vx = (velocities.velocity_link_1_vy
+        - velocities.velocity_link_1_wz * poses.minus_origin_base_x) * qd[0];
+    let twist_link_1_vy = (velocities.velocity_link_1_wz * poses.origin_base_y
+        - velocities.velocity_link_1_vx) * qd[0];
+    let twist_link_1_vz = (velocities.minus_velocity_base_wy * poses.origin_base_y
+        - velocities.minus_velocity_base_wx * poses.minus_origin_base_x) * qd[0];
+    let twist_link_2_wz = (velocities.velocity_link_2_wx * poses.sin_joint_1
+        - velocities.velocity_link_2_wy * poses.cos_joint_1) * qd[1];
+    let minus_twist_link_2_wx = minus_twist_link_1_wx + minus_twist_link_2_wx_1 * qd[1];
+    let twist_link_2_wy = twist_link_1_wy + twist_link_2_wy_1 * qd[1];
+    let twist_link_2_vx = twist_link_1_vx
+        + (velocities.minus_velocity_link_2_vz * poses.sin_joint_1
+            - (velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vz
+                + velocities.velocity_link_1_wz * screws.screw_joint_2_vy)) * qd[1];
+    let twist_link_2_vy = twist_link_1_vy
+        + (velocities.velocity_link_2_wx * screws.minus_screw_joint_2_vz
+            - velocities.velocity_link_1_wz * screws.minus_screw_joint_2_vx
+            - velocities.minus_velocity_link_2_vz * poses.cos_joint_1) * qd[1];
+    let twist_link_2_vz = twist_link_1_vz
+        + (velocities.velocity_link_2_wx * screws.screw_joint_2_vy
+            + velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vx
+            + (velocities.velocity_link_2_vx * poses.sin_joint_1
+                - velocities.velocity_link_2_vy * poses.cos_joint_1)) * qd[1];
+    let minus_twist_link_3_wx = minus_twist_link_2_wx + minus_twist_link_2_wx_1 * qd[2];
+    let twist_link_3_wy = twist_link_2_wy + twist_link_2_wy_1 * qd[2];
+    let twist_link_3_wz = twist_link_2_wz
+        + (velocities.velocity_link_3_wx * poses.sin_joint_1
+            - velocities.velocity_link_3_wy * poses.cos_joint_1) * qd[2];
+    let twist_link_3_vx = twist_link_2_vx
+        + (velocities.velocity_link_3_wy * screws.screw_joint_3_vz
+            - velocities.velocity_link_1_wz * screws.screw_joint_3_vy
+            - velocities.velocity_link_3_vz * poses.sin_joint_1) * qd[2];
+    let twist_link_3_vy = twist_link_2_vy
+        + (velocities.velocity_link_3_vz * poses.cos_joint_1
+            - (velocities.velocity_link_1_wz * screws.minus_screw_joint_3_vx
+                + velocities.velocity_link_3_wx * screws.screw_joint_3_vz)) * qd[2];
+    let twist_link_3_vz = twist_link_2_vz
+        + (velocities.velocity_link_3_wx * screws.screw_joint_3_vy
+            + velocities.velocity_link_3_wy * screws.minus_screw_joint_3_vx
+            + (velocities.velocity_link_3_vx * poses.sin_joint_1
+                - velocities.velocity_link_3_vy * poses.cos_joint_1)) * qd[2];
     let minus_wrench_outside_link_1_my_0 = inertias.minus_inertia_base_xz
         * velocities.minus_velocity_base_wz
         - (inertias.inertia_base_xx * velocities.minus_velocity_base_wx
@@ -3942,14 +4022,6 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6
         * velocities.minus_velocity_base_wx
         + minus_wrench_outside_link_1_my_6 * velocities.minus_velocity_base_wz;
-    let minus_twist_link_1_wx = velocities.minus_velocity_base_wy * qd[0];
-    let twist_link_1_wy = velocities.minus_velocity_base_wx * qd[0];
-    let twist_link_1_vx = (velocities.velocity_link_1_vy
-        - velocities.velocity_link_1_wz * poses.minus_origin_base_x) * qd[0];
-    let twist_link_1_vy = (velocities.velocity_link_1_wz * poses.origin_base_y
-        - velocities.velocity_link_1_vx) * qd[0];
-    let twist_link_1_vz = (velocities.minus_velocity_base_wy * poses.origin_base_y
-        - velocities.minus_velocity_base_wx * poses.minus_origin_base_x) * qd[0];
     let wrench_link_1_my_0_14 = inertias.inertia_link_1_xz
         * velocities.velocity_link_1_wz
         - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
@@ -3991,23 +4063,6 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_1_my_0_14 * velocities.minus_velocity_base_wy
             + (wrench_outside_link_2_fy_6 * velocities.velocity_link_1_vy
                 - wrench_outside_link_2_fx_4 * velocities.velocity_link_1_vx));
-    let twist_link_2_wz = (velocities.velocity_link_2_wx * poses.sin_joint_1
-        - velocities.velocity_link_2_wy * poses.cos_joint_1) * qd[1];
-    let minus_twist_link_2_wx = minus_twist_link_1_wx + minus_twist_link_2_wx_1 * qd[1];
-    let twist_link_2_wy = twist_link_1_wy + twist_link_2_wy_1 * qd[1];
-    let twist_link_2_vx = twist_link_1_vx
-        + (velocities.minus_velocity_link_2_vz * poses.sin_joint_1
-            - (velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vz
-                + velocities.velocity_link_1_wz * screws.screw_joint_2_vy)) * qd[1];
-    let twist_link_2_vy = twist_link_1_vy
-        + (velocities.velocity_link_2_wx * screws.minus_screw_joint_2_vz
-            - velocities.velocity_link_1_wz * screws.minus_screw_joint_2_vx
-            - velocities.minus_velocity_link_2_vz * poses.cos_joint_1) * qd[1];
-    let twist_link_2_vz = twist_link_1_vz
-        + (velocities.velocity_link_2_wx * screws.screw_joint_2_vy
-            + velocities.velocity_link_2_wy * screws.minus_screw_joint_2_vx
-            + (velocities.velocity_link_2_vx * poses.sin_joint_1
-                - velocities.velocity_link_2_vy * poses.cos_joint_1)) * qd[1];
     let wrench_link_2_my_0_12 = inertias.inertia_link_2_xx
         * velocities.velocity_link_2_wx
         - inertias.minus_inertia_link_2_xy * velocities.velocity_link_2_wy
@@ -4053,24 +4108,6 @@ pub fn d_qdot_xi(q: &[f64; 3], qd: &[f64; 3], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_2_mx_0_10 * velocities.velocity_link_2_wx
             + (wrench_link_2_my_0_16 * velocities.velocity_link_2_vy
                 - wrench_link_2_mx_0_14 * velocities.velocity_link_2_vx));
-    let minus_twist_link_3_wx = minus_twist_link_2_wx + minus_twist_link_2_wx_1 * qd[2];
-    let twist_link_3_wy = twist_link_2_wy + twist_link_2_wy_1 * qd[2];
-    let twist_link_3_wz = twist_link_2_wz
-        + (velocities.velocity_link_3_wx * poses.sin_joint_1
-            - velocities.velocity_link_3_wy * poses.cos_joint_1) * qd[2];
-    let twist_link_3_vx = twist_link_2_vx
-        + (velocities.velocity_link_3_wy * screws.screw_joint_3_vz
-            - velocities.velocity_link_1_wz * screws.screw_joint_3_vy
-            - velocities.velocity_link_3_vz * poses.sin_joint_1) * qd[2];
-    let twist_link_3_vy = twist_link_2_vy
-        + (velocities.velocity_link_3_vz * poses.cos_joint_1
-            - (velocities.velocity_link_1_wz * screws.minus_screw_joint_3_vx
-                + velocities.velocity_link_3_wx * screws.screw_joint_3_vz)) * qd[2];
-    let twist_link_3_vz = twist_link_2_vz
-        + (velocities.velocity_link_3_wx * screws.screw_joint_3_vy
-            + velocities.velocity_link_3_wy * screws.minus_screw_joint_3_vx
-            + (velocities.velocity_link_3_vx * poses.sin_joint_1
-                - velocities.velocity_link_3_vy * poses.cos_joint_1)) * qd[2];
     let wrench_link_3_my_12 = inertias.inertia_link_3_xx * velocities.velocity_link_3_wx
         - inertias.minus_inertia_link_3_xy * velocities.velocity_link_3_wy
         - inertias.minus_inertia_link_3_xz * velocities.velocity_link_1_wz
@@ -4234,10 +4271,8 @@ pub fn hamel_bias(
     let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
     let minus_wrench_outside_link_1_my_5_0_2 = poses.com_z + 0.023809523809523808;
-    let minus_wrench_outside_link_1_fy_1_0 = base_twist[0]
-        + velocities.minus_velocity_base_wx;
-    let minus_wrench_outside_link_1_mx_3_0 = base_twist[1]
-        + velocities.minus_velocity_base_wy;
+    let minus_twist_link_1_wy_0_0 = base_twist[0] + velocities.minus_velocity_base_wx;
+    let twist_link_1_wx_0_0 = base_twist[1] + velocities.minus_velocity_base_wy;
     let minus_wrench_outside_link_1_mx_1_0 = base_twist[2]
         + velocities.minus_velocity_base_wz;
     let minus_wrench_outside_link_1_my_5_0 = base_twist[3]
@@ -4250,10 +4285,9 @@ pub fn hamel_bias(
     let minus_wrench_outside_link_1_mx_5_0 = base_twist[5]
         - (base_twist[0] * poses.minus_com_y + base_twist[1] * poses.com_x)
         + velocities.minus_velocity_base_vz;
-    let minus_wrench_outside_link_1_fy_1 = minus_wrench_outside_link_1_fy_1_0
+    let minus_twist_link_1_wy_0 = minus_twist_link_1_wy_0_0
         - velocities.minus_velocity_base_wx;
-    let minus_wrench_outside_link_1_mx_3 = minus_wrench_outside_link_1_mx_3_0
-        - velocities.minus_velocity_base_wy;
+    let twist_link_1_wx_0 = twist_link_1_wx_0_0 - velocities.minus_velocity_base_wy;
     let minus_wrench_outside_link_1_mx_1 = minus_wrench_outside_link_1_mx_1_0
         - velocities.minus_velocity_base_wz;
     let minus_wrench_outside_link_1_my_5 = minus_wrench_outside_link_1_my_5_0
@@ -4262,92 +4296,20 @@ pub fn hamel_bias(
         - velocities.minus_velocity_base_vy;
     let minus_wrench_outside_link_1_mx_5 = minus_wrench_outside_link_1_mx_5_0
         - velocities.minus_velocity_base_vz;
-    let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_xy
-        * minus_wrench_outside_link_1_fy_1
-        + inertias.inertia_base_yy * minus_wrench_outside_link_1_mx_3
-        + inertias.inertia_base_yz * minus_wrench_outside_link_1_mx_1
-        + (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_5
-            - inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_my_5);
-    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_yz
-        * minus_wrench_outside_link_1_mx_3
-        - inertias.minus_inertia_base_xz * minus_wrench_outside_link_1_fy_1
-        + inertias.inertia_base_zz * minus_wrench_outside_link_1_mx_1
-        - (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_7
-            + inertias.inertia_base_hy * minus_wrench_outside_link_1_my_5);
-    let minus_wrench_outside_link_1_fy_2 = minus_wrench_outside_link_1_my_5 * 105.0
-        - (minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_base_hz
-            + minus_wrench_outside_link_1_mx_1 * inertias.inertia_base_hy);
-    let minus_wrench_outside_link_1_mx_4 = minus_wrench_outside_link_1_mx_7 * 105.0
-        + (minus_wrench_outside_link_1_fy_1 * inertias.minus_inertia_base_hz
-            - minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hx);
-    let minus_wrench_outside_link_1_mx_6 = minus_wrench_outside_link_1_mx_5 * 105.0
-        + (minus_wrench_outside_link_1_fy_1 * inertias.inertia_base_hy
-            + minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_base_hx);
-    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
-        * minus_wrench_outside_link_1_mx_1
-        - minus_wrench_outside_link_1_mx_2 * minus_wrench_outside_link_1_mx_3
-        + (minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_5
-            - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_7);
-    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6
-        * minus_wrench_outside_link_1_fy_1
-        - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_1;
-    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fy_2
-        * minus_wrench_outside_link_1_mx_3
-        - minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_fy_1;
     let twist_link_1_vy_0 = velocities.velocity_link_1_wz
         + minus_wrench_outside_link_1_mx_1_0;
     let twist_link_1_vy_2 = velocities.velocity_link_1_vx
         + minus_wrench_outside_link_1_my_5_0;
     let wrench_outside_link_2_mx_15 = velocities.velocity_link_1_vy
         + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_1_wx = minus_wrench_outside_link_1_mx_3 * qd[0];
-    let minus_twist_link_1_wy = minus_wrench_outside_link_1_fy_1 * qd[0];
+    let twist_link_1_wx = twist_link_1_wx_0 * qd[0];
+    let minus_twist_link_1_wy = minus_twist_link_1_wy_0 * qd[0];
     let twist_link_1_vy = (twist_link_1_vy_0 * poses.origin_base_y - twist_link_1_vy_2)
         * qd[0];
-    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.minus_origin_base_x
-        - minus_wrench_outside_link_1_mx_3 * poses.origin_base_y) * qd[0];
-    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy
-        * minus_wrench_outside_link_1_fy_1
-        + inertias.inertia_link_1_yy * minus_wrench_outside_link_1_mx_3
-        - inertias.minus_inertia_link_1_yz * twist_link_1_vy_0
-        + (inertias.inertia_link_1_hz * twist_link_1_vy_2
-            + inertias.minus_inertia_link_1_hx * minus_wrench_outside_link_1_mx_5);
-    let wrench_outside_link_2_mx_10 = inertias.inertia_link_1_xz
-        * minus_wrench_outside_link_1_fy_1
-        - inertias.minus_inertia_link_1_yz * minus_wrench_outside_link_1_mx_3
-        + inertias.inertia_link_1_zz * twist_link_1_vy_0
-        - (inertias.minus_inertia_link_1_hx * wrench_outside_link_2_mx_15
-            + inertias.inertia_link_1_hy * twist_link_1_vy_2);
-    let wrench_outside_link_2_fy_6 = twist_link_1_vy_2 * 5.0
-        + (minus_wrench_outside_link_1_mx_3 * inertias.inertia_link_1_hz
-            - twist_link_1_vy_0 * inertias.inertia_link_1_hy);
-    let wrench_outside_link_2_mx_12 = wrench_outside_link_2_mx_15 * 5.0
-        - (twist_link_1_vy_0 * inertias.minus_inertia_link_1_hx
-            + minus_wrench_outside_link_1_fy_1 * inertias.inertia_link_1_hz);
-    let wrench_outside_link_2_mx_14 = minus_wrench_outside_link_1_mx_5 * 5.0
-        + (minus_wrench_outside_link_1_fy_1 * inertias.inertia_link_1_hy
-            + minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_link_1_hx);
-    let wrench_outside_link_2_mx = inertias.inertia_link_1_xx * twist_link_1_wx
-        - inertias.inertia_link_1_xy * minus_twist_link_1_wy
-        + (inertias.inertia_link_1_hy * twist_link_1_vz
-            - inertias.inertia_link_1_hz * twist_link_1_vy)
-        - (wrench_outside_link_2_mx_8 * twist_link_1_vy_0
-            - wrench_outside_link_2_mx_10 * minus_wrench_outside_link_1_mx_3
-            + (wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_mx_5
-                - wrench_outside_link_2_mx_14 * wrench_outside_link_2_mx_15));
-    let wrench_outside_link_2_fy = twist_link_1_vy * 5.0
-        - twist_link_1_wx * inertias.inertia_link_1_hz
-        - (wrench_outside_link_2_mx_14 * minus_wrench_outside_link_1_fy_1
-            - wrench_outside_link_2_fy_6 * twist_link_1_vy_0);
-    let wrench_outside_link_2_fz = twist_link_1_vz * 5.0
-        + (twist_link_1_wx * inertias.inertia_link_1_hy
-            - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
-        - (wrench_outside_link_2_fy_6 * minus_wrench_outside_link_1_mx_3
-            - wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_fy_1);
-    let twist_link_2_wz_0 = velocities.velocity_link_2_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_2_wz_2 = velocities.velocity_link_2_wy
-        + minus_wrench_outside_link_1_mx_3_0;
+    let twist_link_1_vz = (minus_twist_link_1_wy_0 * poses.minus_origin_base_x
+        - twist_link_1_wx_0 * poses.origin_base_y) * qd[0];
+    let twist_link_2_wz_0 = velocities.velocity_link_2_wx + minus_twist_link_1_wy_0_0;
+    let twist_link_2_wz_2 = velocities.velocity_link_2_wy + twist_link_1_wx_0_0;
     let twist_link_2_vz_5 = velocities.velocity_link_2_vx
         + minus_wrench_outside_link_1_my_5_0;
     let twist_link_2_vz_7 = velocities.velocity_link_2_vy
@@ -4358,6 +4320,14 @@ pub fn hamel_bias(
     let twist_link_2_wy_0 = twist_link_1_vy_0 * poses.cos_joint_1;
     let twist_link_2_wz = (twist_link_2_wz_0 * poses.sin_joint_1
         - twist_link_2_wz_2 * poses.cos_joint_1) * qd[1];
+    let twist_link_3_wz_1 = velocities.velocity_link_3_wx + minus_twist_link_1_wy_0_0;
+    let twist_link_3_wz_3 = velocities.velocity_link_3_wy + twist_link_1_wx_0_0;
+    let twist_link_3_vz_5 = velocities.velocity_link_3_vx
+        + minus_wrench_outside_link_1_my_5_0;
+    let twist_link_3_vz_7 = velocities.velocity_link_3_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_3_vy_1 = velocities.velocity_link_3_vz
+        + minus_wrench_outside_link_1_mx_5_0;
     let twist_link_2_wx = twist_link_1_wx - twist_link_2_wx_1 * qd[1];
     let twist_link_2_wy = twist_link_2_wy_0 * qd[1] - minus_twist_link_1_wy;
     let twist_link_2_vy = twist_link_1_vy
@@ -4369,6 +4339,85 @@ pub fn hamel_bias(
             + twist_link_2_wz_2 * screws.minus_screw_joint_2_vx
             + (twist_link_2_vz_5 * poses.sin_joint_1
                 - twist_link_2_vz_7 * poses.cos_joint_1)) * qd[1];
+    let twist_link_3_wx = twist_link_2_wx - twist_link_2_wx_1 * qd[2];
+    let twist_link_3_wy = twist_link_2_wy + twist_link_2_wy_0 * qd[2];
+    let twist_link_3_wz = twist_link_2_wz
+        + (twist_link_3_wz_1 * poses.sin_joint_1 - twist_link_3_wz_3 * poses.cos_joint_1)
+            * qd[2];
+    let twist_link_3_vy = twist_link_2_vy
+        + (twist_link_3_vy_1 * poses.cos_joint_1
+            - (twist_link_1_vy_0 * screws.minus_screw_joint_3_vx
+                + twist_link_3_wz_1 * screws.screw_joint_3_vz)) * qd[2];
+    let twist_link_3_vz = twist_link_2_vz
+        + (twist_link_3_wz_1 * screws.screw_joint_3_vy
+            + twist_link_3_wz_3 * screws.minus_screw_joint_3_vx
+            + (twist_link_3_vz_5 * poses.sin_joint_1
+                - twist_link_3_vz_7 * poses.cos_joint_1)) * qd[2];
+    let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_xy
+        * minus_twist_link_1_wy_0 + inertias.inertia_base_yy * twist_link_1_wx_0
+        + inertias.inertia_base_yz * minus_wrench_outside_link_1_mx_1
+        + (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_5
+            - inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_my_5);
+    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_yz * twist_link_1_wx_0
+        - inertias.minus_inertia_base_xz * minus_twist_link_1_wy_0
+        + inertias.inertia_base_zz * minus_wrench_outside_link_1_mx_1
+        - (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_7
+            + inertias.inertia_base_hy * minus_wrench_outside_link_1_my_5);
+    let minus_wrench_outside_link_1_fy_2 = minus_wrench_outside_link_1_my_5 * 105.0
+        - (twist_link_1_wx_0 * inertias.minus_inertia_base_hz
+            + minus_wrench_outside_link_1_mx_1 * inertias.inertia_base_hy);
+    let minus_wrench_outside_link_1_mx_4 = minus_wrench_outside_link_1_mx_7 * 105.0
+        + (minus_twist_link_1_wy_0 * inertias.minus_inertia_base_hz
+            - minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hx);
+    let minus_wrench_outside_link_1_mx_6 = minus_wrench_outside_link_1_mx_5 * 105.0
+        + (minus_twist_link_1_wy_0 * inertias.inertia_base_hy
+            + twist_link_1_wx_0 * inertias.minus_inertia_base_hx);
+    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
+        * minus_wrench_outside_link_1_mx_1
+        - minus_wrench_outside_link_1_mx_2 * twist_link_1_wx_0
+        + (minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_5
+            - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_7);
+    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6
+        * minus_twist_link_1_wy_0
+        - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_1;
+    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fy_2
+        * twist_link_1_wx_0 - minus_wrench_outside_link_1_mx_4 * minus_twist_link_1_wy_0;
+    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy * minus_twist_link_1_wy_0
+        + inertias.inertia_link_1_yy * twist_link_1_wx_0
+        - inertias.minus_inertia_link_1_yz * twist_link_1_vy_0
+        + (inertias.inertia_link_1_hz * twist_link_1_vy_2
+            + inertias.minus_inertia_link_1_hx * minus_wrench_outside_link_1_mx_5);
+    let wrench_outside_link_2_mx_10 = inertias.inertia_link_1_xz
+        * minus_twist_link_1_wy_0 - inertias.minus_inertia_link_1_yz * twist_link_1_wx_0
+        + inertias.inertia_link_1_zz * twist_link_1_vy_0
+        - (inertias.minus_inertia_link_1_hx * wrench_outside_link_2_mx_15
+            + inertias.inertia_link_1_hy * twist_link_1_vy_2);
+    let wrench_outside_link_2_fy_6 = twist_link_1_vy_2 * 5.0
+        + (twist_link_1_wx_0 * inertias.inertia_link_1_hz
+            - twist_link_1_vy_0 * inertias.inertia_link_1_hy);
+    let wrench_outside_link_2_mx_12 = wrench_outside_link_2_mx_15 * 5.0
+        - (twist_link_1_vy_0 * inertias.minus_inertia_link_1_hx
+            + minus_twist_link_1_wy_0 * inertias.inertia_link_1_hz);
+    let wrench_outside_link_2_mx_14 = minus_wrench_outside_link_1_mx_5 * 5.0
+        + (minus_twist_link_1_wy_0 * inertias.inertia_link_1_hy
+            + twist_link_1_wx_0 * inertias.minus_inertia_link_1_hx);
+    let wrench_outside_link_2_mx = inertias.inertia_link_1_xx * twist_link_1_wx
+        - inertias.inertia_link_1_xy * minus_twist_link_1_wy
+        + (inertias.inertia_link_1_hy * twist_link_1_vz
+            - inertias.inertia_link_1_hz * twist_link_1_vy)
+        - (wrench_outside_link_2_mx_8 * twist_link_1_vy_0
+            - wrench_outside_link_2_mx_10 * twist_link_1_wx_0
+            + (wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_mx_5
+                - wrench_outside_link_2_mx_14 * wrench_outside_link_2_mx_15));
+    let wrench_outside_link_2_fy = twist_link_1_vy * 5.0
+        - twist_link_1_wx * inertias.inertia_link_1_hz
+        - (wrench_outside_link_2_mx_14 * minus_twist_link_1_wy_0
+            - wrench_outside_link_2_fy_6 * twist_link_1_vy_0);
+    let wrench_outside_link_2_fz = twist_link_1_vz * 5.0
+        + (twist_link_1_wx * inertias.inertia_link_1_hy
+            - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
+        - (wrench_outside_link_2_fy_6 * twist_link_1_wx_0
+            - wrench_outside_link_2_mx_12 * minus_twist_link_1_wy_0);
     let wrench_outside_link_3_mx_10 = inertias.inertia_link_2_yy * twist_link_2_wz_2
         - inertias.minus_inertia_link_2_xy * twist_link_2_wz_0
         - inertias.minus_inertia_link_2_yz * twist_link_1_vy_0
@@ -4407,30 +4456,6 @@ pub fn hamel_bias(
             - twist_link_2_wy * inertias.inertia_link_2_hx)
         - (wrench_outside_link_3_fy_8 * twist_link_2_wz_2
             - wrench_outside_link_3_mx_14 * twist_link_2_wz_0);
-    let twist_link_3_wz_1 = velocities.velocity_link_3_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_3_wz_3 = velocities.velocity_link_3_wy
-        + minus_wrench_outside_link_1_mx_3_0;
-    let twist_link_3_vz_5 = velocities.velocity_link_3_vx
-        + minus_wrench_outside_link_1_my_5_0;
-    let twist_link_3_vz_7 = velocities.velocity_link_3_vy
-        + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_3_vy_1 = velocities.velocity_link_3_vz
-        + minus_wrench_outside_link_1_mx_5_0;
-    let twist_link_3_wx = twist_link_2_wx - twist_link_2_wx_1 * qd[2];
-    let twist_link_3_wy = twist_link_2_wy + twist_link_2_wy_0 * qd[2];
-    let twist_link_3_wz = twist_link_2_wz
-        + (twist_link_3_wz_1 * poses.sin_joint_1 - twist_link_3_wz_3 * poses.cos_joint_1)
-            * qd[2];
-    let twist_link_3_vy = twist_link_2_vy
-        + (twist_link_3_vy_1 * poses.cos_joint_1
-            - (twist_link_1_vy_0 * screws.minus_screw_joint_3_vx
-                + twist_link_3_wz_1 * screws.screw_joint_3_vz)) * qd[2];
-    let twist_link_3_vz = twist_link_2_vz
-        + (twist_link_3_wz_1 * screws.screw_joint_3_vy
-            + twist_link_3_wz_3 * screws.minus_screw_joint_3_vx
-            + (twist_link_3_vz_5 * poses.sin_joint_1
-                - twist_link_3_vz_7 * poses.cos_joint_1)) * qd[2];
     let wrench_link_3_mx_10 = inertias.inertia_link_3_yy * twist_link_3_wz_3
         - inertias.minus_inertia_link_3_xy * twist_link_3_wz_1
         - inertias.minus_inertia_link_3_yz * twist_link_1_vy_0
@@ -4482,25 +4507,31 @@ pub fn hamel_bias(
     hamel_bias[0] = wrench_base_mx
         - (wrench_base_fy * minus_wrench_outside_link_1_my_5_0_2
             + wrench_base_fz * poses.minus_com_y) + 0.0;
+    let twist_link_1_vx = (wrench_outside_link_2_mx_15
+        - twist_link_1_vy_0 * poses.minus_origin_base_x) * qd[0];
+    let twist_link_2_vx = twist_link_1_vx
+        - (twist_link_2_wz_2 * screws.minus_screw_joint_2_vz
+            + twist_link_1_vy_0 * screws.screw_joint_2_vy
+            + twist_link_2_vy_5 * poses.sin_joint_1) * qd[1];
+    let twist_link_3_vx = twist_link_2_vx
+        + (twist_link_3_wz_3 * screws.screw_joint_3_vz
+            - twist_link_1_vy_0 * screws.screw_joint_3_vy
+            - twist_link_3_vy_1 * poses.sin_joint_1) * qd[2];
     let minus_wrench_outside_link_1_my_2 = inertias.inertia_base_xx
-        * minus_wrench_outside_link_1_fy_1
-        + inertias.inertia_base_xy * minus_wrench_outside_link_1_mx_3
+        * minus_twist_link_1_wy_0 + inertias.inertia_base_xy * twist_link_1_wx_0
         - inertias.minus_inertia_base_xz * minus_wrench_outside_link_1_mx_1
         + (inertias.inertia_base_hy * minus_wrench_outside_link_1_mx_5
             + inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_mx_7);
     let minus_wrench_outside_link_1_my = minus_wrench_outside_link_1_mx_2
-        * minus_wrench_outside_link_1_fy_1
+        * minus_twist_link_1_wy_0
         - minus_wrench_outside_link_1_my_2 * minus_wrench_outside_link_1_mx_1
         + (minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_my_5
             - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_5);
     let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4
         * minus_wrench_outside_link_1_mx_1
-        - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_3;
-    let twist_link_1_vx = (wrench_outside_link_2_mx_15
-        - twist_link_1_vy_0 * poses.minus_origin_base_x) * qd[0];
+        - minus_wrench_outside_link_1_mx_6 * twist_link_1_wx_0;
     let wrench_outside_link_2_my_10 = inertias.inertia_link_1_xx
-        * minus_wrench_outside_link_1_fy_1
-        + inertias.inertia_link_1_xy * minus_wrench_outside_link_1_mx_3
+        * minus_twist_link_1_wy_0 + inertias.inertia_link_1_xy * twist_link_1_wx_0
         + inertias.inertia_link_1_xz * twist_link_1_vy_0
         + (inertias.inertia_link_1_hy * minus_wrench_outside_link_1_mx_5
             - inertias.inertia_link_1_hz * wrench_outside_link_2_mx_15);
@@ -4508,18 +4539,14 @@ pub fn hamel_bias(
         - inertias.inertia_link_1_yy * minus_twist_link_1_wy
         + (inertias.inertia_link_1_hz * twist_link_1_vx
             + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
-        - (wrench_outside_link_2_mx_10 * minus_wrench_outside_link_1_fy_1
+        - (wrench_outside_link_2_mx_10 * minus_twist_link_1_wy_0
             - wrench_outside_link_2_my_10 * twist_link_1_vy_0
             + (wrench_outside_link_2_mx_14 * twist_link_1_vy_2
                 - wrench_outside_link_2_fy_6 * minus_wrench_outside_link_1_mx_5));
     let wrench_outside_link_2_fx = twist_link_1_vx * 5.0
         - minus_twist_link_1_wy * inertias.inertia_link_1_hz
         - (wrench_outside_link_2_mx_12 * twist_link_1_vy_0
-            - wrench_outside_link_2_mx_14 * minus_wrench_outside_link_1_mx_3);
-    let twist_link_2_vx = twist_link_1_vx
-        - (twist_link_2_wz_2 * screws.minus_screw_joint_2_vz
-            + twist_link_1_vy_0 * screws.screw_joint_2_vy
-            + twist_link_2_vy_5 * poses.sin_joint_1) * qd[1];
+            - wrench_outside_link_2_mx_14 * twist_link_1_wx_0);
     let wrench_outside_link_3_my_12 = inertias.inertia_link_2_xx * twist_link_2_wz_0
         - inertias.minus_inertia_link_2_xy * twist_link_2_wz_2
         - inertias.minus_inertia_link_2_xz * twist_link_1_vy_0
@@ -4539,10 +4566,6 @@ pub fn hamel_bias(
             - twist_link_2_wz * inertias.inertia_link_2_hy)
         - (wrench_outside_link_3_mx_14 * twist_link_1_vy_0
             - wrench_outside_link_3_mx_16 * twist_link_2_wz_2);
-    let twist_link_3_vx = twist_link_2_vx
-        + (twist_link_3_wz_3 * screws.screw_joint_3_vz
-            - twist_link_1_vy_0 * screws.screw_joint_3_vy
-            - twist_link_3_vy_1 * poses.sin_joint_1) * qd[2];
     let wrench_link_3_my_12 = inertias.inertia_link_3_xx * twist_link_3_wz_1
         - inertias.minus_inertia_link_3_xy * twist_link_3_wz_3
         - inertias.minus_inertia_link_3_xz * twist_link_1_vy_0
@@ -4572,16 +4595,15 @@ pub fn hamel_bias(
         + (wrench_base_fx * minus_wrench_outside_link_1_my_5_0_2
             - wrench_base_fz * poses.com_x) + 0.0;
     let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_my_2
-        * minus_wrench_outside_link_1_mx_3
-        - minus_wrench_outside_link_1_mx_0 * minus_wrench_outside_link_1_fy_1
+        * twist_link_1_wx_0 - minus_wrench_outside_link_1_mx_0 * minus_twist_link_1_wy_0
         + (minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_7
             - minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_my_5);
     let wrench_outside_link_2_mz = inertias.inertia_link_1_xz * twist_link_1_wx
         + inertias.minus_inertia_link_1_yz * minus_twist_link_1_wy
         - (inertias.minus_inertia_link_1_hx * twist_link_1_vy
             + inertias.inertia_link_1_hy * twist_link_1_vx)
-        - (wrench_outside_link_2_my_10 * minus_wrench_outside_link_1_mx_3
-            - wrench_outside_link_2_mx_8 * minus_wrench_outside_link_1_fy_1
+        - (wrench_outside_link_2_my_10 * twist_link_1_wx_0
+            - wrench_outside_link_2_mx_8 * minus_twist_link_1_wy_0
             + (wrench_outside_link_2_fy_6 * wrench_outside_link_2_mx_15
                 - wrench_outside_link_2_mx_12 * twist_link_1_vy_2));
     let wrench_outside_link_3_mz = inertias.inertia_link_2_zz * twist_link_2_wz
@@ -4639,42 +4661,41 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     let reactions = reactions(&inertias, &outside);
     // 𝓑_ω(e_i, e_j) x, column joint_1
     curvature[0][0][0] = 0.0;
-    let minus_wrench_base_mz_0_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
-    let minus_wrench_base_mz_0 = minus_wrench_base_mz_0_1 + minus_wrench_base_mz_0_1
+    let minus_six_joint_1_mz_0_1 = inertias.inertia_base_hy * poses.minus_origin_base_x;
+    let minus_six_joint_1_mz_0 = minus_six_joint_1_mz_0_1 + minus_six_joint_1_mz_0_1
         - (inertias.inertia_base_xy + inertias.inertia_base_xy);
-    let wrench_base_mx_3 = inertias.inertia_base_xx - inertias.inertia_base_yy
+    let six_joint_1_mx_3 = inertias.inertia_base_xx - inertias.inertia_base_yy
         - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
-    let wrench_outside_link_1_mz_3_1_0 = poses.sin_joint_1
+    let six_more_joint_2_mz_3_1_0 = poses.sin_joint_1
         * inertias.minus_composite_link_2_xz;
-    let wrench_outside_link_1_mz_3_1_1 = poses.cos_joint_1
+    let six_more_joint_2_mz_3_1_1 = poses.cos_joint_1
         * inertias.minus_composite_link_2_yz;
-    let wrench_outside_link_1_mz_3_1 = wrench_outside_link_1_mz_3_1_0
-        - wrench_outside_link_1_mz_3_1_1;
-    let curvature_x_1_0_10_2_1 = inertias.composite_link_2_hx
+    let six_more_joint_2_mz_3_1 = six_more_joint_2_mz_3_1_0 - six_more_joint_2_mz_3_1_1;
+    let three_joint_2_y_2_2_1 = inertias.composite_link_2_hx
         * screws.minus_screw_joint_2_vx;
-    let curvature_x_1_0_1_0_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
-    let curvature_x_1_0_1_1_1 = inertias.composite_link_2_hz
+    let three_joint_2_x_0_0_1 = inertias.composite_link_2_hy * screws.screw_joint_2_vy;
+    let three_joint_2_x_0_1_1 = inertias.composite_link_2_hz
         * screws.minus_screw_joint_2_vz;
-    let curvature_x_1_0_1_0 = curvature_x_1_0_1_0_1 + curvature_x_1_0_1_0_1;
-    let curvature_x_1_0_1_1 = curvature_x_1_0_1_1_1 + curvature_x_1_0_1_1_1;
-    let curvature_x_1_0_10_2 = curvature_x_1_0_10_2_1 + curvature_x_1_0_10_2_1;
-    let curvature_x_1_0_1 = curvature_x_1_0_1_0 - curvature_x_1_0_1_1
-        - (wrench_outside_link_1_mz_3_1_0 + wrench_outside_link_1_mz_3_1_0);
-    let curvature_x_1_0_8 = inertias.inside_joint_2_mz_1_0
+    let three_joint_2_x_0_0 = three_joint_2_x_0_0_1 + three_joint_2_x_0_0_1;
+    let three_joint_2_x_0_1 = three_joint_2_x_0_1_1 + three_joint_2_x_0_1_1;
+    let three_joint_2_y_2_2 = three_joint_2_y_2_2_1 + three_joint_2_y_2_2_1;
+    let three_joint_2_x_0 = three_joint_2_x_0_0 - three_joint_2_x_0_1
+        - (six_more_joint_2_mz_3_1_0 + six_more_joint_2_mz_3_1_0);
+    let three_joint_2_x_2 = inertias.inside_joint_2_mz_1_0
         - inertias.inside_joint_2_mz_1_1
         - (screws.inside_joint_2_mz_0 - screws.inside_joint_2_mz_1);
-    let wrench_outside_link_1_mz_0 = poses.sin_joint_1 * inertias.composite_link_2_zz
+    let three_joint_2_x_4 = poses.sin_joint_1 * inertias.composite_link_2_zz
         - (inertias.inside_joint_2_my_0_1
             + poses.sin_joint_1 * inertias.composite_link_2_xx)
         + (screws.inside_joint_2_my_3 + screws.inside_joint_2_my_4);
-    let curvature_x_1_0_10 = wrench_outside_link_1_mz_3_1_1
-        + wrench_outside_link_1_mz_3_1_1 - (curvature_x_1_0_10_2 + curvature_x_1_0_1_1);
-    let curvature_x_1_0_17 = poses.cos_joint_1 * inertias.composite_link_2_yy
+    let three_joint_2_y_2 = six_more_joint_2_mz_3_1_1 + six_more_joint_2_mz_3_1_1
+        - (three_joint_2_y_2_2 + three_joint_2_x_0_1);
+    let three_joint_2_y_4 = poses.cos_joint_1 * inertias.composite_link_2_yy
         + inertias.inside_joint_2_mx_0_1
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_4 - screws.inside_joint_2_mx_3);
-    let wrench_outside_link_1_mz_3 = wrench_outside_link_1_mz_3_1
-        + wrench_outside_link_1_mz_3_1 + (curvature_x_1_0_1_0 - curvature_x_1_0_10_2);
+    let six_more_joint_2_mz_3 = six_more_joint_2_mz_3_1 + six_more_joint_2_mz_3_1
+        + (three_joint_2_x_0_0 - three_joint_2_y_2_2);
     let curvature_x_1_0_21_1_2_3 = (inertias.locked_inverse_pivot_z_4
         * inertias.locked_inverse_pivot_y_2 - inertias.locked_inverse_pivot_z_2)
         * inertias.locked_inverse_pivot_z;
@@ -4684,71 +4705,67 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     let curvature_x_1_0_21_1 = inertias.locked_inverse_pivot_x
         + inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_21_1_2
         - inertias.locked_inverse_pivot_z_2 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_1_0_21 = minus_wrench_base_mz_0 * curvature_x_1_0_21_1
-        - wrench_base_mx_3 * curvature_x_1_0_21_1_2
+    let curvature_x_1_0_21 = minus_six_joint_1_mz_0 * curvature_x_1_0_21_1
+        - six_joint_1_mx_3 * curvature_x_1_0_21_1_2
         - outside.outside_joint_1_my * curvature_x_1_0_21_1_2_3;
     let curvature_x_1_0_23 = reactions.reaction_joint_1_wz
-        - (wrench_base_mx_3 * curvature_x_1_0_21_1
+        - (six_joint_1_mx_3 * curvature_x_1_0_21_1
             + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2_3);
     let curvature_x_1_0_25 = reactions.reaction_joint_1_wy
-        + (minus_wrench_base_mz_0 * curvature_x_1_0_21_1_2_3
+        + (minus_six_joint_1_mz_0 * curvature_x_1_0_21_1_2_3
             - (outside.outside_joint_1_my * curvature_x_1_0_21_1
                 + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2));
     let curvature_x_1_0 = reactions.reaction_joint_1_wx
-        * (curvature_x_1_0_1 * curvature_x_1_0_21_1
-            - curvature_x_1_0_8 * curvature_x_1_0_21_1_2
-            + wrench_outside_link_1_mz_0 * curvature_x_1_0_21_1_2_3)
+        * (three_joint_2_x_0 * curvature_x_1_0_21_1
+            - three_joint_2_x_2 * curvature_x_1_0_21_1_2
+            + three_joint_2_x_4 * curvature_x_1_0_21_1_2_3)
         + reactions.reaction_joint_1_wy
-            * (curvature_x_1_0_8 * curvature_x_1_0_21_1
-                - curvature_x_1_0_10 * curvature_x_1_0_21_1_2
-                + curvature_x_1_0_17 * curvature_x_1_0_21_1_2_3)
+            * (three_joint_2_x_2 * curvature_x_1_0_21_1
+                - three_joint_2_y_2 * curvature_x_1_0_21_1_2
+                + three_joint_2_y_4 * curvature_x_1_0_21_1_2_3)
         + reactions.reaction_joint_1_wz
-            * (wrench_outside_link_1_mz_0 * curvature_x_1_0_21_1
-                - curvature_x_1_0_17 * curvature_x_1_0_21_1_2
-                + wrench_outside_link_1_mz_3 * curvature_x_1_0_21_1_2_3)
+            * (three_joint_2_x_4 * curvature_x_1_0_21_1
+                - three_joint_2_y_4 * curvature_x_1_0_21_1_2
+                + six_more_joint_2_mz_3 * curvature_x_1_0_21_1_2_3)
         - curvature_x_1_0_21 * screws.connection_joint_2_wx
         + curvature_x_1_0_23 * screws.connection_joint_2_wy
         - curvature_x_1_0_25 * screws.connection_joint_2_wz;
     curvature[0][0][1] = curvature_x_1_0 + 0.0;
-    let wrench_outside_link_2_mz_3_1_0 = poses.sin_joint_1
-        * inertias.minus_inertia_link_3_xz;
-    let wrench_outside_link_2_mz_3_1_1 = poses.cos_joint_1
-        * inertias.minus_inertia_link_3_yz;
-    let wrench_outside_link_2_mz_3_1 = wrench_outside_link_2_mz_3_1_0
-        - wrench_outside_link_2_mz_3_1_1;
-    let curvature_x_2_0_3_2_3_1 = inertias.inertia_link_3_hx
+    let six_more_joint_3_mz_3_1_0 = poses.sin_joint_1 * inertias.minus_inertia_link_3_xz;
+    let six_more_joint_3_mz_3_1_1 = poses.cos_joint_1 * inertias.minus_inertia_link_3_yz;
+    let six_more_joint_3_mz_3_1 = six_more_joint_3_mz_3_1_0 - six_more_joint_3_mz_3_1_1;
+    let three_joint_3_y_2_3_1 = inertias.inertia_link_3_hx
         * screws.minus_screw_joint_3_vx;
-    let curvature_x_2_0_1_0_0_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
-    let curvature_x_2_0_1_0_1_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
-    let curvature_x_2_0_1_0_0 = curvature_x_2_0_1_0_0_1 + curvature_x_2_0_1_0_0_1;
-    let curvature_x_2_0_1_0_1 = curvature_x_2_0_1_0_1_1 + curvature_x_2_0_1_0_1_1;
-    let curvature_x_2_0_3_2_3 = curvature_x_2_0_3_2_3_1 + curvature_x_2_0_3_2_3_1;
-    let curvature_x_2_0_1_0 = curvature_x_2_0_1_0_0 + curvature_x_2_0_1_0_1
-        - (wrench_outside_link_2_mz_3_1_0 + wrench_outside_link_2_mz_3_1_0);
-    let curvature_x_2_0_1_2 = inertias.inside_joint_3_mz_1_0
+    let three_joint_3_x_0_0_1 = inertias.inertia_link_3_hy * screws.screw_joint_3_vy;
+    let three_joint_3_x_0_1_1 = inertias.inertia_link_3_hz * screws.screw_joint_3_vz;
+    let three_joint_3_x_0_0 = three_joint_3_x_0_0_1 + three_joint_3_x_0_0_1;
+    let three_joint_3_x_0_1 = three_joint_3_x_0_1_1 + three_joint_3_x_0_1_1;
+    let three_joint_3_y_2_3 = three_joint_3_y_2_3_1 + three_joint_3_y_2_3_1;
+    let three_joint_3_x_0 = three_joint_3_x_0_0 + three_joint_3_x_0_1
+        - (six_more_joint_3_mz_3_1_0 + six_more_joint_3_mz_3_1_0);
+    let three_joint_3_x_2 = inertias.inside_joint_3_mz_1_0
         - inertias.inside_joint_3_mz_1_1
         - (screws.inside_joint_3_mz_0 - screws.inside_joint_3_mz_1);
-    let wrench_outside_link_2_mz_0 = poses.sin_joint_1 * inertias.inertia_link_3_zz
+    let three_joint_3_x_4 = poses.sin_joint_1 * inertias.inertia_link_3_zz
         - (inertias.inside_joint_3_my_0_1
             + poses.sin_joint_1 * inertias.inertia_link_3_xx)
         - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3);
-    let curvature_x_2_0_3_2 = wrench_outside_link_2_mz_3_1_1
-        + wrench_outside_link_2_mz_3_1_1
-        + (curvature_x_2_0_1_0_1 - curvature_x_2_0_3_2_3);
-    let curvature_x_2_0_3_4 = poses.cos_joint_1 * inertias.inertia_link_3_yy
+    let three_joint_3_y_2 = six_more_joint_3_mz_3_1_1 + six_more_joint_3_mz_3_1_1
+        + (three_joint_3_x_0_1 - three_joint_3_y_2_3);
+    let three_joint_3_y_4 = poses.cos_joint_1 * inertias.inertia_link_3_yy
         + inertias.inside_joint_3_mx_0_1 - poses.cos_joint_1 * inertias.inertia_link_3_zz
         - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4);
-    let wrench_outside_link_2_mz_3 = wrench_outside_link_2_mz_3_1
-        + wrench_outside_link_2_mz_3_1 + (curvature_x_2_0_1_0_0 - curvature_x_2_0_3_2_3);
-    let curvature_x_2_0_1 = curvature_x_2_0_1_0 * curvature_x_1_0_21_1
-        - curvature_x_2_0_1_2 * curvature_x_1_0_21_1_2
-        + wrench_outside_link_2_mz_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_2_0_3 = curvature_x_2_0_1_2 * curvature_x_1_0_21_1
-        - curvature_x_2_0_3_2 * curvature_x_1_0_21_1_2
-        + curvature_x_2_0_3_4 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_2_0_5 = wrench_outside_link_2_mz_0 * curvature_x_1_0_21_1
-        - curvature_x_2_0_3_4 * curvature_x_1_0_21_1_2
-        + wrench_outside_link_2_mz_3 * curvature_x_1_0_21_1_2_3;
+    let six_more_joint_3_mz_3 = six_more_joint_3_mz_3_1 + six_more_joint_3_mz_3_1
+        + (three_joint_3_x_0_0 - three_joint_3_y_2_3);
+    let curvature_x_2_0_1 = three_joint_3_x_0 * curvature_x_1_0_21_1
+        - three_joint_3_x_2 * curvature_x_1_0_21_1_2
+        + three_joint_3_x_4 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_3 = three_joint_3_x_2 * curvature_x_1_0_21_1
+        - three_joint_3_y_2 * curvature_x_1_0_21_1_2
+        + three_joint_3_y_4 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_5 = three_joint_3_x_4 * curvature_x_1_0_21_1
+        - three_joint_3_y_4 * curvature_x_1_0_21_1_2
+        + six_more_joint_3_mz_3 * curvature_x_1_0_21_1_2_3;
     let curvature_x_2_0 = reactions.reaction_joint_1_wx * curvature_x_2_0_1
         + reactions.reaction_joint_1_wy * curvature_x_2_0_3
         + reactions.reaction_joint_1_wz * curvature_x_2_0_5
@@ -4759,59 +4776,58 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     // 𝓑_ω(e_i, e_j) x, column joint_2
     curvature[0][1][0] = 0.0 - curvature_x_1_0;
     curvature[0][1][1] = 0.0;
-    let minus_wrench_link_1_mz_3_1_1 = poses.sin_joint_1
+    let minus_six_joint_2_mz_3_1_1 = poses.sin_joint_1
         * complements.complement_link_2_xz;
-    let minus_wrench_link_1_mz_3_1_0 = poses.cos_joint_1
+    let minus_six_joint_2_mz_3_1_0 = poses.cos_joint_1
         * complements.complement_link_2_yz;
-    let minus_wrench_link_1_mz_3_1 = minus_wrench_link_1_mz_3_1_0
-        - minus_wrench_link_1_mz_3_1_1;
-    let minus_wrench_link_1_my_3_0_1 = complements.minus_complement_link_2_hx
+    let minus_six_joint_2_mz_3_1 = minus_six_joint_2_mz_3_1_0
+        - minus_six_joint_2_mz_3_1_1;
+    let minus_six_joint_2_my_3_0_1 = complements.minus_complement_link_2_hx
         * screws.minus_screw_joint_2_vx;
-    let wrench_link_1_mx_1_2_1 = complements.complement_link_2_hy
+    let six_joint_2_mx_1_2_1 = complements.complement_link_2_hy
         * screws.screw_joint_2_vy;
-    let wrench_link_1_mx_1_3_1 = complements.complement_link_2_hz
+    let six_joint_2_mx_1_3_1 = complements.complement_link_2_hz
         * screws.minus_screw_joint_2_vz;
-    let wrench_link_1_mx_1_2 = wrench_link_1_mx_1_2_1 + wrench_link_1_mx_1_2_1;
-    let wrench_link_1_mx_1_3 = wrench_link_1_mx_1_3_1 + wrench_link_1_mx_1_3_1;
-    let minus_wrench_link_1_my_3_0 = minus_wrench_link_1_my_3_0_1
-        + minus_wrench_link_1_my_3_0_1;
-    let wrench_link_1_mx_1 = minus_wrench_link_1_mz_3_1_1 + minus_wrench_link_1_mz_3_1_1
-        + (wrench_link_1_mx_1_2 - wrench_link_1_mx_1_3);
-    let wrench_link_1_mx_3 = complements.outside_joint_2_mz_0_1
+    let six_joint_2_mx_1_2 = six_joint_2_mx_1_2_1 + six_joint_2_mx_1_2_1;
+    let six_joint_2_mx_1_3 = six_joint_2_mx_1_3_1 + six_joint_2_mx_1_3_1;
+    let minus_six_joint_2_my_3_0 = minus_six_joint_2_my_3_0_1
+        + minus_six_joint_2_my_3_0_1;
+    let six_joint_2_mx_1 = minus_six_joint_2_mz_3_1_1 + minus_six_joint_2_mz_3_1_1
+        + (six_joint_2_mx_1_2 - six_joint_2_mx_1_3);
+    let six_joint_2_mx_3 = complements.outside_joint_2_mz_0_1
         - complements.outside_joint_2_mz_0_0
         + (screws.outside_joint_2_mz_1_1 + screws.outside_joint_2_mz_1_0);
-    let minus_wrench_link_1_mz_0 = poses.sin_joint_1 * complements.complement_link_2_zz
+    let minus_six_joint_2_mz_0 = poses.sin_joint_1 * complements.complement_link_2_zz
         + (complements.outside_joint_2_my_0_0
             - poses.sin_joint_1 * complements.complement_link_2_xx)
         - (screws.outside_joint_2_my_1_1 - screws.outside_joint_2_my_1_0);
-    let minus_wrench_link_1_my_3 = minus_wrench_link_1_my_3_0 - wrench_link_1_mx_1_3
-        - (minus_wrench_link_1_mz_3_1_0 + minus_wrench_link_1_mz_3_1_0);
-    let minus_wrench_link_1_my_5 = poses.cos_joint_1 * complements.complement_link_2_yy
+    let minus_six_joint_2_my_3 = minus_six_joint_2_my_3_0 - six_joint_2_mx_1_3
+        - (minus_six_joint_2_mz_3_1_0 + minus_six_joint_2_mz_3_1_0);
+    let minus_six_joint_2_my_5 = poses.cos_joint_1 * complements.complement_link_2_yy
         - complements.outside_joint_2_mx_0_1
         - poses.cos_joint_1 * complements.complement_link_2_zz
         - (screws.outside_joint_2_mx_1_1 - screws.outside_joint_2_mx_1_0);
-    let minus_wrench_link_1_mz_3 = minus_wrench_link_1_mz_3_1
-        + minus_wrench_link_1_mz_3_1
-        + (minus_wrench_link_1_my_3_0 + wrench_link_1_mx_1_2);
+    let minus_six_joint_2_mz_3 = minus_six_joint_2_mz_3_1 + minus_six_joint_2_mz_3_1
+        + (minus_six_joint_2_my_3_0 + six_joint_2_mx_1_2);
     let curvature_x_2_1_42 = curvature_x_1_0_21_1 * 260.0;
     let curvature_x_2_1_40 = curvature_x_1_0_21_1_2 * 260.0;
     let curvature_x_2_1_37 = curvature_x_1_0_21_1_2_3 * 260.0;
     let curvature_x_2_1 = reactions.reaction_joint_2_wx * curvature_x_2_0_1
         + reactions.reaction_joint_2_wy * curvature_x_2_0_3
         + reactions.reaction_joint_2_wz * curvature_x_2_0_5
-        - (wrench_link_1_mx_1 * curvature_x_1_0_21_1
-            - wrench_link_1_mx_3 * curvature_x_1_0_21_1_2
-            + minus_wrench_link_1_mz_0 * curvature_x_1_0_21_1_2_3)
+        - (six_joint_2_mx_1 * curvature_x_1_0_21_1
+            - six_joint_2_mx_3 * curvature_x_1_0_21_1_2
+            + minus_six_joint_2_mz_0 * curvature_x_1_0_21_1_2_3)
             * screws.connection_joint_3_wx
         + (reactions.reaction_joint_2_wz
-            - (wrench_link_1_mx_3 * curvature_x_1_0_21_1
-                - minus_wrench_link_1_my_3 * curvature_x_1_0_21_1_2
-                + minus_wrench_link_1_my_5 * curvature_x_1_0_21_1_2_3))
+            - (six_joint_2_mx_3 * curvature_x_1_0_21_1
+                - minus_six_joint_2_my_3 * curvature_x_1_0_21_1_2
+                + minus_six_joint_2_my_5 * curvature_x_1_0_21_1_2_3))
             * screws.connection_joint_3_wy
         - (reactions.reaction_joint_2_wy
-            + (minus_wrench_link_1_mz_0 * curvature_x_1_0_21_1
-                - minus_wrench_link_1_my_5 * curvature_x_1_0_21_1_2
-                + minus_wrench_link_1_mz_3 * curvature_x_1_0_21_1_2_3))
+            + (minus_six_joint_2_mz_0 * curvature_x_1_0_21_1
+                - minus_six_joint_2_my_5 * curvature_x_1_0_21_1_2
+                + minus_six_joint_2_mz_3 * curvature_x_1_0_21_1_2_3))
             * screws.connection_joint_3_wz
         + (reactions.reaction_joint_2_vy * curvature_x_2_1_37
             + reactions.reaction_joint_2_vz * curvature_x_2_1_40)
@@ -4829,49 +4845,48 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     curvature[0][2][2] = 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_1
     curvature[1][0][0] = 0.0;
-    let wrench_base_mx_4 = inertias.locked_inverse_pivot_z_4
+    let six_joint_1_mx_4 = inertias.locked_inverse_pivot_z_4
         * inertias.locked_inverse_pivot_z;
     let curvature_y_1_0_22_1_3 = inertias.locked_inverse_pivot_y
-        + inertias.locked_inverse_pivot_z_4 * wrench_base_mx_4;
-    let curvature_y_1_0_22_1 = inertias.locked_inverse_pivot_z_2 * wrench_base_mx_4
+        + inertias.locked_inverse_pivot_z_4 * six_joint_1_mx_4;
+    let curvature_y_1_0_22_1 = inertias.locked_inverse_pivot_z_2 * six_joint_1_mx_4
         - inertias.locked_inverse_pivot_y_2 * curvature_y_1_0_22_1_3;
-    let minus_wrench_base_mz_4 = outside.outside_joint_1_mx * wrench_base_mx_4;
-    let curvature_y_1_0_22 = wrench_base_mx_3 * curvature_y_1_0_22_1
-        - minus_wrench_base_mz_4;
+    let minus_six_joint_1_mz_4 = outside.outside_joint_1_mx * six_joint_1_mx_4;
+    let curvature_y_1_0_22 = six_joint_1_mx_3 * curvature_y_1_0_22_1
+        - minus_six_joint_1_mz_4;
     let curvature_y_1_0_20 = reactions.reaction_joint_1_wz
-        + (minus_wrench_base_mz_0 * curvature_y_1_0_22_1
-            + wrench_base_mx_3 * curvature_y_1_0_22_1_3
-            + outside.outside_joint_1_my * wrench_base_mx_4);
+        + (minus_six_joint_1_mz_0 * curvature_y_1_0_22_1
+            + six_joint_1_mx_3 * curvature_y_1_0_22_1_3
+            + outside.outside_joint_1_my * six_joint_1_mx_4);
     let curvature_y_1_0_24 = reactions.reaction_joint_1_wx
         - (outside.outside_joint_1_mx * curvature_y_1_0_22_1_3
             - outside.outside_joint_1_my * curvature_y_1_0_22_1
-            - minus_wrench_base_mz_0 * wrench_base_mx_4);
-    let wrench_outside_link_1_mz_2 = curvature_x_1_0_17 * wrench_base_mx_4;
+            - minus_six_joint_1_mz_0 * six_joint_1_mx_4);
+    let six_more_joint_2_mz_2 = three_joint_2_y_4 * six_joint_1_mx_4;
     let curvature_y_1_0 = reactions.reaction_joint_1_wx
-        * (curvature_x_1_0_1 * curvature_y_1_0_22_1
-            + curvature_x_1_0_8 * curvature_y_1_0_22_1_3
-            - wrench_outside_link_1_mz_0 * wrench_base_mx_4)
+        * (three_joint_2_x_0 * curvature_y_1_0_22_1
+            + three_joint_2_x_2 * curvature_y_1_0_22_1_3
+            - three_joint_2_x_4 * six_joint_1_mx_4)
         + reactions.reaction_joint_1_wy
-            * (curvature_x_1_0_8 * curvature_y_1_0_22_1
-                + curvature_x_1_0_10 * curvature_y_1_0_22_1_3
-                - wrench_outside_link_1_mz_2)
+            * (three_joint_2_x_2 * curvature_y_1_0_22_1
+                + three_joint_2_y_2 * curvature_y_1_0_22_1_3 - six_more_joint_2_mz_2)
         + reactions.reaction_joint_1_wz
-            * (wrench_outside_link_1_mz_0 * curvature_y_1_0_22_1
-                + curvature_x_1_0_17 * curvature_y_1_0_22_1_3
-                - wrench_outside_link_1_mz_3 * wrench_base_mx_4)
+            * (three_joint_2_x_4 * curvature_y_1_0_22_1
+                + three_joint_2_y_4 * curvature_y_1_0_22_1_3
+                - six_more_joint_2_mz_3 * six_joint_1_mx_4)
         - curvature_y_1_0_20 * screws.connection_joint_2_wx
         - curvature_y_1_0_22 * screws.connection_joint_2_wy
         + curvature_y_1_0_24 * screws.connection_joint_2_wz;
     curvature[1][0][1] = curvature_y_1_0 + 0.0;
-    let curvature_y_2_0_1 = curvature_x_2_0_1_0 * curvature_y_1_0_22_1
-        + curvature_x_2_0_1_2 * curvature_y_1_0_22_1_3
-        - wrench_outside_link_2_mz_0 * wrench_base_mx_4;
-    let wrench_outside_link_2_mz_2 = curvature_x_2_0_3_4 * wrench_base_mx_4;
-    let curvature_y_2_0_3 = curvature_x_2_0_1_2 * curvature_y_1_0_22_1
-        + curvature_x_2_0_3_2 * curvature_y_1_0_22_1_3 - wrench_outside_link_2_mz_2;
-    let curvature_y_2_0_5 = wrench_outside_link_2_mz_0 * curvature_y_1_0_22_1
-        + curvature_x_2_0_3_4 * curvature_y_1_0_22_1_3
-        - wrench_outside_link_2_mz_3 * wrench_base_mx_4;
+    let curvature_y_2_0_1 = three_joint_3_x_0 * curvature_y_1_0_22_1
+        + three_joint_3_x_2 * curvature_y_1_0_22_1_3
+        - three_joint_3_x_4 * six_joint_1_mx_4;
+    let six_more_joint_3_mz_2 = three_joint_3_y_4 * six_joint_1_mx_4;
+    let curvature_y_2_0_3 = three_joint_3_x_2 * curvature_y_1_0_22_1
+        + three_joint_3_y_2 * curvature_y_1_0_22_1_3 - six_more_joint_3_mz_2;
+    let curvature_y_2_0_5 = three_joint_3_x_4 * curvature_y_1_0_22_1
+        + three_joint_3_y_4 * curvature_y_1_0_22_1_3
+        - six_more_joint_3_mz_3 * six_joint_1_mx_4;
     let curvature_y_2_0 = reactions.reaction_joint_1_wx * curvature_y_2_0_1
         + reactions.reaction_joint_1_wy * curvature_y_2_0_3
         + reactions.reaction_joint_1_wz * curvature_y_2_0_5
@@ -4884,29 +4899,29 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     curvature[1][1][1] = 0.0;
     let curvature_y_2_1_40 = curvature_y_1_0_22_1 * 260.0;
     let curvature_y_2_1_38 = curvature_y_1_0_22_1_3 * 260.0;
-    let wrench_link_1_fx_3 = wrench_base_mx_4 * 260.0;
-    let minus_wrench_link_1_mz_2 = minus_wrench_link_1_my_5 * wrench_base_mx_4;
-    let minus_wrench_link_1_fz_0 = reactions.reaction_joint_2_vx * wrench_link_1_fx_3;
+    let six_joint_2_fx_3 = six_joint_1_mx_4 * 260.0;
+    let minus_six_joint_2_mz_2 = minus_six_joint_2_my_5 * six_joint_1_mx_4;
+    let minus_six_joint_2_fz_0 = reactions.reaction_joint_2_vx * six_joint_2_fx_3;
     let curvature_y_2_1 = reactions.reaction_joint_2_wx * curvature_y_2_0_1
         + reactions.reaction_joint_2_wy * curvature_y_2_0_3
         + reactions.reaction_joint_2_wz * curvature_y_2_0_5
         - (reactions.reaction_joint_2_wz
-            + (wrench_link_1_mx_1 * curvature_y_1_0_22_1
-                + wrench_link_1_mx_3 * curvature_y_1_0_22_1_3
-                - minus_wrench_link_1_mz_0 * wrench_base_mx_4))
+            + (six_joint_2_mx_1 * curvature_y_1_0_22_1
+                + six_joint_2_mx_3 * curvature_y_1_0_22_1_3
+                - minus_six_joint_2_mz_0 * six_joint_1_mx_4))
             * screws.connection_joint_3_wx
-        - (wrench_link_1_mx_3 * curvature_y_1_0_22_1
-            + minus_wrench_link_1_my_3 * curvature_y_1_0_22_1_3
-            - minus_wrench_link_1_mz_2) * screws.connection_joint_3_wy
+        - (six_joint_2_mx_3 * curvature_y_1_0_22_1
+            + minus_six_joint_2_my_3 * curvature_y_1_0_22_1_3 - minus_six_joint_2_mz_2)
+            * screws.connection_joint_3_wy
         + (reactions.reaction_joint_2_wx
-            - (minus_wrench_link_1_mz_0 * curvature_y_1_0_22_1
-                + minus_wrench_link_1_my_5 * curvature_y_1_0_22_1_3
-                - minus_wrench_link_1_mz_3 * wrench_base_mx_4))
+            - (minus_six_joint_2_mz_0 * curvature_y_1_0_22_1
+                + minus_six_joint_2_my_5 * curvature_y_1_0_22_1_3
+                - minus_six_joint_2_mz_3 * six_joint_1_mx_4))
             * screws.connection_joint_3_wz
-        - (reactions.reaction_joint_2_vy * wrench_link_1_fx_3
+        - (reactions.reaction_joint_2_vy * six_joint_2_fx_3
             + reactions.reaction_joint_2_vz * curvature_y_2_1_38)
             * screws.connection_joint_3_vx
-        + (reactions.reaction_joint_2_vz * curvature_y_2_1_40 + minus_wrench_link_1_fz_0)
+        + (reactions.reaction_joint_2_vz * curvature_y_2_1_40 + minus_six_joint_2_fz_0)
             * screws.connection_joint_3_vy
         + (reactions.reaction_joint_2_vx * curvature_y_2_1_38
             - reactions.reaction_joint_2_vy * curvature_y_2_1_40)
@@ -4918,80 +4933,80 @@ pub fn curvature(q: &[f64; 3], curvature: &mut [[[f64; 3]; 3]; 3], com: &mut [f6
     curvature[1][2][2] = 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.locked_inverse_pivot_y_2 * wrench_base_mx_4
+    let minus_six_joint_1_mz_3 = inertias.locked_inverse_pivot_y_2 * six_joint_1_mx_4
         - inertias.locked_inverse_pivot_z_2 * inertias.locked_inverse_pivot_z;
-    let minus_wrench_base_mz = minus_wrench_base_mz_0 * inertias.locked_inverse_pivot_z
-        - (outside.outside_joint_1_my * minus_wrench_base_mz_3 + minus_wrench_base_mz_4);
-    let wrench_base_mx = reactions.reaction_joint_1_wy
-        - (minus_wrench_base_mz_0 * minus_wrench_base_mz_3
-            - wrench_base_mx_3 * wrench_base_mx_4
+    let minus_six_joint_1_mz = minus_six_joint_1_mz_0 * inertias.locked_inverse_pivot_z
+        - (outside.outside_joint_1_my * minus_six_joint_1_mz_3 + minus_six_joint_1_mz_4);
+    let six_joint_1_mx = reactions.reaction_joint_1_wy
+        - (minus_six_joint_1_mz_0 * minus_six_joint_1_mz_3
+            - six_joint_1_mx_3 * six_joint_1_mx_4
             - outside.outside_joint_1_my * inertias.locked_inverse_pivot_z);
-    let minus_wrench_base_my = reactions.reaction_joint_1_wx
-        + (wrench_base_mx_3 * minus_wrench_base_mz_3
+    let minus_six_joint_1_my = reactions.reaction_joint_1_wx
+        + (six_joint_1_mx_3 * minus_six_joint_1_mz_3
             + outside.outside_joint_1_mx * inertias.locked_inverse_pivot_z);
-    let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0 * minus_wrench_base_mz_3
-        - wrench_outside_link_1_mz_2
-        + wrench_outside_link_1_mz_3 * inertias.locked_inverse_pivot_z;
-    let curvature_z_1_0 = reactions.reaction_joint_1_wx
-        * (curvature_x_1_0_1 * minus_wrench_base_mz_3
-            - curvature_x_1_0_8 * wrench_base_mx_4
-            + wrench_outside_link_1_mz_0 * inertias.locked_inverse_pivot_z)
-        + reactions.reaction_joint_1_wy
-            * (curvature_x_1_0_8 * minus_wrench_base_mz_3
-                - curvature_x_1_0_10 * wrench_base_mx_4
-                + curvature_x_1_0_17 * inertias.locked_inverse_pivot_z)
-        + reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        + wrench_base_mx * screws.connection_joint_2_wx
-        - minus_wrench_base_my * screws.connection_joint_2_wy
-        - minus_wrench_base_mz * screws.connection_joint_2_wz;
+    let three_joint_2_x = three_joint_2_x_0 * minus_six_joint_1_mz_3
+        - three_joint_2_x_2 * six_joint_1_mx_4
+        + three_joint_2_x_4 * inertias.locked_inverse_pivot_z;
+    let three_joint_2_y = three_joint_2_x_2 * minus_six_joint_1_mz_3
+        - three_joint_2_y_2 * six_joint_1_mx_4
+        + three_joint_2_y_4 * inertias.locked_inverse_pivot_z;
+    let six_more_joint_2_mz = three_joint_2_x_4 * minus_six_joint_1_mz_3
+        - six_more_joint_2_mz_2
+        + six_more_joint_2_mz_3 * inertias.locked_inverse_pivot_z;
+    let curvature_z_1_0 = reactions.reaction_joint_1_wx * three_joint_2_x
+        + reactions.reaction_joint_1_wy * three_joint_2_y
+        + reactions.reaction_joint_1_wz * six_more_joint_2_mz
+        + six_joint_1_mx * screws.connection_joint_2_wx
+        - minus_six_joint_1_my * screws.connection_joint_2_wy
+        - minus_six_joint_1_mz * screws.connection_joint_2_wz;
     curvature[2][0][1] = curvature_z_1_0 + 0.0;
-    let curvature_z_2_0_1 = curvature_x_2_0_1_0 * minus_wrench_base_mz_3
-        - curvature_x_2_0_1_2 * wrench_base_mx_4
-        + wrench_outside_link_2_mz_0 * inertias.locked_inverse_pivot_z;
-    let curvature_z_2_0_3 = curvature_x_2_0_1_2 * minus_wrench_base_mz_3
-        - curvature_x_2_0_3_2 * wrench_base_mx_4
-        + curvature_x_2_0_3_4 * inertias.locked_inverse_pivot_z;
-    let wrench_outside_link_2_mz = wrench_outside_link_2_mz_0 * minus_wrench_base_mz_3
-        - wrench_outside_link_2_mz_2
-        + wrench_outside_link_2_mz_3 * inertias.locked_inverse_pivot_z;
-    let curvature_z_2_0 = reactions.reaction_joint_1_wx * curvature_z_2_0_1
-        + reactions.reaction_joint_1_wy * curvature_z_2_0_3
-        + reactions.reaction_joint_1_wz * wrench_outside_link_2_mz
-        + wrench_base_mx * screws.connection_joint_3_wx
-        - minus_wrench_base_my * screws.connection_joint_3_wy
-        - minus_wrench_base_mz * screws.connection_joint_3_wz;
+    let three_joint_3_x = three_joint_3_x_0 * minus_six_joint_1_mz_3
+        - three_joint_3_x_2 * six_joint_1_mx_4
+        + three_joint_3_x_4 * inertias.locked_inverse_pivot_z;
+    let three_joint_3_y = three_joint_3_x_2 * minus_six_joint_1_mz_3
+        - three_joint_3_y_2 * six_joint_1_mx_4
+        + three_joint_3_y_4 * inertias.locked_inverse_pivot_z;
+    let six_more_joint_3_mz = three_joint_3_x_4 * minus_six_joint_1_mz_3
+        - six_more_joint_3_mz_2
+        + six_more_joint_3_mz_3 * inertias.locked_inverse_pivot_z;
+    let curvature_z_2_0 = reactions.reaction_joint_1_wx * three_joint_3_x
+        + reactions.reaction_joint_1_wy * three_joint_3_y
+        + reactions.reaction_joint_1_wz * six_more_joint_3_mz
+        + six_joint_1_mx * screws.connection_joint_3_wx
+        - minus_six_joint_1_my * screws.connection_joint_3_wy
+        - minus_six_joint_1_mz * screws.connection_joint_3_wz;
     curvature[2][0][2] = curvature_z_2_0 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_2
     curvature[2][1][0] = 0.0 - curvature_z_1_0;
     curvature[2][1][1] = 0.0;
-    let wrench_link_1_fy_1 = minus_wrench_base_mz_3 * 260.0;
-    let wrench_link_1_fx_1 = inertias.locked_inverse_pivot_z * 260.0;
-    let minus_wrench_link_1_mz = minus_wrench_link_1_mz_0 * minus_wrench_base_mz_3
-        - minus_wrench_link_1_mz_2
-        + minus_wrench_link_1_mz_3 * inertias.locked_inverse_pivot_z;
-    let wrench_link_1_mx = reactions.reaction_joint_2_wy
-        - (wrench_link_1_mx_1 * minus_wrench_base_mz_3
-            - wrench_link_1_mx_3 * wrench_base_mx_4
-            + minus_wrench_link_1_mz_0 * inertias.locked_inverse_pivot_z);
-    let minus_wrench_link_1_my = reactions.reaction_joint_2_wx
-        + (wrench_link_1_mx_3 * minus_wrench_base_mz_3
-            - minus_wrench_link_1_my_3 * wrench_base_mx_4
-            + minus_wrench_link_1_my_5 * inertias.locked_inverse_pivot_z);
-    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
-        + reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
-    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
-    let minus_wrench_link_1_fz = minus_wrench_link_1_fz_0
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
-    let curvature_z_2_1 = reactions.reaction_joint_2_wx * curvature_z_2_0_1
-        + reactions.reaction_joint_2_wy * curvature_z_2_0_3
-        + reactions.reaction_joint_2_wz * wrench_outside_link_2_mz
-        + wrench_link_1_mx * screws.connection_joint_3_wx
-        - minus_wrench_link_1_my * screws.connection_joint_3_wy
-        - minus_wrench_link_1_mz * screws.connection_joint_3_wz
-        + wrench_link_1_fx * screws.connection_joint_3_vx
-        + wrench_link_1_fy * screws.connection_joint_3_vy
-        - minus_wrench_link_1_fz * screws.connection_joint_3_vz;
+    let six_joint_2_fy_1 = minus_six_joint_1_mz_3 * 260.0;
+    let six_joint_2_fx_1 = inertias.locked_inverse_pivot_z * 260.0;
+    let minus_six_joint_2_mz = minus_six_joint_2_mz_0 * minus_six_joint_1_mz_3
+        - minus_six_joint_2_mz_2
+        + minus_six_joint_2_mz_3 * inertias.locked_inverse_pivot_z;
+    let six_joint_2_mx = reactions.reaction_joint_2_wy
+        - (six_joint_2_mx_1 * minus_six_joint_1_mz_3
+            - six_joint_2_mx_3 * six_joint_1_mx_4
+            + minus_six_joint_2_mz_0 * inertias.locked_inverse_pivot_z);
+    let minus_six_joint_2_my = reactions.reaction_joint_2_wx
+        + (six_joint_2_mx_3 * minus_six_joint_1_mz_3
+            - minus_six_joint_2_my_3 * six_joint_1_mx_4
+            + minus_six_joint_2_my_5 * inertias.locked_inverse_pivot_z);
+    let six_joint_2_fx = reactions.reaction_joint_2_vy * six_joint_2_fx_1
+        + reactions.reaction_joint_2_vz * six_joint_2_fx_3;
+    let six_joint_2_fy = reactions.reaction_joint_2_vz * six_joint_2_fy_1
+        - reactions.reaction_joint_2_vx * six_joint_2_fx_1;
+    let minus_six_joint_2_fz = minus_six_joint_2_fz_0
+        + reactions.reaction_joint_2_vy * six_joint_2_fy_1;
+    let curvature_z_2_1 = reactions.reaction_joint_2_wx * three_joint_3_x
+        + reactions.reaction_joint_2_wy * three_joint_3_y
+        + reactions.reaction_joint_2_wz * six_more_joint_3_mz
+        + six_joint_2_mx * screws.connection_joint_3_wx
+        - minus_six_joint_2_my * screws.connection_joint_3_wy
+        - minus_six_joint_2_mz * screws.connection_joint_3_wz
+        + six_joint_2_fx * screws.connection_joint_3_vx
+        + six_joint_2_fy * screws.connection_joint_3_vy
+        - minus_six_joint_2_fz * screws.connection_joint_3_vz;
     curvature[2][1][2] = curvature_z_2_1 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_3
     curvature[2][2][0] = 0.0 - curvature_z_2_0;
@@ -5314,7 +5329,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (3; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (9; rad/s², m/s²)
 ///
-/// 1904 operations: 925 + −, 967 ×, 12 ÷; 3 sin cos; about 22.4 KiB of code.
+/// 1808 operations: 874 + −, 922 ×, 12 ÷; 3 sin cos; about 21.3 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -5381,12 +5396,6 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_34_4 = xi_dot_0_3_3_34_4_0 * 130.0;
     let xi_dot_0_3_3_34_32_6 = xi_dot_0_3_3_34_32_6_0 * 130.0;
     let xi_dot_0_3_3_34_32_4 = xi_dot_0_3_3_34_32_4_0 * 130.0;
-    let xi_dot_0_3_3_34_28 = screws.inside_joint_1_fx * qd[0]
-        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let xi_dot_0_3_3_34_32_26 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let xi_dot_0_3_3_34_32_28 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2];
     let xi_dot_0_3_3_34_32_22 = (inertias.composite_link_1_xx
         - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
@@ -5412,14 +5421,17 @@ pub fn forward_dynamics(
             + inertias.inside_joint_3_mx_0_1
             - poses.cos_joint_1 * inertias.inertia_link_3_zz
             - (screws.inside_joint_3_mx_3 + screws.inside_joint_3_mx_4)) * qd[2];
+    let xi_dot_0_3_3_34_28 = velocities.minus_velocity_base_vx * 130.0;
+    let xi_dot_0_3_3_34_32_26 = velocities.minus_velocity_base_vy * 130.0;
+    let xi_dot_0_3_3_34_32_28 = velocities.minus_velocity_base_vz * 130.0;
     let xi_dot_0_3_3_34_1 = mu[0] - velocities.minus_velocity_base_wx;
     let xi_dot_0_3_3_34_32_3 = mu[1] - velocities.minus_velocity_base_wy;
     let xi_dot_0_3_3_34_32_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_mx_14 = base_wrench[0]
+    let wrench_base_mx_4 = base_wrench[0]
         + (base_wrench[4] * xi_dot_0_3_3_34_4_0_2 + base_wrench[5] * poses.minus_com_y);
-    let wrench_base_my_14 = base_wrench[1]
+    let wrench_base_my_4 = base_wrench[1]
         + (base_wrench[5] * poses.com_x - base_wrench[3] * xi_dot_0_3_3_34_4_0_2);
-    let wrench_base_mz_14 = base_wrench[2]
+    let wrench_base_mz_4 = base_wrench[2]
         - (base_wrench[3] * poses.minus_com_y + base_wrench[4] * poses.com_x);
     let xi_dot_0_3_3_34_32 = xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_32_1
         - xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_32_3
@@ -5432,7 +5444,7 @@ pub fn forward_dynamics(
                 - (xi_dot_0_3_3_21_0 + xi_dot_0_3_3_21_0)) * qd[2]) * mu[0]
             + xi_dot_0_3_3_34_32_22 * mu[1] + xi_dot_0_3_3_34_32_24 * mu[2]
             + (xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_32_4_0
-                - xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_32_6_0)) + wrench_base_mx_14;
+                - xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_32_6_0)) + wrench_base_mx_4;
     let xi_dot_0_3_3_34 = xi_dot_0_3_3_34_32_2 * xi_dot_0_3_3_34_1
         - xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_1
         + (xi_dot_0_3_3_34_4 * velocities.minus_velocity_base_vz
@@ -5445,7 +5457,7 @@ pub fn forward_dynamics(
                     + (xi_dot_0_3_3_34_32_17 - xi_dot_0_3_3_34_21)) * qd[2]) * mu[1]
             + xi_dot_0_3_3_34_24 * mu[2]
             + (xi_dot_0_3_3_34_32_28 * xi_dot_0_3_3_34_4_0
-                - xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_4_0)) + wrench_base_my_14
+                - xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_4_0)) + wrench_base_my_4
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_34_32;
     let xi_dot_0_3_3 = (xi_dot_0_3_3_34_2 * xi_dot_0_3_3_34_32_3
         - xi_dot_0_3_3_34_32_0 * xi_dot_0_3_3_34_1
@@ -5458,7 +5470,7 @@ pub fn forward_dynamics(
                 + (xi_dot_0_3_3_21 + xi_dot_0_3_3_21
                     + (xi_dot_0_3_3_34_32_16 - xi_dot_0_3_3_34_21)) * qd[2]) * mu[2]
             + (xi_dot_0_3_3_34_28 * xi_dot_0_3_3_34_32_6_0
-                - xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_4_0)) + wrench_base_mz_14
+                - xi_dot_0_3_3_34_32_26 * xi_dot_0_3_3_34_4_0)) + wrench_base_mz_4
         - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_34_32
         - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_34)
         * inertias.locked_inverse_pivot_z;
@@ -5488,101 +5500,117 @@ pub fn forward_dynamics(
         - (mu[0] * xi_dot_0_3_3_34_32_26 - mu[1] * xi_dot_0_3_3_34_28) + base_wrench[5])
         * 0.007692307692307693
         + (xi_dot_0 * poses.minus_com_y + xi_dot_0_3 * poses.com_x) + gravity[2] + 0.0;
+    let wrench_link_2_mx_1 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_0_0_0_1_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_0_1;
+    let wrench_link_2_mx_3 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_0_1;
+    let wrench_link_2_my_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_my_0_1_0_1_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1_0_1_0_1;
+    let wrench_link_2_mx_9 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_1_1_1_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_1_1_0_1;
+    let wrench_link_2_mx_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_1_0_1_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_0_1_0_1;
+    let wrench_link_3_mx_1 = wrench_link_2_mx_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_1;
+    let wrench_link_3_mx_3 = wrench_link_2_mx_3
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_1;
+    let wrench_link_3_mx_5 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_0_1_1_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1;
+    let wrench_link_3_my_7 = wrench_link_2_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1_0_1_1;
+    let wrench_link_3_mx_9 = wrench_link_2_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_1_1_1;
+    let wrench_link_3_mx_7 = wrench_link_2_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_0_1_1;
+    let wrench_link_3_mx = inertias.inertia_link_3_xx * wrench_link_3_mx_1
+        - inertias.minus_inertia_link_3_xy * wrench_link_3_mx_3
+        - inertias.minus_inertia_link_3_xz * wrench_link_3_mx_5
+        + (inertias.inertia_link_3_hy * wrench_link_3_mx_7
+            - inertias.inertia_link_3_hz * wrench_link_3_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_1;
+    let wrench_link_3_my = inertias.inertia_link_3_yy * wrench_link_3_mx_3
+        - inertias.minus_inertia_link_3_xy * wrench_link_3_mx_1
+        - inertias.minus_inertia_link_3_yz * wrench_link_3_mx_5
+        + (inertias.inertia_link_3_hz * wrench_link_3_my_7
+            - inertias.inertia_link_3_hx * wrench_link_3_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_1;
+    let wrench_link_3_mz = inertias.inertia_link_3_zz * wrench_link_3_mx_5
+        - (inertias.minus_inertia_link_3_xz * wrench_link_3_mx_1
+            + inertias.minus_inertia_link_3_yz * wrench_link_3_mx_3)
+        + (inertias.inertia_link_3_hx * wrench_link_3_mx_9
+            - inertias.inertia_link_3_hy * wrench_link_3_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_1;
+    let wrench_link_3_fx = wrench_link_3_my_7 * 10.0
+        + (wrench_link_3_mx_3 * inertias.inertia_link_3_hz
+            - wrench_link_3_mx_5 * inertias.inertia_link_3_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_1;
+    let wrench_link_3_fy = wrench_link_3_mx_9 * 10.0
+        + (wrench_link_3_mx_5 * inertias.inertia_link_3_hx
+            - wrench_link_3_mx_1 * inertias.inertia_link_3_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_1;
+    let wrench_link_3_fz = wrench_link_3_mx_7 * 10.0
+        + (wrench_link_3_mx_1 * inertias.inertia_link_3_hy
+            - wrench_link_3_mx_3 * inertias.inertia_link_3_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_1;
     let inverse_pivot_joint_3_d = 1.0
         / (poses.cos_joint_1 * screws.inside_joint_3_mx
             + poses.sin_joint_1 * screws.inside_joint_3_my
             - screws.minus_screw_joint_3_vx * screws.inside_joint_3_fx
             + screws.screw_joint_3_vy * screws.inside_joint_3_fy
             + screws.screw_joint_3_vz * screws.inside_joint_3_fz);
-    let wrench_link_2_mx_12_0 = tau[2]
-        - (screws.minus_screw_joint_3_vx
-            * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fx
-            - (poses.cos_joint_1
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mx
-                + poses.sin_joint_1
-                    * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_my)
-            - screws.screw_joint_3_vy
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fy
-            - screws.screw_joint_3_vz
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fz);
-    let wrench_link_2_mx_12 = (wrench_link_2_mx_12_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1_1
-            * screws.inside_joint_3_my
-            - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1
-                * screws.inside_joint_3_mx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
-                * screws.inside_joint_3_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
-                * screws.inside_joint_3_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-                * screws.inside_joint_3_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1
-                * screws.inside_joint_3_fz)) * inverse_pivot_joint_3_d;
-    let wrench_link_2_mx = inertias.inertia_link_3_hy
-        * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1
-        - inertias.inertia_link_3_hz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-        - (inertias.inertia_link_3_xx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1
-            + inertias.minus_inertia_link_3_xy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1_1
-            + inertias.minus_inertia_link_3_xz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mx
-        + screws.inside_joint_3_mx * wrench_link_2_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_1;
-    let wrench_link_2_my = inertias.minus_inertia_link_3_xy
-        * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1
-        + inertias.inertia_link_3_yy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1_1
-        - inertias.minus_inertia_link_3_yz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
-        + (inertias.inertia_link_3_hz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
-            - inertias.inertia_link_3_hx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_my
-        + screws.inside_joint_3_my * wrench_link_2_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_1;
-    let wrench_link_2_mz = inertias.minus_inertia_link_3_xz
-        * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1
-        - inertias.minus_inertia_link_3_yz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1_1
-        + inertias.inertia_link_3_zz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
-        + (inertias.inertia_link_3_hx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-            - inertias.inertia_link_3_hy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mz
-        + screws.inside_joint_3_mz * wrench_link_2_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_1;
-    let wrench_link_2_fx = inertias.inertia_link_3_hz
-        * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1_1
-        - inertias.inertia_link_3_hy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
-        + 10.0 * common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fx
-        + screws.inside_joint_3_fx * wrench_link_2_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_1;
-    let wrench_link_2_fy = inertias.inertia_link_3_hz
-        * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1
-        + inertias.inertia_link_3_hx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1
-        + 10.0 * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fy
-        + screws.inside_joint_3_fy * wrench_link_2_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_1;
-    let wrench_link_2_fz = 10.0
-        * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1
-        - (inertias.inertia_link_3_hy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1
-            + inertias.inertia_link_3_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_link_2_mx_0_0_0_1_0_1_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fz
-        + screws.inside_joint_3_fz * wrench_link_2_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_1;
+    let wrench_link_2_mx_13_0 = tau[2]
+        - (poses.cos_joint_1 * wrench_link_3_mx + poses.sin_joint_1 * wrench_link_3_my
+            - screws.minus_screw_joint_3_vx * wrench_link_3_fx
+            + screws.screw_joint_3_vy * wrench_link_3_fy
+            + screws.screw_joint_3_vz * wrench_link_3_fz);
+    let wrench_link_2_mx_13 = wrench_link_2_mx_13_0 * inverse_pivot_joint_3_d;
+    let wrench_link_2_mx = inertias.inertia_link_2_xx * wrench_link_2_mx_1
+        - inertias.minus_inertia_link_2_xy * wrench_link_2_mx_3
+        - inertias.minus_inertia_link_2_xz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0
+        + (inertias.inertia_link_2_hy * wrench_link_2_mx_7
+            - inertias.inertia_link_2_hz * wrench_link_2_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_1
+        + (wrench_link_3_mx + screws.inside_joint_3_mx * wrench_link_2_mx_13);
+    let wrench_link_2_my = inertias.inertia_link_2_yy * wrench_link_2_mx_3
+        - inertias.minus_inertia_link_2_xy * wrench_link_2_mx_1
+        - inertias.minus_inertia_link_2_yz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0
+        + (inertias.inertia_link_2_hz * wrench_link_2_my_7
+            - inertias.inertia_link_2_hx * wrench_link_2_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_1
+        + (wrench_link_3_my + screws.inside_joint_3_my * wrench_link_2_mx_13);
+    let wrench_link_2_mz = inertias.inertia_link_2_zz
+        * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0
+        - (inertias.minus_inertia_link_2_xz * wrench_link_2_mx_1
+            + inertias.minus_inertia_link_2_yz * wrench_link_2_mx_3)
+        + (inertias.inertia_link_2_hx * wrench_link_2_mx_9
+            - inertias.inertia_link_2_hy * wrench_link_2_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_0_1
+        + (wrench_link_3_mz + screws.inside_joint_3_mz * wrench_link_2_mx_13);
+    let wrench_link_2_fx = wrench_link_2_my_7 * 10.0
+        + (wrench_link_2_mx_3 * inertias.inertia_link_2_hz
+            - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0
+                * inertias.inertia_link_2_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_0_1
+        + (wrench_link_3_fx + screws.inside_joint_3_fx * wrench_link_2_mx_13);
+    let wrench_link_2_fy = wrench_link_2_mx_9 * 10.0
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0
+            * inertias.inertia_link_2_hx
+            - wrench_link_2_mx_1 * inertias.inertia_link_2_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_0_1
+        + (wrench_link_3_fy + screws.inside_joint_3_fy * wrench_link_2_mx_13);
+    let wrench_link_2_fz = wrench_link_2_mx_7 * 10.0
+        + (wrench_link_2_mx_1 * inertias.inertia_link_2_hy
+            - wrench_link_2_mx_3 * inertias.inertia_link_2_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_0_1
+        + (wrench_link_3_fz + screws.inside_joint_3_fz * wrench_link_2_mx_13);
     let minus_articulated_link_2_hxx_0 = screws.inside_joint_3_mx
         * inverse_pivot_joint_3_d;
     let minus_articulated_link_2_hyy_0 = screws.inside_joint_3_my
@@ -5687,128 +5715,62 @@ pub fn forward_dynamics(
             - screws.minus_screw_joint_2_vx * wrench_outside_link_2_fx
             + screws.screw_joint_2_vy * wrench_outside_link_2_fy
             - screws.minus_screw_joint_2_vz * wrench_outside_link_2_fz);
-    let wrench_link_1_mx_14_0 = tau[1]
+    let wrench_link_1_mx_11_0 = tau[1]
         - (poses.cos_joint_1 * wrench_link_2_mx + poses.sin_joint_1 * wrench_link_2_my
             - screws.minus_screw_joint_2_vx * wrench_link_2_fx
             + screws.screw_joint_2_vy * wrench_link_2_fy
             - screws.minus_screw_joint_2_vz * wrench_link_2_fz);
-    let wrench_link_1_mx_14 = (wrench_link_1_mx_14_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1_1
-            * wrench_outside_link_2_my
-            - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-                * wrench_outside_link_2_mx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1
-                * wrench_outside_link_2_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1_1
-                * wrench_outside_link_2_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_0_1
-                * wrench_outside_link_2_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1
-                * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
-    let wrench_link_1_mx = wrench_link_2_mx
-        + (articulated_link_2_hxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1
-            - (minus_articulated_link_2_hxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_0_1
-                + minus_articulated_link_2_hxx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_1_1_1)
-            - (articulated_link_2_jxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-                + minus_articulated_link_2_jxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_0_1_1
-                + minus_articulated_link_2_jxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_1))
-        + wrench_outside_link_2_mx * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_1;
-    let wrench_link_1_my = wrench_link_2_my
-        + (minus_articulated_link_2_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-            + articulated_link_2_jyy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1_1
-            - minus_articulated_link_2_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1
-            + (articulated_link_2_hyx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1_1
-                - minus_articulated_link_2_hyy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_1_0_1
-                - minus_articulated_link_2_hyz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_0_1))
-        + wrench_outside_link_2_my * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_1;
-    let wrench_link_1_mz = wrench_link_2_mz
-        + (minus_articulated_link_2_jxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-            - minus_articulated_link_2_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1_1
-            + articulated_link_2_jzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1
-            + (articulated_link_2_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_0_1
-                - minus_articulated_link_2_hzx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_1_1_1
-                - minus_articulated_link_2_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_0_1))
-        + wrench_outside_link_2_mz * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_1;
-    let wrench_link_1_fx = wrench_link_2_fx
-        + (minus_articulated_link_2_hxx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-            + articulated_link_2_hyx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1_1
-            - minus_articulated_link_2_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1
-            + (articulated_link_2_mxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1_1
-                - minus_articulated_link_2_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_1_0_1
-                - minus_articulated_link_2_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_0_1))
-        + wrench_outside_link_2_fx * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_1;
-    let wrench_link_1_fy = wrench_link_2_fy
-        + (minus_articulated_link_2_hxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-            - minus_articulated_link_2_hyy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1_1
-            + articulated_link_2_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1
-            + (articulated_link_2_myy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_0_1
-                - minus_articulated_link_2_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_1_1_1
-                - minus_articulated_link_2_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_0_1))
-        + wrench_outside_link_2_fy * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1;
-    let wrench_link_1_fz = wrench_link_2_fz
-        + (articulated_link_2_mzz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1
-            - (minus_articulated_link_2_mxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1_1
-                + minus_articulated_link_2_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_1_0_1)
-            - (articulated_link_2_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-                + minus_articulated_link_2_hyz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_0_1_1
-                + minus_articulated_link_2_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_1))
-        + wrench_outside_link_2_fz * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_1;
+    let wrench_link_1_mx_11 = wrench_link_1_mx_11_0 * inverse_pivot_joint_2_d;
+    let wrench_link_1_mx = inertias.inertia_link_1_xx
+        * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_0_0
+        - inertias.inertia_link_1_xy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_0_1
+        + (inertias.inertia_link_1_hy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_0_1_0_0
+            - inertias.inertia_link_1_hz
+                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_1_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_1
+        + (wrench_link_2_mx + wrench_outside_link_2_mx * wrench_link_1_mx_11);
+    let wrench_link_1_my = inertias.inertia_link_1_xy
+        * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_0_0
+        - inertias.inertia_link_1_yy
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_0_1
+        + (inertias.inertia_link_1_hz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1_0_1_0_0
+            + inertias.minus_inertia_link_1_hx
+                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_0_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_0_1
+        + (wrench_link_2_my + wrench_outside_link_2_my * wrench_link_1_mx_11);
+    let wrench_link_1_mz = inertias.inertia_link_1_xz
+        * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_0_0
+        + inertias.minus_inertia_link_1_yz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_0_1
+        - (inertias.minus_inertia_link_1_hx
+            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_1_1_0_0
+            + inertias.inertia_link_1_hy
+                * common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1_0_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_0_1
+        + (wrench_link_2_mz + wrench_outside_link_2_mz * wrench_link_1_mx_11);
+    let wrench_link_1_fx = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_my_0_1_0_1_0_0 * 5.0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_0_1
+            * inertias.inertia_link_1_hz
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_0_1
+        + (wrench_link_2_fx + wrench_outside_link_2_fx * wrench_link_1_mx_11);
+    let wrench_link_1_fy = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_1_1_1_0_0 * 5.0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_0_0
+            * inertias.inertia_link_1_hz
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_0_1
+        + (wrench_link_2_fy + wrench_outside_link_2_fy * wrench_link_1_mx_11);
+    let wrench_link_1_fz = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_1_0_1_0_0 * 5.0
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_0_0
+            * inertias.inertia_link_1_hy
+            - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_0_1
+                * inertias.minus_inertia_link_1_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_0_1
+        + (wrench_link_2_fz + wrench_outside_link_2_fz * wrench_link_1_mx_11);
     let minus_articulated_link_1_hxx_1 = wrench_outside_link_2_mx
         * inverse_pivot_joint_2_d;
     let minus_articulated_link_1_hyy_1 = wrench_outside_link_2_my
@@ -5898,113 +5860,26 @@ pub fn forward_dynamics(
     let inverse_pivot_joint_1_d = 1.0
         / (wrench_outside_link_1_mz + poses.origin_base_y * wrench_outside_link_1_fx
             + poses.minus_origin_base_x * wrench_outside_link_1_fy);
-    let wrench_base_mx_12_0 = tau[0]
+    let wrench_base_mx_2_0 = tau[0]
         - (wrench_link_1_mz + poses.origin_base_y * wrench_link_1_fx
             + poses.minus_origin_base_x * wrench_link_1_fy);
-    let wrench_base_mx_12 = (wrench_base_mx_12_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            * wrench_outside_link_1_mx
-            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-                * wrench_outside_link_1_my
-            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-                * wrench_outside_link_1_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_1_fy
-            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                * minus_wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
-    let wrench_base_mx = wrench_link_1_mx
-        + (articulated_link_1_jxx
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                - (minus_articulated_link_1_hxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_0_1
-                    + minus_articulated_link_1_hxx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_base_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_1_mx * wrench_base_mx_12
+    let wrench_base_mx_2 = wrench_base_mx_2_0 * inverse_pivot_joint_1_d;
+    let wrench_base_mx = wrench_link_1_mx + wrench_outside_link_1_mx * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_1_0
-            + wrench_base_mx_14);
-    let wrench_base_my = wrench_link_1_my
-        + (articulated_link_1_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jyy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                + (articulated_link_1_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_1_1
-                    - minus_articulated_link_1_hyy
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_base_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_1_my * wrench_base_mx_12
+            + wrench_base_mx_4);
+    let wrench_base_my = wrench_link_1_my + wrench_outside_link_1_my * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_my_1_0
-            + wrench_base_my_14);
-    let wrench_base_mz = wrench_link_1_mz
-        + (articulated_link_1_jxz
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            + minus_articulated_link_1_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_1_hzx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_1_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_0_1))
-        + wrench_outside_link_1_mz * wrench_base_mx_12
+            + wrench_base_my_4);
+    let wrench_base_mz = wrench_link_1_mz + wrench_outside_link_1_mz * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_mz_1_0
-            + wrench_base_mz_14);
-    let wrench_base_fx = wrench_link_1_fx
-        + (articulated_link_1_mxx
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-            - minus_articulated_link_1_mxy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-            - minus_articulated_link_1_mxz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-            - (minus_articulated_link_1_hxx
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-                + articulated_link_1_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_0_1_1))
-        + wrench_outside_link_1_fx * wrench_base_mx_12
+            + wrench_base_mz_4);
+    let wrench_base_fx = wrench_link_1_fx + wrench_outside_link_1_fx * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fx_1_0 + base_wrench[3]);
-    let wrench_base_fy = wrench_link_1_fy
-        + (minus_articulated_link_1_hyy
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            - minus_articulated_link_1_hxy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            + (articulated_link_1_myy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_1_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_1_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_0_1))
-        + wrench_outside_link_1_fy * wrench_base_mx_12
+    let wrench_base_fy = wrench_link_1_fy + wrench_outside_link_1_fy * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0 + base_wrench[4]);
     let wrench_base_fz = common_forward_dynamics_inverse_dynamics.wrench_base_fz_0_0
         - base_wrench[5]
-        + (wrench_link_1_fz
-            + (articulated_link_1_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-                - articulated_link_1_hyz
-                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-                + (articulated_link_1_mzz
-                    * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                    - (minus_articulated_link_1_mxz
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_base_mx_0_0_1_1_1_1_1
-                        + minus_articulated_link_1_myz
-                            * common_forward_dynamics_inverse_dynamics
-                                .wrench_base_mx_0_0_1_1_1_0_1)))
-            - minus_wrench_outside_link_1_fz * wrench_base_mx_12);
+        + (wrench_link_1_fz - minus_wrench_outside_link_1_fz * wrench_base_mx_2);
     let minus_articulated_base_hxx_1 = wrench_outside_link_1_mx
         * inverse_pivot_joint_1_d;
     let minus_articulated_base_hyy_1 = wrench_outside_link_1_my
@@ -6189,76 +6064,41 @@ pub fn forward_dynamics(
         + twist_base_vz_9 * twist_base_vz;
     let minus_twist_base_vx = twist_base_vz_1 * twist_base_wz_19
         + twist_base_wz_16 * minus_twist_base_vy + twist_base_wz_20 * twist_base_vz;
-    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
-    let twist_link_1_wy = twist_base_wy
-        - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
-    let twist_link_1_vx_0 = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx;
-    let twist_link_1_vy_0 = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy;
-    let twist_link_1_vz = twist_base_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1;
-    let twist_link_1_wz_1 = (wrench_base_mx_12_0
-        - (twist_link_1_wx * wrench_outside_link_1_mx
-            + twist_link_1_wy * wrench_outside_link_1_my
+    let twist_link_1_wz_1 = (wrench_base_mx_2_0
+        - (twist_base_wy * wrench_outside_link_1_my
+            - minus_twist_base_wx * wrench_outside_link_1_mx
             + twist_base_wz * wrench_outside_link_1_mz
-            + twist_link_1_vx_0 * wrench_outside_link_1_fx
-            + twist_link_1_vy_0 * wrench_outside_link_1_fy
-            - twist_link_1_vz * minus_wrench_outside_link_1_fz))
-        * inverse_pivot_joint_1_d;
+            - minus_twist_base_vx * wrench_outside_link_1_fx
+            - minus_twist_base_vy * wrench_outside_link_1_fy
+            - twist_base_vz * minus_wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
     xi_dot[6] = twist_link_1_wz_1 + 0.0;
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
-    let twist_link_1_vx = twist_link_1_vx_0 + poses.origin_base_y * twist_link_1_wz_1;
-    let twist_link_1_vy = twist_link_1_vy_0
-        + poses.minus_origin_base_x * twist_link_1_wz_1;
-    let twist_link_2_wx_0 = twist_link_1_wx
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1;
-    let twist_link_2_wy_0 = twist_link_1_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1_1;
-    let twist_link_2_wz = twist_link_1_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1;
-    let twist_link_2_vx_0 = twist_link_1_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1_1;
-    let twist_link_2_vy_0 = twist_link_1_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_0_1;
-    let twist_link_2_vz_0 = twist_link_1_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1;
-    let twist_link_2_wx_2 = (wrench_link_1_mx_14_0
-        - (twist_link_2_wx_0 * wrench_outside_link_2_mx
-            + twist_link_2_wy_0 * wrench_outside_link_2_my
-            + twist_link_2_wz * wrench_outside_link_2_mz
-            + twist_link_2_vx_0 * wrench_outside_link_2_fx
-            + twist_link_2_vy_0 * wrench_outside_link_2_fy
-            + twist_link_2_vz_0 * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
-    xi_dot[7] = twist_link_2_wx_2 + 0.0;
-    let twist_link_2_wx = twist_link_2_wx_0 + poses.cos_joint_1 * twist_link_2_wx_2;
-    let twist_link_2_wy = twist_link_2_wy_0 + poses.sin_joint_1 * twist_link_2_wx_2;
-    let twist_link_2_vx = twist_link_2_vx_0
-        - screws.minus_screw_joint_2_vx * twist_link_2_wx_2;
-    let twist_link_2_vy = twist_link_2_vy_0
-        + screws.screw_joint_2_vy * twist_link_2_wx_2;
-    let twist_link_2_vz = twist_link_2_vz_0
-        - screws.minus_screw_joint_2_vz * twist_link_2_wx_2;
-    let twist_link_3_wz = twist_link_2_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1;
-    xi_dot[8] = (wrench_link_2_mx_12_0
-        - ((twist_link_2_wx
-            - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1)
-            * screws.inside_joint_3_mx
-            + (twist_link_2_wy
-                + common_forward_dynamics_inverse_dynamics
-                    .wrench_link_2_mx_0_0_0_1_0_1_1) * screws.inside_joint_3_my
-            + twist_link_3_wz * screws.inside_joint_3_mz
-            + (twist_link_2_vx
-                + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1)
-                * screws.inside_joint_3_fx
-            + (twist_link_2_vy
-                + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1)
-                * screws.inside_joint_3_fy
-            + (twist_link_2_vz
-                + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1)
-                * screws.inside_joint_3_fz)) * inverse_pivot_joint_3_d + 0.0;
+    let twist_link_1_vx = poses.origin_base_y * twist_link_1_wz_1 - minus_twist_base_vx;
+    let twist_link_1_vy = poses.minus_origin_base_x * twist_link_1_wz_1
+        - minus_twist_base_vy;
+    let twist_link_2_wx_1 = (wrench_link_1_mx_11_0
+        - (twist_base_wy * wrench_outside_link_2_my
+            - minus_twist_base_wx * wrench_outside_link_2_mx
+            + twist_link_1_wz * wrench_outside_link_2_mz
+            + twist_link_1_vx * wrench_outside_link_2_fx
+            + twist_link_1_vy * wrench_outside_link_2_fy
+            + twist_base_vz * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
+    xi_dot[7] = twist_link_2_wx_1 + 0.0;
+    let twist_link_2_wx = poses.cos_joint_1 * twist_link_2_wx_1 - minus_twist_base_wx;
+    let twist_link_2_wy = twist_base_wy + poses.sin_joint_1 * twist_link_2_wx_1;
+    let twist_link_2_vx = twist_link_1_vx
+        - screws.minus_screw_joint_2_vx * twist_link_2_wx_1;
+    let twist_link_2_vy = twist_link_1_vy + screws.screw_joint_2_vy * twist_link_2_wx_1;
+    let twist_link_2_vz = twist_base_vz
+        - screws.minus_screw_joint_2_vz * twist_link_2_wx_1;
+    xi_dot[8] = (wrench_link_2_mx_13_0
+        - (twist_link_2_wx * screws.inside_joint_3_mx
+            + twist_link_2_wy * screws.inside_joint_3_my
+            + twist_link_1_wz * screws.inside_joint_3_mz
+            + twist_link_2_vx * screws.inside_joint_3_fx
+            + twist_link_2_vy * screws.inside_joint_3_fy
+            + twist_link_2_vz * screws.inside_joint_3_fz)) * inverse_pivot_joint_3_d
+        + 0.0;
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
 ///
@@ -6270,7 +6110,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (3; N·m, N)
 ///
-/// 1543 operations: 743 + −, 797 ×, 3 ÷; 3 sin cos; about 18.2 KiB of code.
+/// 1533 operations: 738 + −, 792 ×, 3 ÷; 3 sin cos; about 18.1 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 3],
     qd: &[f64; 3],
@@ -6322,12 +6162,6 @@ pub fn inverse_dynamics(
     let base_wrench_0_1_13 = base_wrench_0_1_13_0 * 130.0;
     let base_wrench_0_0_34 = base_wrench_0_0_34_0 * 130.0;
     let base_wrench_0_0_32 = base_wrench_0_0_32_0 * 130.0;
-    let base_wrench_0_1_8 = screws.inside_joint_1_fx * qd[0]
-        + screws.inside_joint_2_fx * qd[1] + screws.inside_joint_3_fx * qd[2];
-    let base_wrench_0_0_24 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2];
-    let base_wrench_0_0_26 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2];
     let base_wrench_0_0_20 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 + inertias.inside_joint_1_mz_1_1)) * qd[0]
         + (inertias.inside_joint_2_mz_1_0 - inertias.inside_joint_2_mz_1_1
@@ -6343,6 +6177,9 @@ pub fn inverse_dynamics(
             - (inertias.inside_joint_3_my_0_1
                 + poses.sin_joint_1 * inertias.inertia_link_3_xx)
             - (screws.inside_joint_3_my_4 - screws.inside_joint_3_my_3)) * qd[2];
+    let base_wrench_0_1_8 = velocities.minus_velocity_base_vx * 130.0;
+    let base_wrench_0_0_24 = velocities.minus_velocity_base_vy * 130.0;
+    let base_wrench_0_0_26 = velocities.minus_velocity_base_vz * 130.0;
     let base_wrench_0_1_12 = mu[0] - velocities.minus_velocity_base_wx;
     let base_wrench_0_0_31 = mu[1] - velocities.minus_velocity_base_wy;
     let base_wrench_0_0_29 = mu[2] - velocities.minus_velocity_base_wz;
@@ -6456,6 +6293,53 @@ pub fn inverse_dynamics(
         + screws.connection_joint_3_vy * xi_dot[8];
     let minus_twist_base_vz = screws.connection_joint_2_vz * xi_dot[7]
         + screws.connection_joint_3_vz * xi_dot[8];
+    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_0_0_0_1_0_0 - minus_twist_base_wx;
+    let minus_twist_link_1_wy = minus_twist_base_wy
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_0_1;
+    let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
+    let twist_link_1_vx = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_my_0_1_0_1_0_0 + poses.origin_base_y * xi_dot[6]
+        - minus_twist_base_vx;
+    let twist_link_1_vy = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_1_1_1_0_0 + poses.minus_origin_base_x * xi_dot[6]
+        - minus_twist_base_vy;
+    let twist_link_1_vz = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_1_0_1_0_0 - minus_twist_base_vz;
+    let twist_link_2_wx = twist_link_1_wx
+        + (poses.cos_joint_1 * xi_dot[7]
+            - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_0_1);
+    let twist_link_2_wy = common_forward_dynamics_inverse_dynamics
+        .wrench_link_3_mx_0_0_0_1_1_0_0 + poses.sin_joint_1 * xi_dot[7]
+        - minus_twist_link_1_wy;
+    let twist_link_2_wz = twist_link_1_wz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0;
+    let twist_link_2_vx = twist_link_1_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1_0_1_0_1
+            - screws.minus_screw_joint_2_vx * xi_dot[7]);
+    let twist_link_2_vy = twist_link_1_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_1_1_0_1
+            + screws.screw_joint_2_vy * xi_dot[7]);
+    let twist_link_2_vz = twist_link_1_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_0_1_0_1
+            - screws.minus_screw_joint_2_vz * xi_dot[7]);
+    let twist_link_3_wx = twist_link_2_wx
+        + (poses.cos_joint_1 * xi_dot[8]
+            - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_0_1_1);
+    let twist_link_3_wy = twist_link_2_wy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_0_1_1_1
+            + poses.sin_joint_1 * xi_dot[8]);
+    let twist_link_3_wz = twist_link_2_wz
+        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1;
+    let twist_link_3_vx = twist_link_2_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1_0_1_1
+            - screws.minus_screw_joint_3_vx * xi_dot[8]);
+    let twist_link_3_vy = twist_link_2_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_1_1_1
+            + screws.screw_joint_3_vy * xi_dot[8]);
+    let twist_link_3_vz = twist_link_2_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1_0_1_1
+            + screws.screw_joint_3_vz * xi_dot[8]);
     let wrench_outside_link_1_mx = inertias.minus_inertia_base_xz * minus_twist_base_wz
         - (inertias.inertia_base_xx * minus_twist_base_wx
             + inertias.inertia_base_xy * minus_twist_base_wy)
@@ -6481,107 +6365,60 @@ pub fn inverse_dynamics(
         - minus_twist_base_wx * inertias.minus_inertia_base_hz
         - minus_twist_base_vy * 105.0
         - common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0;
-    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
-    let minus_twist_link_1_wy = minus_twist_base_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
-    let twist_link_1_vz = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_0_1 - minus_twist_base_vz;
-    let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
-    let twist_link_1_vx = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx
-        + poses.origin_base_y * xi_dot[6];
-    let twist_link_1_vy = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_1_0_1 - minus_twist_base_vy
-        + poses.minus_origin_base_x * xi_dot[6];
     let wrench_link_1_mx_0 = inertias.inertia_link_1_xx * twist_link_1_wx
         - inertias.inertia_link_1_xy * minus_twist_link_1_wy
         + inertias.inertia_link_1_xz * twist_link_1_wz
         + (inertias.inertia_link_1_hy * twist_link_1_vz
             - inertias.inertia_link_1_hz * twist_link_1_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_1;
     let wrench_link_1_my_0 = inertias.inertia_link_1_xy * twist_link_1_wx
         - inertias.inertia_link_1_yy * minus_twist_link_1_wy
         - inertias.minus_inertia_link_1_yz * twist_link_1_wz
         + (inertias.inertia_link_1_hz * twist_link_1_vx
             + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_0_1;
     let wrench_link_1_mz_0 = inertias.inertia_link_1_xz * twist_link_1_wx
         + inertias.minus_inertia_link_1_yz * minus_twist_link_1_wy
         + inertias.inertia_link_1_zz * twist_link_1_wz
         - (inertias.minus_inertia_link_1_hx * twist_link_1_vy
             + inertias.inertia_link_1_hy * twist_link_1_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_1;
-    let twist_link_2_wz = twist_link_1_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1;
-    let twist_link_2_wx = twist_link_1_wx
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_0_1
-        + poses.cos_joint_1 * xi_dot[7];
-    let twist_link_2_wy = common_forward_dynamics_inverse_dynamics
-        .wrench_link_1_mx_0_0_1_1_0_1_1 - minus_twist_link_1_wy
-        + poses.sin_joint_1 * xi_dot[7];
-    let twist_link_2_vx = twist_link_1_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1_1
-        - screws.minus_screw_joint_2_vx * xi_dot[7];
-    let twist_link_2_vy = twist_link_1_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_0_1
-        + screws.screw_joint_2_vy * xi_dot[7];
-    let twist_link_2_vz = twist_link_1_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1
-        - screws.minus_screw_joint_2_vz * xi_dot[7];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_0_1;
     let wrench_link_2_mx_0 = inertias.inertia_link_2_xx * twist_link_2_wx
         - inertias.minus_inertia_link_2_xy * twist_link_2_wy
         - inertias.minus_inertia_link_2_xz * twist_link_2_wz
         + (inertias.inertia_link_2_hy * twist_link_2_vz
             - inertias.inertia_link_2_hz * twist_link_2_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_1;
     let wrench_link_2_my_0 = inertias.inertia_link_2_yy * twist_link_2_wy
         - inertias.minus_inertia_link_2_xy * twist_link_2_wx
         - inertias.minus_inertia_link_2_yz * twist_link_2_wz
         + (inertias.inertia_link_2_hz * twist_link_2_vx
             - inertias.inertia_link_2_hx * twist_link_2_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_1;
     let wrench_link_2_mz_0 = inertias.inertia_link_2_zz * twist_link_2_wz
         - (inertias.minus_inertia_link_2_xz * twist_link_2_wx
             + inertias.minus_inertia_link_2_yz * twist_link_2_wy)
         + (inertias.inertia_link_2_hx * twist_link_2_vy
             - inertias.inertia_link_2_hy * twist_link_2_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_1;
-    let twist_link_3_wz = twist_link_2_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_1_1;
-    let twist_link_3_wx = twist_link_2_wx
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_0_1
-        + poses.cos_joint_1 * xi_dot[8];
-    let twist_link_3_wy = twist_link_2_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_1_0_1_1
-        + poses.sin_joint_1 * xi_dot[8];
-    let twist_link_3_vx = twist_link_2_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_0_0_1_0_1
-        - screws.minus_screw_joint_3_vx * xi_dot[8];
-    let twist_link_3_vy = twist_link_2_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_1_1
-        + screws.screw_joint_3_vy * xi_dot[8];
-    let twist_link_3_vz = twist_link_2_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_0_0_0_1
-        + screws.screw_joint_3_vz * xi_dot[8];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_0_1;
     let wrench_link_3_mx = inertias.inertia_link_3_xx * twist_link_3_wx
         - inertias.minus_inertia_link_3_xy * twist_link_3_wy
         - inertias.minus_inertia_link_3_xz * twist_link_3_wz
         + (inertias.inertia_link_3_hy * twist_link_3_vz
             - inertias.inertia_link_3_hz * twist_link_3_vy)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mx;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_1;
     let wrench_link_3_my = inertias.inertia_link_3_yy * twist_link_3_wy
         - inertias.minus_inertia_link_3_xy * twist_link_3_wx
         - inertias.minus_inertia_link_3_yz * twist_link_3_wz
         + (inertias.inertia_link_3_hz * twist_link_3_vx
             - inertias.inertia_link_3_hx * twist_link_3_vz)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_my;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_1;
     let wrench_link_3_mz = inertias.inertia_link_3_zz * twist_link_3_wz
         - (inertias.minus_inertia_link_3_xz * twist_link_3_wx
             + inertias.minus_inertia_link_3_yz * twist_link_3_wy)
         + (inertias.inertia_link_3_hx * twist_link_3_vy
             - inertias.inertia_link_3_hy * twist_link_3_vx)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_mz;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_1;
     let wrench_link_2_mx = wrench_link_2_mx_0 + wrench_link_3_mx;
     let wrench_link_2_my = wrench_link_2_my_0 + wrench_link_3_my;
     let wrench_link_2_mz = wrench_link_2_mz_0 + wrench_link_3_mz;
@@ -6610,27 +6447,27 @@ pub fn inverse_dynamics(
     let wrench_link_2_fx_0 = twist_link_2_vx * 10.0
         + (twist_link_2_wy * inertias.inertia_link_2_hz
             - twist_link_2_wz * inertias.inertia_link_2_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_0_1;
     let wrench_link_2_fy_0 = twist_link_2_vy * 10.0
         + (twist_link_2_wz * inertias.inertia_link_2_hx
             - twist_link_2_wx * inertias.inertia_link_2_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_0_1;
     let wrench_link_2_fz_0 = twist_link_2_vz * 10.0
         + (twist_link_2_wx * inertias.inertia_link_2_hy
             - twist_link_2_wy * inertias.inertia_link_2_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_0_1;
     let wrench_link_3_fx = twist_link_3_vx * 10.0
         + (twist_link_3_wy * inertias.inertia_link_3_hz
             - twist_link_3_wz * inertias.inertia_link_3_hy)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fx;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_1;
     let wrench_link_3_fy = twist_link_3_vy * 10.0
         + (twist_link_3_wz * inertias.inertia_link_3_hx
             - twist_link_3_wx * inertias.inertia_link_3_hz)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fy;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_1;
     let wrench_link_3_fz = twist_link_3_vz * 10.0
         + (twist_link_3_wx * inertias.inertia_link_3_hy
             - twist_link_3_wy * inertias.inertia_link_3_hx)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_3_fz;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_1;
     let wrench_link_2_fx = wrench_link_2_fx_0 + wrench_link_3_fx;
     let wrench_link_2_fy = wrench_link_2_fy_0 + wrench_link_3_fy;
     let wrench_link_2_fz = wrench_link_2_fz_0 + wrench_link_3_fz;
@@ -6640,17 +6477,17 @@ pub fn inverse_dynamics(
     let wrench_outside_link_2_fx = twist_link_1_vx * 5.0
         - (minus_twist_link_1_wy * inertias.inertia_link_1_hz
             + twist_link_1_wz * inertias.inertia_link_1_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_0_1
         + wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = twist_link_1_vy * 5.0
         - (twist_link_1_wz * inertias.minus_inertia_link_1_hx
             + twist_link_1_wx * inertias.inertia_link_1_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_0_1
         + wrench_outside_link_1_fy;
     let wrench_outside_link_2_fz = twist_link_1_vz * 5.0
         + (twist_link_1_wx * inertias.inertia_link_1_hy
             - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_0_1
         + wrench_outside_link_1_fz;
     tau[1] = reactions.reaction_joint_2_wx * wrench_link_2_mx
         + reactions.reaction_joint_2_wy * wrench_link_2_my

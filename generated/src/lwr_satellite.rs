@@ -724,18 +724,18 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_base_xx = 0.12 + (inertia_base_xx_1 + inertia_base_xx_2);
     let inertia_base_yy = 0.14 + (inertia_base_yy_1 + inertia_base_xx_2);
     let inertia_base_zz = 0.12 + inertia_base_zz_1;
-    let minus_inertia_link_1_hx_0 = poses.minus_origin_base_x_1_4
-        + poses.minus_origin_base_x_1;
-    let inertia_link_1_hy_0 = poses.minus_origin_base_y_1_0
-        - poses.minus_origin_base_y_1;
-    let inertia_link_1_hz_0 = poses.minus_origin_base_z_1_0
-        - poses.minus_origin_base_z_1;
     let inertia_link_1_xx_0 = 0.0106666667 * poses.cos_joint_1;
     let inertia_link_1_xx_2_0 = 0.008866666700000001 * poses.sin_joint_1;
     let inertia_link_1_xx_2 = inertia_link_1_xx_2_0 * poses.sin_joint_1;
     let inertia_link_1_xy_2 = inertia_link_1_xx_2_0 * poses.cos_joint_1;
     let inertia_link_1_yy_3 = 0.008866666700000001 * poses.cos_joint_1
         * poses.cos_joint_1;
+    let minus_inertia_link_1_hx_0 = poses.minus_origin_base_x_1_4
+        + poses.minus_origin_base_x_1;
+    let inertia_link_1_hy_0 = poses.minus_origin_base_y_1_0
+        - poses.minus_origin_base_y_1;
+    let inertia_link_1_hz_0 = poses.minus_origin_base_z_1_0
+        - poses.minus_origin_base_z_1;
     // link_1
     let minus_inertia_link_1_hx = minus_inertia_link_1_hx_0 * 2.0;
     let inertia_link_1_hy = inertia_link_1_hy_0 * 2.0;
@@ -752,14 +752,14 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_yy = 0.0106666667 * poses.sin_joint_1 * poses.sin_joint_1
         + inertia_link_1_yy_3 + 0.003 + (inertia_link_1_yy_5 + inertia_link_1_xx_5);
     let inertia_link_1_zz = 0.003 + (inertia_link_1_yy_5 + inertia_link_1_xx_4);
+    let inertia_link_2_xx_0 = 0.0106666667 * poses.rotation_link_2_xx;
+    let inertia_link_2_yy_0 = 0.0106666667 * poses.rotation_link_2_yx;
     let inertia_link_2_hx_0 = poses.minus_origin_base_x_1_0
         - poses.minus_origin_base_x_1;
     let minus_inertia_link_2_hy_0 = poses.minus_origin_base_y_1_4
         + poses.minus_origin_base_y_1;
     let inertia_link_2_hz_0 = poses.minus_origin_base_z_1_4
         - poses.minus_origin_base_z_1;
-    let inertia_link_2_xx_0 = 0.0106666667 * poses.rotation_link_2_xx;
-    let inertia_link_2_yy_0 = 0.0106666667 * poses.rotation_link_2_yx;
     // link_2
     let inertia_link_2_hx = inertia_link_2_hx_0 * 2.0;
     let minus_inertia_link_2_hy = minus_inertia_link_2_hy_0 * 2.0;
@@ -779,12 +779,6 @@ fn inertias(poses: &Poses) -> Inertias {
         + minus_inertia_link_2_hy * inertia_link_2_hz_0;
     let inertia_link_2_zz = 0.0106666667 * poses.sin_joint_2 * poses.sin_joint_2 + 0.003
         + (inertia_link_2_yy_4 + inertia_link_2_xx_4);
-    let inertia_link_3_hx_0 = poses.minus_origin_base_x_1_6
-        - poses.minus_origin_base_x_1;
-    let minus_inertia_link_3_hy_0 = poses.minus_origin_base_y_1_6
-        + poses.minus_origin_base_y_1;
-    let inertia_link_3_hz_0 = poses.minus_origin_base_z_1_6
-        - poses.minus_origin_base_z_1;
     let inertia_link_3_xx_0 = 0.0106666667 * poses.rotation_link_3_xx;
     let inertia_link_3_xx_2_0 = 0.008866666700000001 * poses.minus_rotation_link_3_xy;
     let inertia_link_3_yy_0 = 0.0106666667 * poses.rotation_link_3_yx;
@@ -796,6 +790,12 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_3_yz_2 = inertia_link_3_yy_2_0 * poses.minus_rotation_link_3_zy;
     let inertia_link_3_zz_3 = 0.008866666700000001 * poses.minus_rotation_link_3_zy
         * poses.minus_rotation_link_3_zy;
+    let inertia_link_3_hx_0 = poses.minus_origin_base_x_1_6
+        - poses.minus_origin_base_x_1;
+    let minus_inertia_link_3_hy_0 = poses.minus_origin_base_y_1_6
+        + poses.minus_origin_base_y_1;
+    let inertia_link_3_hz_0 = poses.minus_origin_base_z_1_6
+        - poses.minus_origin_base_z_1;
     // link_3
     let inertia_link_3_hx = inertia_link_3_hx_0 * 2.0;
     let minus_inertia_link_3_hy = minus_inertia_link_3_hy_0 * 2.0;
@@ -816,14 +816,14 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_3_zz = 0.0106666667 * poses.rotation_link_3_zx
         * poses.rotation_link_3_zx + inertia_link_3_zz_3 + 0.003
         + (inertia_link_3_yy_4 + inertia_link_3_xx_4);
+    let inertia_link_4_xx_0 = 0.0106666667 * poses.rotation_link_4_xx;
+    let inertia_link_4_yy_0 = 0.0106666667 * poses.rotation_link_4_yx;
     let minus_inertia_link_4_hx_0 = poses.minus_origin_base_x_1_8
         + poses.minus_origin_base_x_1;
     let inertia_link_4_hy_0 = poses.minus_origin_base_y_1_8
         - poses.minus_origin_base_y_1;
     let inertia_link_4_hz_0 = poses.minus_origin_base_z_1_8
         - poses.minus_origin_base_z_1;
-    let inertia_link_4_xx_0 = 0.0106666667 * poses.rotation_link_4_xx;
-    let inertia_link_4_yy_0 = 0.0106666667 * poses.rotation_link_4_yx;
     // link_4
     let minus_inertia_link_4_hx = minus_inertia_link_4_hx_0 * 2.0;
     let inertia_link_4_hy = inertia_link_4_hy_0 * 2.0;
@@ -844,16 +844,16 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_4_zz = 0.0106666667 * poses.rotation_link_4_zx
         * poses.rotation_link_4_zx + inertia_link_3_zz_3 + 0.003
         + (inertia_link_4_yy_4 + inertia_link_4_xx_4);
+    let inertia_link_5_xx_0 = 0.009650666700000001 * poses.rotation_link_5_xx;
+    let inertia_link_5_xx_2 = 0.007850666700000002 * poses.rotation_link_6_xz;
+    let inertia_link_5_yy_0 = 0.009650666700000001 * poses.rotation_link_5_yx;
+    let inertia_link_5_yy_2 = 0.007850666700000002 * poses.rotation_link_5_yy;
     let minus_inertia_link_5_hx_0 = poses.minus_origin_base_x_1_10
         + poses.minus_origin_base_x_1;
     let inertia_link_5_hy_0 = poses.minus_origin_base_y_1_10
         - poses.minus_origin_base_y_1;
     let inertia_link_5_hz_0 = poses.minus_origin_base_z_1_10
         - poses.minus_origin_base_z_1;
-    let inertia_link_5_xx_0 = 0.009650666700000001 * poses.rotation_link_5_xx;
-    let inertia_link_5_xx_2 = 0.007850666700000002 * poses.rotation_link_6_xz;
-    let inertia_link_5_yy_0 = 0.009650666700000001 * poses.rotation_link_5_yx;
-    let inertia_link_5_yy_2 = 0.007850666700000002 * poses.rotation_link_5_yy;
     // link_5
     let minus_inertia_link_5_hx = minus_inertia_link_5_hx_0 * 2.0;
     let inertia_link_5_hy = inertia_link_5_hy_0 * 2.0;
@@ -2704,42 +2704,42 @@ fn velocities(qd: &[f64; 7], poses: &Poses, screws: &Screws) -> Velocities {
 }
 /// What `d_mu`, `b2`, `d_qdot`, `d_mu_xi`, `d_qdot_xi`, `curvature`, `forward_dynamics`, `inverse_dynamics` have in common.
 struct CommonDMuAnd7More {
-    d_mu_7_6_0_0_0_0_0_1_0_0_0: f64,
-    d_mu_7_6_0_0_0_0_0_1_0_1_0: f64,
-    d_mu_7_6_0_0_0_0_0_1_1_0: f64,
-    d_mu_7_6_0_0_0_0_1_1_0_0_0: f64,
-    d_mu_7_6_0_0_0_0_1_1_1_0: f64,
-    d_mu_7_6_0_0_0_1_1_1_0: f64,
-    d_mu_8_6_0_0_0_0_0_1_0_0_0: f64,
-    d_mu_8_6_0_0_0_0_0_1_0_1_0: f64,
-    d_mu_8_6_0_0_0_0_0_1_1_0: f64,
-    d_mu_8_6_0_0_0_0_1_1_0_1_0: f64,
-    d_mu_8_6_0_0_0_0_1_1_1_0: f64,
-    d_mu_8_6_0_0_0_1_1_1_0: f64,
-    d_mu_9_6_0_0_0_0_0_1_0_0_0: f64,
-    d_mu_9_6_0_0_0_0_0_1_0_1_0: f64,
-    d_mu_9_6_0_0_0_0_0_1_1_0: f64,
-    d_mu_9_6_0_0_0_0_1_1_0_1_0: f64,
-    d_mu_9_6_0_0_0_0_1_1_1_0: f64,
-    d_mu_9_6_0_0_0_1_1_1_0: f64,
-    d_mu_10_6_0_0_0_0_0_1_0_0_0: f64,
-    d_mu_10_6_0_0_0_0_0_1_0_1_0: f64,
-    d_mu_10_6_0_0_0_0_0_1_1_0: f64,
-    d_mu_10_6_0_0_0_0_1_1_0_1_0: f64,
-    d_mu_10_6_0_0_0_0_1_1_1_0: f64,
-    d_mu_10_6_0_0_0_1_1_1_0: f64,
-    d_mu_11_6_0_0_0_0_0_1_0_0_0: f64,
-    d_mu_11_6_0_0_0_0_0_1_0_1_0: f64,
-    d_mu_11_6_0_0_0_0_0_1_1_0: f64,
-    d_mu_11_6_0_0_0_0_1_1_0_1_0: f64,
-    d_mu_11_6_0_0_0_0_1_1_1_0: f64,
-    d_mu_11_6_0_0_0_1_1_1_0: f64,
-    d_mu_12_6_0_0_0_0_0_1_0_0_0: f64,
-    d_mu_12_6_0_0_0_0_0_1_0_1_0: f64,
-    d_mu_12_6_0_0_0_0_0_1_1_0: f64,
-    d_mu_12_6_0_0_0_0_1_1_0_1_0: f64,
-    d_mu_12_6_0_0_0_0_1_1_1_0: f64,
-    d_mu_12_6_0_0_0_1_1_1_0: f64,
+    three_joint_2_x_0_0_0: f64,
+    three_joint_2_x_0_1_0: f64,
+    three_joint_2_x_1_0: f64,
+    three_joint_2_y_0_0_0: f64,
+    three_joint_2_y_1_0: f64,
+    three_joint_2_z_1_0: f64,
+    three_joint_3_x_0_0_0: f64,
+    three_joint_3_x_0_1_0: f64,
+    three_joint_3_x_1_0: f64,
+    three_joint_3_y_0_1_0: f64,
+    three_joint_3_y_1_0: f64,
+    three_joint_3_z_1_0: f64,
+    three_joint_4_x_0_0_0: f64,
+    three_joint_4_x_0_1_0: f64,
+    three_joint_4_x_1_0: f64,
+    three_joint_4_y_0_1_0: f64,
+    three_joint_4_y_1_0: f64,
+    three_joint_4_z_1_0: f64,
+    three_joint_5_x_0_0_0: f64,
+    three_joint_5_x_0_1_0: f64,
+    three_joint_5_x_1_0: f64,
+    three_joint_5_y_0_1_0: f64,
+    three_joint_5_y_1_0: f64,
+    three_joint_5_z_1_0: f64,
+    three_joint_6_x_0_0_0: f64,
+    three_joint_6_x_0_1_0: f64,
+    three_joint_6_x_1_0: f64,
+    three_joint_6_y_0_1_0: f64,
+    three_joint_6_y_1_0: f64,
+    three_joint_6_z_1_0: f64,
+    three_joint_7_x_0_0_0: f64,
+    three_joint_7_x_0_1_0: f64,
+    three_joint_7_x_1_0: f64,
+    three_joint_7_y_0_1_0: f64,
+    three_joint_7_y_1_0: f64,
+    three_joint_7_z_1_0: f64,
 }
 /// What `d_mu`, `b2`, `d_qdot`, `d_mu_xi`, `d_qdot_xi`, `curvature`, `forward_dynamics`, `inverse_dynamics` have in common.
 #[inline(never)]
@@ -2748,349 +2748,301 @@ fn common_d_mu_and_7_more(
     inertias: &Inertias,
     screws: &Screws,
 ) -> CommonDMuAnd7More {
-    let d_mu_7_6_0_0_0_1_1_1_0_1_1 = poses.cos_joint_1 * inertias.composite_link_2_xz;
-    let d_mu_7_6_0_0_0_1_1_1_0_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yz;
-    let d_mu_7_6_0_0_0_1_1_1_0_1 = d_mu_7_6_0_0_0_1_1_1_0_1_0
-        + d_mu_7_6_0_0_0_1_1_1_0_1_1;
-    let d_mu_7_6_0_0_0_0_1_1_0_0_0_0_1 = inertias.composite_link_2_hx
+    let three_joint_2_z_1_0_1_1 = poses.cos_joint_1 * inertias.composite_link_2_xz;
+    let three_joint_2_z_1_0_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yz;
+    let three_joint_2_z_1_0_1 = three_joint_2_z_1_0_1_0 + three_joint_2_z_1_0_1_1;
+    let three_joint_2_y_0_0_0_0_1 = inertias.composite_link_2_hx
         * screws.screw_joint_2_vx;
-    let d_mu_7_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_2_hy
+    let three_joint_2_x_0_0_0_0_1 = inertias.composite_link_2_hy
         * screws.screw_joint_2_vy;
-    let d_mu_7_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.composite_link_2_hz
+    let three_joint_2_x_0_0_0_1_1 = inertias.composite_link_2_hz
         * screws.screw_joint_2_vz;
-    let d_mu_7_6_0_0_0_0_0_1_0_0_0_0 = d_mu_7_6_0_0_0_0_0_1_0_0_0_0_1
-        + d_mu_7_6_0_0_0_0_0_1_0_0_0_0_1;
-    let d_mu_7_6_0_0_0_0_0_1_0_0_0_1 = d_mu_7_6_0_0_0_0_0_1_0_0_0_1_1
-        + d_mu_7_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_7_6_0_0_0_0_1_1_0_0_0_0 = d_mu_7_6_0_0_0_0_1_1_0_0_0_0_1
-        + d_mu_7_6_0_0_0_0_1_1_0_0_0_0_1;
-    let d_mu_7_6_0_0_0_0_0_1_0_0_0 = d_mu_7_6_0_0_0_0_0_1_0_0_0_0
-        + d_mu_7_6_0_0_0_0_0_1_0_0_0_1
-        - (d_mu_7_6_0_0_0_1_1_1_0_1_1 + d_mu_7_6_0_0_0_1_1_1_0_1_1);
-    let d_mu_7_6_0_0_0_0_0_1_0_1_0 = inertias.inside_joint_2_mz_0_1
+    let three_joint_2_x_0_0_0_0 = three_joint_2_x_0_0_0_0_1 + three_joint_2_x_0_0_0_0_1;
+    let three_joint_2_x_0_0_0_1 = three_joint_2_x_0_0_0_1_1 + three_joint_2_x_0_0_0_1_1;
+    let three_joint_2_y_0_0_0_0 = three_joint_2_y_0_0_0_0_1 + three_joint_2_y_0_0_0_0_1;
+    let three_joint_2_x_0_0_0 = three_joint_2_x_0_0_0_0 + three_joint_2_x_0_0_0_1
+        - (three_joint_2_z_1_0_1_1 + three_joint_2_z_1_0_1_1);
+    let three_joint_2_x_0_1_0 = inertias.inside_joint_2_mz_0_1
         + inertias.inside_joint_2_mz_0_0
         + (screws.inside_joint_2_mz_2 + screws.inside_joint_2_mz_3);
-    let d_mu_7_6_0_0_0_0_0_1_1_0 = inertias.inside_joint_2_my_0_0
+    let three_joint_2_x_1_0 = inertias.inside_joint_2_my_0_0
         + poses.cos_joint_1 * inertias.composite_link_2_xx
         - poses.cos_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_my_4 + screws.inside_joint_2_my_3);
-    let d_mu_7_6_0_0_0_0_1_1_0_0_0 = d_mu_7_6_0_0_0_0_1_1_0_0_0_0
-        + d_mu_7_6_0_0_0_0_0_1_0_0_0_1
-        - (d_mu_7_6_0_0_0_1_1_1_0_1_0 + d_mu_7_6_0_0_0_1_1_1_0_1_0);
-    let d_mu_7_6_0_0_0_0_1_1_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yy
+    let three_joint_2_y_0_0_0 = three_joint_2_y_0_0_0_0 + three_joint_2_x_0_0_0_1
+        - (three_joint_2_z_1_0_1_0 + three_joint_2_z_1_0_1_0);
+    let three_joint_2_y_1_0 = poses.sin_joint_1 * inertias.composite_link_2_yy
         + inertias.inside_joint_2_mx_0_1
         - poses.sin_joint_1 * inertias.composite_link_2_zz
         - (screws.inside_joint_2_mx_3 + screws.inside_joint_2_mx_4);
-    let d_mu_7_6_0_0_0_1_1_1_0 = d_mu_7_6_0_0_0_1_1_1_0_1 + d_mu_7_6_0_0_0_1_1_1_0_1
-        + (d_mu_7_6_0_0_0_0_1_1_0_0_0_0 + d_mu_7_6_0_0_0_0_0_1_0_0_0_0);
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0_3_0 = poses.minus_rotation_link_2_yy
+    let three_joint_2_z_1_0 = three_joint_2_z_1_0_1 + three_joint_2_z_1_0_1
+        + (three_joint_2_y_0_0_0_0 + three_joint_2_x_0_0_0_0);
+    let three_joint_3_x_0_0_0_3_0 = poses.minus_rotation_link_2_yy
         * inertias.composite_link_3_xz;
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0_3_1 = poses.cos_joint_2
-        * inertias.composite_link_3_xy;
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0_3 = d_mu_8_6_0_0_0_0_0_1_0_0_0_3_0
-        + d_mu_8_6_0_0_0_0_0_1_0_0_0_3_1;
-    let d_mu_8_6_0_0_0_0_1_1_0_1_0_1_1 = poses.minus_rotation_link_2_xy
+    let three_joint_3_x_0_0_0_3_1 = poses.cos_joint_2 * inertias.composite_link_3_xy;
+    let three_joint_3_x_0_0_0_3 = three_joint_3_x_0_0_0_3_0 + three_joint_3_x_0_0_0_3_1;
+    let three_joint_3_y_0_1_0_1_1 = poses.minus_rotation_link_2_xy
         * inertias.composite_link_3_yz;
-    let d_mu_8_6_0_0_0_0_1_1_0_1_0_1 = d_mu_8_6_0_0_0_0_0_1_0_0_0_3_1
-        + d_mu_8_6_0_0_0_0_1_1_0_1_0_1_1;
-    let d_mu_8_6_0_0_0_1_1_1_0_1 = d_mu_8_6_0_0_0_0_0_1_0_0_0_3_0
-        - d_mu_8_6_0_0_0_0_1_1_0_1_0_1_1;
-    let d_mu_8_6_0_0_0_0_1_1_0_1_0_2_1 = inertias.composite_link_3_hx
+    let three_joint_3_y_0_1_0_1 = three_joint_3_x_0_0_0_3_1 + three_joint_3_y_0_1_0_1_1;
+    let three_joint_3_z_1_0_1 = three_joint_3_x_0_0_0_3_0 - three_joint_3_y_0_1_0_1_1;
+    let three_joint_3_y_0_1_0_2_1 = inertias.composite_link_3_hx
         * screws.screw_joint_3_vx;
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_3_hy
+    let three_joint_3_x_0_0_0_0_1 = inertias.composite_link_3_hy
         * screws.screw_joint_3_vy;
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.composite_link_3_hz
+    let three_joint_3_x_0_0_0_1_1 = inertias.composite_link_3_hz
         * screws.screw_joint_3_vz;
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0_0 = d_mu_8_6_0_0_0_0_0_1_0_0_0_0_1
-        + d_mu_8_6_0_0_0_0_0_1_0_0_0_0_1;
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0_1 = d_mu_8_6_0_0_0_0_0_1_0_0_0_1_1
-        + d_mu_8_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_8_6_0_0_0_0_1_1_0_1_0_2 = d_mu_8_6_0_0_0_0_1_1_0_1_0_2_1
-        + d_mu_8_6_0_0_0_0_1_1_0_1_0_2_1;
-    let d_mu_8_6_0_0_0_0_0_1_0_0_0 = d_mu_8_6_0_0_0_0_0_1_0_0_0_0
-        + d_mu_8_6_0_0_0_0_0_1_0_0_0_1
-        - (d_mu_8_6_0_0_0_0_0_1_0_0_0_3 + d_mu_8_6_0_0_0_0_0_1_0_0_0_3);
-    let d_mu_8_6_0_0_0_0_0_1_0_1_0 = poses.cos_joint_2 * inertias.composite_link_3_xx
+    let three_joint_3_x_0_0_0_0 = three_joint_3_x_0_0_0_0_1 + three_joint_3_x_0_0_0_0_1;
+    let three_joint_3_x_0_0_0_1 = three_joint_3_x_0_0_0_1_1 + three_joint_3_x_0_0_0_1_1;
+    let three_joint_3_y_0_1_0_2 = three_joint_3_y_0_1_0_2_1 + three_joint_3_y_0_1_0_2_1;
+    let three_joint_3_x_0_0_0 = three_joint_3_x_0_0_0_0 + three_joint_3_x_0_0_0_1
+        - (three_joint_3_x_0_0_0_3 + three_joint_3_x_0_0_0_3);
+    let three_joint_3_x_0_1_0 = poses.cos_joint_2 * inertias.composite_link_3_xx
         + inertias.inside_joint_3_mz_0_1_0
         - (inertias.inside_joint_3_mz_0_1_1
             + poses.cos_joint_2 * inertias.composite_link_3_yy)
         - (screws.inside_joint_3_mz_4 + screws.inside_joint_3_mz_5);
-    let d_mu_8_6_0_0_0_0_0_1_1_0 = poses.minus_rotation_link_2_yy
+    let three_joint_3_x_1_0 = poses.minus_rotation_link_2_yy
         * inertias.composite_link_3_xx - inertias.inside_joint_3_my_0_1_0
         - (poses.minus_rotation_link_2_yy * inertias.composite_link_3_zz
             + inertias.inside_joint_3_my_0_0)
         - (screws.inside_joint_3_my_5 + screws.inside_joint_3_my_4);
-    let d_mu_8_6_0_0_0_0_1_1_0_1_0 = d_mu_8_6_0_0_0_0_1_1_0_1_0_1
-        + d_mu_8_6_0_0_0_0_1_1_0_1_0_1
-        + (d_mu_8_6_0_0_0_0_1_1_0_1_0_2 + d_mu_8_6_0_0_0_0_0_1_0_0_0_1);
-    let d_mu_8_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_3_mx_0_0
+    let three_joint_3_y_0_1_0 = three_joint_3_y_0_1_0_1 + three_joint_3_y_0_1_0_1
+        + (three_joint_3_y_0_1_0_2 + three_joint_3_x_0_0_0_1);
+    let three_joint_3_y_1_0 = inertias.inside_joint_3_mx_0_0
         + poses.minus_rotation_link_2_xy * inertias.composite_link_3_zz
         + (inertias.inside_joint_3_mx_0_1_1
             - poses.minus_rotation_link_2_xy * inertias.composite_link_3_yy)
         - (screws.inside_joint_3_mx_4 + screws.inside_joint_3_mx_5);
-    let d_mu_8_6_0_0_0_1_1_1_0 = d_mu_8_6_0_0_0_1_1_1_0_1 + d_mu_8_6_0_0_0_1_1_1_0_1
-        + (d_mu_8_6_0_0_0_0_1_1_0_1_0_2 + d_mu_8_6_0_0_0_0_0_1_0_0_0_0);
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0_1_0 = poses.rotation_link_3_yy
+    let three_joint_3_z_1_0 = three_joint_3_z_1_0_1 + three_joint_3_z_1_0_1
+        + (three_joint_3_y_0_1_0_2 + three_joint_3_x_0_0_0_0);
+    let three_joint_4_x_0_0_0_1_0 = poses.rotation_link_3_yy
         * inertias.composite_link_4_xz;
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0_1_1 = poses.minus_rotation_link_3_zy
+    let three_joint_4_x_0_0_0_1_1 = poses.minus_rotation_link_3_zy
         * inertias.composite_link_4_xy;
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0_1 = d_mu_9_6_0_0_0_0_0_1_0_0_0_1_0
-        + d_mu_9_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_9_6_0_0_0_0_1_1_0_1_0_1_0 = poses.minus_rotation_link_3_xy
+    let three_joint_4_x_0_0_0_1 = three_joint_4_x_0_0_0_1_0 + three_joint_4_x_0_0_0_1_1;
+    let three_joint_4_y_0_1_0_1_0 = poses.minus_rotation_link_3_xy
         * inertias.composite_link_4_yz;
-    let d_mu_9_6_0_0_0_0_1_1_0_1_0_1 = d_mu_9_6_0_0_0_0_1_1_0_1_0_1_0
-        - d_mu_9_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_9_6_0_0_0_1_1_1_0_1 = d_mu_9_6_0_0_0_0_1_1_0_1_0_1_0
-        + d_mu_9_6_0_0_0_0_0_1_0_0_0_1_0;
-    let d_mu_9_6_0_0_0_0_1_1_0_1_0_2_1 = inertias.minus_composite_link_4_hx
+    let three_joint_4_y_0_1_0_1 = three_joint_4_y_0_1_0_1_0 - three_joint_4_x_0_0_0_1_1;
+    let three_joint_4_z_1_0_1 = three_joint_4_y_0_1_0_1_0 + three_joint_4_x_0_0_0_1_0;
+    let three_joint_4_y_0_1_0_2_1 = inertias.minus_composite_link_4_hx
         * screws.screw_joint_4_vx;
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0_2_1 = inertias.composite_link_4_hy
+    let three_joint_4_x_0_0_0_2_1 = inertias.composite_link_4_hy
         * screws.minus_screw_joint_4_vy;
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0_3_1 = inertias.composite_link_4_hz
+    let three_joint_4_x_0_0_0_3_1 = inertias.composite_link_4_hz
         * screws.minus_screw_joint_4_vz;
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0_2 = d_mu_9_6_0_0_0_0_0_1_0_0_0_2_1
-        + d_mu_9_6_0_0_0_0_0_1_0_0_0_2_1;
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0_3 = d_mu_9_6_0_0_0_0_0_1_0_0_0_3_1
-        + d_mu_9_6_0_0_0_0_0_1_0_0_0_3_1;
-    let d_mu_9_6_0_0_0_0_1_1_0_1_0_2 = d_mu_9_6_0_0_0_0_1_1_0_1_0_2_1
-        + d_mu_9_6_0_0_0_0_1_1_0_1_0_2_1;
-    let d_mu_9_6_0_0_0_0_0_1_0_0_0 = d_mu_9_6_0_0_0_0_0_1_0_0_0_1
-        + d_mu_9_6_0_0_0_0_0_1_0_0_0_1
-        - (d_mu_9_6_0_0_0_0_0_1_0_0_0_2 + d_mu_9_6_0_0_0_0_0_1_0_0_0_3);
-    let d_mu_9_6_0_0_0_0_0_1_0_1_0 = inertias.inside_joint_4_mz_0_0_0
+    let three_joint_4_x_0_0_0_2 = three_joint_4_x_0_0_0_2_1 + three_joint_4_x_0_0_0_2_1;
+    let three_joint_4_x_0_0_0_3 = three_joint_4_x_0_0_0_3_1 + three_joint_4_x_0_0_0_3_1;
+    let three_joint_4_y_0_1_0_2 = three_joint_4_y_0_1_0_2_1 + three_joint_4_y_0_1_0_2_1;
+    let three_joint_4_x_0_0_0 = three_joint_4_x_0_0_0_1 + three_joint_4_x_0_0_0_1
+        - (three_joint_4_x_0_0_0_2 + three_joint_4_x_0_0_0_3);
+    let three_joint_4_x_0_1_0 = inertias.inside_joint_4_mz_0_0_0
         + poses.minus_rotation_link_3_zy * inertias.composite_link_4_yy
         + (inertias.inside_joint_4_mz_0_0_1
             - poses.minus_rotation_link_3_zy * inertias.composite_link_4_xx)
         - (screws.inside_joint_4_mz_4 + screws.inside_joint_4_mz_5);
-    let d_mu_9_6_0_0_0_0_0_1_1_0 = poses.rotation_link_3_yy
-        * inertias.composite_link_4_zz + inertias.inside_joint_4_my_0_1
+    let three_joint_4_x_1_0 = poses.rotation_link_3_yy * inertias.composite_link_4_zz
+        + inertias.inside_joint_4_my_0_1
         - (inertias.inside_joint_4_my_0_0_1
             + poses.rotation_link_3_yy * inertias.composite_link_4_xx)
         - (screws.inside_joint_4_my_5 + screws.inside_joint_4_my_4);
-    let d_mu_9_6_0_0_0_0_1_1_0_1_0 = d_mu_9_6_0_0_0_0_1_1_0_1_0_1
-        + d_mu_9_6_0_0_0_0_1_1_0_1_0_1
-        - (d_mu_9_6_0_0_0_0_1_1_0_1_0_2 + d_mu_9_6_0_0_0_0_0_1_0_0_0_3);
-    let d_mu_9_6_0_0_0_0_1_1_1_0 = poses.minus_rotation_link_3_xy
+    let three_joint_4_y_0_1_0 = three_joint_4_y_0_1_0_1 + three_joint_4_y_0_1_0_1
+        - (three_joint_4_y_0_1_0_2 + three_joint_4_x_0_0_0_3);
+    let three_joint_4_y_1_0 = poses.minus_rotation_link_3_xy
         * inertias.composite_link_4_zz - inertias.inside_joint_4_mx_0_1
         - (poses.minus_rotation_link_3_xy * inertias.composite_link_4_yy
             + inertias.inside_joint_4_mx_0_0_0)
         + (screws.inside_joint_4_mx_5 + screws.inside_joint_4_mx_4);
-    let d_mu_9_6_0_0_0_1_1_1_0 = d_mu_9_6_0_0_0_1_1_1_0_1 + d_mu_9_6_0_0_0_1_1_1_0_1
-        + (d_mu_9_6_0_0_0_0_1_1_0_1_0_2 + d_mu_9_6_0_0_0_0_0_1_0_0_0_2);
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0_3_0 = poses.rotation_link_4_yy
+    let three_joint_4_z_1_0 = three_joint_4_z_1_0_1 + three_joint_4_z_1_0_1
+        + (three_joint_4_y_0_1_0_2 + three_joint_4_x_0_0_0_2);
+    let three_joint_5_x_0_0_0_3_0 = poses.rotation_link_4_yy
         * inertias.composite_link_5_xz;
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0_3_1 = poses.rotation_link_5_zz
+    let three_joint_5_x_0_0_0_3_1 = poses.rotation_link_5_zz
         * inertias.composite_link_5_xy;
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0_3 = d_mu_10_6_0_0_0_0_0_1_0_0_0_3_0
-        + d_mu_10_6_0_0_0_0_0_1_0_0_0_3_1;
-    let d_mu_10_6_0_0_0_0_1_1_0_1_0_1_1 = poses.rotation_link_4_xy
+    let three_joint_5_x_0_0_0_3 = three_joint_5_x_0_0_0_3_0 + three_joint_5_x_0_0_0_3_1;
+    let three_joint_5_y_0_1_0_1_1 = poses.rotation_link_4_xy
         * inertias.composite_link_5_yz;
-    let d_mu_10_6_0_0_0_0_1_1_0_1_0_1 = d_mu_10_6_0_0_0_0_0_1_0_0_0_3_1
-        + d_mu_10_6_0_0_0_0_1_1_0_1_0_1_1;
-    let d_mu_10_6_0_0_0_1_1_1_0_1 = d_mu_10_6_0_0_0_0_0_1_0_0_0_3_0
-        - d_mu_10_6_0_0_0_0_1_1_0_1_0_1_1;
-    let d_mu_10_6_0_0_0_0_1_1_0_1_0_3_1 = inertias.minus_composite_link_5_hx
+    let three_joint_5_y_0_1_0_1 = three_joint_5_x_0_0_0_3_1 + three_joint_5_y_0_1_0_1_1;
+    let three_joint_5_z_1_0_1 = three_joint_5_x_0_0_0_3_0 - three_joint_5_y_0_1_0_1_1;
+    let three_joint_5_y_0_1_0_3_1 = inertias.minus_composite_link_5_hx
         * screws.screw_joint_5_vx;
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0_0_1 = inertias.composite_link_5_hy
+    let three_joint_5_x_0_0_0_0_1 = inertias.composite_link_5_hy
         * screws.screw_joint_5_vy;
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0_1_1 = inertias.composite_link_5_hz
+    let three_joint_5_x_0_0_0_1_1 = inertias.composite_link_5_hz
         * screws.screw_joint_5_vz;
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0_0 = d_mu_10_6_0_0_0_0_0_1_0_0_0_0_1
-        + d_mu_10_6_0_0_0_0_0_1_0_0_0_0_1;
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0_1 = d_mu_10_6_0_0_0_0_0_1_0_0_0_1_1
-        + d_mu_10_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_10_6_0_0_0_0_1_1_0_1_0_3 = d_mu_10_6_0_0_0_0_1_1_0_1_0_3_1
-        + d_mu_10_6_0_0_0_0_1_1_0_1_0_3_1;
-    let d_mu_10_6_0_0_0_0_0_1_0_0_0 = d_mu_10_6_0_0_0_0_0_1_0_0_0_0
-        + d_mu_10_6_0_0_0_0_0_1_0_0_0_1
-        - (d_mu_10_6_0_0_0_0_0_1_0_0_0_3 + d_mu_10_6_0_0_0_0_0_1_0_0_0_3);
-    let d_mu_10_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_5_zz
-        * inertias.composite_link_5_xx + inertias.inside_joint_5_mz_0_1_0
+    let three_joint_5_x_0_0_0_0 = three_joint_5_x_0_0_0_0_1 + three_joint_5_x_0_0_0_0_1;
+    let three_joint_5_x_0_0_0_1 = three_joint_5_x_0_0_0_1_1 + three_joint_5_x_0_0_0_1_1;
+    let three_joint_5_y_0_1_0_3 = three_joint_5_y_0_1_0_3_1 + three_joint_5_y_0_1_0_3_1;
+    let three_joint_5_x_0_0_0 = three_joint_5_x_0_0_0_0 + three_joint_5_x_0_0_0_1
+        - (three_joint_5_x_0_0_0_3 + three_joint_5_x_0_0_0_3);
+    let three_joint_5_x_0_1_0 = poses.rotation_link_5_zz * inertias.composite_link_5_xx
+        + inertias.inside_joint_5_mz_0_1_0
         - (inertias.inside_joint_5_mz_0_1_1
             + poses.rotation_link_5_zz * inertias.composite_link_5_yy)
         - (screws.inside_joint_5_mz_5 - screws.inside_joint_5_mz_4);
-    let d_mu_10_6_0_0_0_0_0_1_1_0 = poses.rotation_link_4_yy
-        * inertias.composite_link_5_xx - inertias.inside_joint_5_my_0_1_0
+    let three_joint_5_x_1_0 = poses.rotation_link_4_yy * inertias.composite_link_5_xx
+        - inertias.inside_joint_5_my_0_1_0
         - (poses.rotation_link_4_yy * inertias.composite_link_5_zz
             + inertias.inside_joint_5_my_0_0)
         - (screws.inside_joint_5_my_4 - screws.inside_joint_5_my_5);
-    let d_mu_10_6_0_0_0_0_1_1_0_1_0 = d_mu_10_6_0_0_0_0_1_1_0_1_0_1
-        + d_mu_10_6_0_0_0_0_1_1_0_1_0_1
-        + (d_mu_10_6_0_0_0_0_0_1_0_0_0_1 - d_mu_10_6_0_0_0_0_1_1_0_1_0_3);
-    let d_mu_10_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_5_mx_0_0
+    let three_joint_5_y_0_1_0 = three_joint_5_y_0_1_0_1 + three_joint_5_y_0_1_0_1
+        + (three_joint_5_x_0_0_0_1 - three_joint_5_y_0_1_0_3);
+    let three_joint_5_y_1_0 = inertias.inside_joint_5_mx_0_0
         + poses.rotation_link_4_xy * inertias.composite_link_5_zz
         + (inertias.inside_joint_5_mx_0_1_1
             - poses.rotation_link_4_xy * inertias.composite_link_5_yy)
         - (screws.inside_joint_5_mx_4 + screws.inside_joint_5_mx_5);
-    let d_mu_10_6_0_0_0_1_1_1_0 = d_mu_10_6_0_0_0_1_1_1_0_1 + d_mu_10_6_0_0_0_1_1_1_0_1
-        + (d_mu_10_6_0_0_0_0_0_1_0_0_0_0 - d_mu_10_6_0_0_0_0_1_1_0_1_0_3);
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1 = poses.rotation_link_5_yy
+    let three_joint_5_z_1_0 = three_joint_5_z_1_0_1 + three_joint_5_z_1_0_1
+        + (three_joint_5_x_0_0_0_0 - three_joint_5_y_0_1_0_3);
+    let three_joint_6_x_0_0_0_1_1 = poses.rotation_link_5_yy
         * inertias.composite_link_6_xz;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1_0 = poses.rotation_link_6_zz
+    let three_joint_6_x_0_0_0_1_0 = poses.rotation_link_6_zz
         * inertias.minus_composite_link_6_xy;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_1 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1_0
-        - d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1 = poses.rotation_link_6_xz
+    let three_joint_6_x_0_0_0_1 = three_joint_6_x_0_0_0_1_0 - three_joint_6_x_0_0_0_1_1;
+    let three_joint_6_y_0_1_0_3_1 = poses.rotation_link_6_xz
         * inertias.composite_link_6_yz;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_3 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1_0
-        + d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1;
-    let d_mu_11_6_0_0_0_1_1_1_0_1 = d_mu_11_6_0_0_0_0_1_1_0_1_0_3_1
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1 = inertias.minus_composite_link_6_hx
+    let three_joint_6_y_0_1_0_3 = three_joint_6_x_0_0_0_1_0 + three_joint_6_y_0_1_0_3_1;
+    let three_joint_6_z_1_0_1 = three_joint_6_y_0_1_0_3_1 + three_joint_6_x_0_0_0_1_1;
+    let three_joint_6_y_0_1_0_1_1 = inertias.minus_composite_link_6_hx
         * screws.screw_joint_6_vx;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1 = inertias.minus_composite_link_6_hy
+    let three_joint_6_x_0_0_0_3_1 = inertias.minus_composite_link_6_hy
         * screws.screw_joint_6_vy;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_2_1 = inertias.composite_link_6_hz
+    let three_joint_6_x_0_0_0_2_1 = inertias.composite_link_6_hz
         * screws.screw_joint_6_vz;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_3 = d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_3_1;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0_2 = d_mu_11_6_0_0_0_0_0_1_0_0_0_2_1
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_2_1;
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0_1 = d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1
-        + d_mu_11_6_0_0_0_0_1_1_0_1_0_1_1;
-    let d_mu_11_6_0_0_0_0_0_1_0_0_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_1
-        + d_mu_11_6_0_0_0_0_0_1_0_0_0_1
-        + (d_mu_11_6_0_0_0_0_0_1_0_0_0_2 - d_mu_11_6_0_0_0_0_0_1_0_0_0_3);
-    let d_mu_11_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_6_zz
-        * inertias.composite_link_6_xx - inertias.inside_joint_6_mz_0_0_0
+    let three_joint_6_x_0_0_0_3 = three_joint_6_x_0_0_0_3_1 + three_joint_6_x_0_0_0_3_1;
+    let three_joint_6_x_0_0_0_2 = three_joint_6_x_0_0_0_2_1 + three_joint_6_x_0_0_0_2_1;
+    let three_joint_6_y_0_1_0_1 = three_joint_6_y_0_1_0_1_1 + three_joint_6_y_0_1_0_1_1;
+    let three_joint_6_x_0_0_0 = three_joint_6_x_0_0_0_1 + three_joint_6_x_0_0_0_1
+        + (three_joint_6_x_0_0_0_2 - three_joint_6_x_0_0_0_3);
+    let three_joint_6_x_0_1_0 = poses.rotation_link_6_zz * inertias.composite_link_6_xx
+        - inertias.inside_joint_6_mz_0_0_0
         - (inertias.inside_joint_6_mz_0_0_1
             + poses.rotation_link_6_zz * inertias.composite_link_6_yy)
         + (screws.inside_joint_6_mz_5 + screws.inside_joint_6_mz_4);
-    let d_mu_11_6_0_0_0_0_0_1_1_0 = poses.rotation_link_5_yy
-        * inertias.composite_link_6_xx - inertias.inside_joint_6_my_0_1_0
+    let three_joint_6_x_1_0 = poses.rotation_link_5_yy * inertias.composite_link_6_xx
+        - inertias.inside_joint_6_my_0_1_0
         - (poses.rotation_link_5_yy * inertias.composite_link_6_zz
             + inertias.inside_joint_6_my_0_0)
         - (screws.inside_joint_6_my_4 - screws.inside_joint_6_my_5);
-    let d_mu_11_6_0_0_0_0_1_1_0_1_0 = d_mu_11_6_0_0_0_0_0_1_0_0_0_2
-        - d_mu_11_6_0_0_0_0_1_1_0_1_0_1
-        - (d_mu_11_6_0_0_0_0_1_1_0_1_0_3 + d_mu_11_6_0_0_0_0_1_1_0_1_0_3);
-    let d_mu_11_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_6_mx_0_1
+    let three_joint_6_y_0_1_0 = three_joint_6_x_0_0_0_2 - three_joint_6_y_0_1_0_1
+        - (three_joint_6_y_0_1_0_3 + three_joint_6_y_0_1_0_3);
+    let three_joint_6_y_1_0 = inertias.inside_joint_6_mx_0_1
         - poses.rotation_link_6_xz * inertias.composite_link_6_zz
         + (poses.rotation_link_6_xz * inertias.composite_link_6_yy
             - inertias.inside_joint_6_mx_0_0_1)
         - (screws.inside_joint_6_mx_5 - screws.inside_joint_6_mx_4);
-    let d_mu_11_6_0_0_0_1_1_1_0 = d_mu_11_6_0_0_0_1_1_1_0_1 + d_mu_11_6_0_0_0_1_1_1_0_1
-        - (d_mu_11_6_0_0_0_0_1_1_0_1_0_1 + d_mu_11_6_0_0_0_0_0_1_0_0_0_3);
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1 = poses.minus_rotation_link_6_yy
+    let three_joint_6_z_1_0 = three_joint_6_z_1_0_1 + three_joint_6_z_1_0_1
+        - (three_joint_6_y_0_1_0_1 + three_joint_6_x_0_0_0_3);
+    let three_joint_7_x_0_0_0_1_1 = poses.minus_rotation_link_6_yy
         * inertias.inertia_link_7_xz;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1_0 = poses.rotation_link_6_zy
+    let three_joint_7_x_0_0_0_1_0 = poses.rotation_link_6_zy
         * inertias.minus_inertia_link_7_xy;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1_0
-        - d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1;
-    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1_0 = poses.minus_rotation_link_6_xy
+    let three_joint_7_x_0_0_0_1 = three_joint_7_x_0_0_0_1_0 - three_joint_7_x_0_0_0_1_1;
+    let three_joint_7_y_0_1_0_1_0 = poses.minus_rotation_link_6_xy
         * inertias.inertia_link_7_yz;
-    let d_mu_12_6_0_0_0_0_1_1_0_1_0_1 = d_mu_12_6_0_0_0_0_1_1_0_1_0_1_0
-        - d_mu_12_6_0_0_0_0_0_1_0_0_0_1_0;
-    let d_mu_12_6_0_0_0_1_1_1_0_1 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1_1
-        - d_mu_12_6_0_0_0_0_1_1_0_1_0_1_0;
-    let d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1 = inertias.minus_inertia_link_7_hx
+    let three_joint_7_y_0_1_0_1 = three_joint_7_y_0_1_0_1_0 - three_joint_7_x_0_0_0_1_0;
+    let three_joint_7_z_1_0_1 = three_joint_7_x_0_0_0_1_1 - three_joint_7_y_0_1_0_1_0;
+    let three_joint_7_y_0_1_0_3_1 = inertias.minus_inertia_link_7_hx
         * screws.screw_joint_7_vx;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1 = inertias.minus_inertia_link_7_hy
+    let three_joint_7_x_0_0_0_3_1 = inertias.minus_inertia_link_7_hy
         * screws.screw_joint_7_vy;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_2_1 = inertias.inertia_link_7_hz
-        * screws.screw_joint_7_vz;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_3 = d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1
-        + d_mu_12_6_0_0_0_0_0_1_0_0_0_3_1;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0_2 = d_mu_12_6_0_0_0_0_0_1_0_0_0_2_1
-        + d_mu_12_6_0_0_0_0_0_1_0_0_0_2_1;
-    let d_mu_12_6_0_0_0_0_1_1_0_1_0_3 = d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1
-        + d_mu_12_6_0_0_0_0_1_1_0_1_0_3_1;
-    let d_mu_12_6_0_0_0_0_0_1_0_0_0 = d_mu_12_6_0_0_0_0_0_1_0_0_0_1
-        + d_mu_12_6_0_0_0_0_0_1_0_0_0_1
-        + (d_mu_12_6_0_0_0_0_0_1_0_0_0_2 - d_mu_12_6_0_0_0_0_0_1_0_0_0_3);
-    let d_mu_12_6_0_0_0_0_0_1_0_1_0 = poses.rotation_link_6_zy
-        * inertias.inertia_link_7_xx + inertias.inside_joint_7_mz_0_1_0
+    let three_joint_7_x_0_0_0_2_1 = inertias.inertia_link_7_hz * screws.screw_joint_7_vz;
+    let three_joint_7_x_0_0_0_3 = three_joint_7_x_0_0_0_3_1 + three_joint_7_x_0_0_0_3_1;
+    let three_joint_7_x_0_0_0_2 = three_joint_7_x_0_0_0_2_1 + three_joint_7_x_0_0_0_2_1;
+    let three_joint_7_y_0_1_0_3 = three_joint_7_y_0_1_0_3_1 + three_joint_7_y_0_1_0_3_1;
+    let three_joint_7_x_0_0_0 = three_joint_7_x_0_0_0_1 + three_joint_7_x_0_0_0_1
+        + (three_joint_7_x_0_0_0_2 - three_joint_7_x_0_0_0_3);
+    let three_joint_7_x_0_1_0 = poses.rotation_link_6_zy * inertias.inertia_link_7_xx
+        + inertias.inside_joint_7_mz_0_1_0
         - (inertias.inside_joint_7_mz_0_1_1
             + poses.rotation_link_6_zy * inertias.inertia_link_7_yy)
         + (screws.inside_joint_7_mz_5 + screws.inside_joint_7_mz_4);
-    let d_mu_12_6_0_0_0_0_0_1_1_0 = inertias.inside_joint_7_my_0_0_0
+    let three_joint_7_x_1_0 = inertias.inside_joint_7_my_0_0_0
         + poses.minus_rotation_link_6_yy * inertias.inertia_link_7_xx
         - (poses.minus_rotation_link_6_yy * inertias.inertia_link_7_zz
             + inertias.inside_joint_7_my_0_1)
         - (screws.inside_joint_7_my_4 - screws.inside_joint_7_my_5);
-    let d_mu_12_6_0_0_0_0_1_1_0_1_0 = d_mu_12_6_0_0_0_0_1_1_0_1_0_1
-        + d_mu_12_6_0_0_0_0_1_1_0_1_0_1
-        + (d_mu_12_6_0_0_0_0_0_1_0_0_0_2 - d_mu_12_6_0_0_0_0_1_1_0_1_0_3);
-    let d_mu_12_6_0_0_0_0_1_1_1_0 = inertias.inside_joint_7_mx_0_1
+    let three_joint_7_y_0_1_0 = three_joint_7_y_0_1_0_1 + three_joint_7_y_0_1_0_1
+        + (three_joint_7_x_0_0_0_2 - three_joint_7_y_0_1_0_3);
+    let three_joint_7_y_1_0 = inertias.inside_joint_7_mx_0_1
         + poses.minus_rotation_link_6_xy * inertias.inertia_link_7_zz
         - (poses.minus_rotation_link_6_xy * inertias.inertia_link_7_yy
             + inertias.inside_joint_7_mx_0_0_0)
         - (screws.inside_joint_7_mx_5 - screws.inside_joint_7_mx_4);
-    let d_mu_12_6_0_0_0_1_1_1_0 = d_mu_12_6_0_0_0_1_1_1_0_1 + d_mu_12_6_0_0_0_1_1_1_0_1
-        - (d_mu_12_6_0_0_0_0_1_1_0_1_0_3 + d_mu_12_6_0_0_0_0_0_1_0_0_0_3);
+    let three_joint_7_z_1_0 = three_joint_7_z_1_0_1 + three_joint_7_z_1_0_1
+        - (three_joint_7_y_0_1_0_3 + three_joint_7_x_0_0_0_3);
     CommonDMuAnd7More {
-        d_mu_7_6_0_0_0_0_0_1_0_0_0,
-        d_mu_7_6_0_0_0_0_0_1_0_1_0,
-        d_mu_7_6_0_0_0_0_0_1_1_0,
-        d_mu_7_6_0_0_0_0_1_1_0_0_0,
-        d_mu_7_6_0_0_0_0_1_1_1_0,
-        d_mu_7_6_0_0_0_1_1_1_0,
-        d_mu_8_6_0_0_0_0_0_1_0_0_0,
-        d_mu_8_6_0_0_0_0_0_1_0_1_0,
-        d_mu_8_6_0_0_0_0_0_1_1_0,
-        d_mu_8_6_0_0_0_0_1_1_0_1_0,
-        d_mu_8_6_0_0_0_0_1_1_1_0,
-        d_mu_8_6_0_0_0_1_1_1_0,
-        d_mu_9_6_0_0_0_0_0_1_0_0_0,
-        d_mu_9_6_0_0_0_0_0_1_0_1_0,
-        d_mu_9_6_0_0_0_0_0_1_1_0,
-        d_mu_9_6_0_0_0_0_1_1_0_1_0,
-        d_mu_9_6_0_0_0_0_1_1_1_0,
-        d_mu_9_6_0_0_0_1_1_1_0,
-        d_mu_10_6_0_0_0_0_0_1_0_0_0,
-        d_mu_10_6_0_0_0_0_0_1_0_1_0,
-        d_mu_10_6_0_0_0_0_0_1_1_0,
-        d_mu_10_6_0_0_0_0_1_1_0_1_0,
-        d_mu_10_6_0_0_0_0_1_1_1_0,
-        d_mu_10_6_0_0_0_1_1_1_0,
-        d_mu_11_6_0_0_0_0_0_1_0_0_0,
-        d_mu_11_6_0_0_0_0_0_1_0_1_0,
-        d_mu_11_6_0_0_0_0_0_1_1_0,
-        d_mu_11_6_0_0_0_0_1_1_0_1_0,
-        d_mu_11_6_0_0_0_0_1_1_1_0,
-        d_mu_11_6_0_0_0_1_1_1_0,
-        d_mu_12_6_0_0_0_0_0_1_0_0_0,
-        d_mu_12_6_0_0_0_0_0_1_0_1_0,
-        d_mu_12_6_0_0_0_0_0_1_1_0,
-        d_mu_12_6_0_0_0_0_1_1_0_1_0,
-        d_mu_12_6_0_0_0_0_1_1_1_0,
-        d_mu_12_6_0_0_0_1_1_1_0,
+        three_joint_2_x_0_0_0,
+        three_joint_2_x_0_1_0,
+        three_joint_2_x_1_0,
+        three_joint_2_y_0_0_0,
+        three_joint_2_y_1_0,
+        three_joint_2_z_1_0,
+        three_joint_3_x_0_0_0,
+        three_joint_3_x_0_1_0,
+        three_joint_3_x_1_0,
+        three_joint_3_y_0_1_0,
+        three_joint_3_y_1_0,
+        three_joint_3_z_1_0,
+        three_joint_4_x_0_0_0,
+        three_joint_4_x_0_1_0,
+        three_joint_4_x_1_0,
+        three_joint_4_y_0_1_0,
+        three_joint_4_y_1_0,
+        three_joint_4_z_1_0,
+        three_joint_5_x_0_0_0,
+        three_joint_5_x_0_1_0,
+        three_joint_5_x_1_0,
+        three_joint_5_y_0_1_0,
+        three_joint_5_y_1_0,
+        three_joint_5_z_1_0,
+        three_joint_6_x_0_0_0,
+        three_joint_6_x_0_1_0,
+        three_joint_6_x_1_0,
+        three_joint_6_y_0_1_0,
+        three_joint_6_y_1_0,
+        three_joint_6_z_1_0,
+        three_joint_7_x_0_0_0,
+        three_joint_7_x_0_1_0,
+        three_joint_7_x_1_0,
+        three_joint_7_y_0_1_0,
+        three_joint_7_y_1_0,
+        three_joint_7_z_1_0,
     }
 }
 /// What `d_mu`, `b2`, `curvature` have in common.
 struct CommonDMuB2Curvature {
-    wrench_base_mx_1_0_0_0: f64,
-    wrench_base_mx_1_0_1_0: f64,
-    wrench_link_1_mx_1_0_0_0: f64,
-    wrench_link_1_mx_1_0_1_0: f64,
-    wrench_link_1_mx_1_1_0: f64,
-    wrench_link_1_my_1_0_1_0: f64,
-    wrench_link_1_my_1_1_0: f64,
-    wrench_link_1_mz_1_1_0: f64,
-    wrench_link_2_mx_1_0_0_0: f64,
-    wrench_link_2_mx_1_0_1_0: f64,
-    wrench_link_2_mx_1_1_0: f64,
-    wrench_link_2_my_1_0_1_0: f64,
-    wrench_link_2_my_1_1_0: f64,
-    wrench_link_2_mz_1_1_0: f64,
-    wrench_link_3_mx_1_0_0_0: f64,
-    wrench_link_3_mx_1_0_1_0: f64,
-    wrench_link_3_mx_1_1_0: f64,
-    wrench_link_3_my_1_0_1_0: f64,
-    wrench_link_3_my_1_1_0: f64,
-    wrench_link_3_mz_1_1_0: f64,
-    wrench_link_4_mx_1_0_0_0: f64,
-    wrench_link_4_mx_1_0_1_0: f64,
-    wrench_link_4_mx_1_1_0: f64,
-    wrench_link_4_my_1_0_1_0: f64,
-    wrench_link_4_my_1_1_0: f64,
-    wrench_link_4_mz_1_1_0: f64,
-    wrench_link_5_mx_1_0_0_0: f64,
-    wrench_link_5_mx_1_0_1_0: f64,
-    wrench_link_5_mx_1_1_0: f64,
-    wrench_link_5_my_1_0_1_0: f64,
-    wrench_link_5_my_1_1_0: f64,
-    wrench_link_5_mz_1_1_0: f64,
+    d_mu_7_6_0_0_1_0_1_0_0_0: f64,
+    d_mu_7_6_0_0_1_0_1_0_1_0: f64,
+    d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0: f64,
+    d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_8_7_0_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_8_7_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_8_7_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_8_7_0_0_0_1_0_1_1_0: f64,
+    d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0: f64,
+    d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_9_8_0_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_9_8_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_9_8_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_9_8_0_0_0_1_0_1_1_0: f64,
+    d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0: f64,
+    d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_10_9_0_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_10_9_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_10_9_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_10_9_0_0_0_1_0_1_1_0: f64,
+    d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0: f64,
+    d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_11_10_0_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_11_10_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_11_10_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_11_10_0_0_0_1_0_1_1_0: f64,
+    d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0: f64,
+    d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_12_11_0_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_12_11_0_0_0_0_1_0_1_0_1_0: f64,
+    d_mu_12_11_0_0_0_0_1_0_1_1_0: f64,
+    d_mu_12_11_0_0_0_1_0_1_1_0: f64,
 }
 /// What `d_mu`, `b2`, `curvature` have in common.
 #[inline(never)]
@@ -3100,271 +3052,276 @@ fn common_d_mu_b2_curvature(
     complements: &Complements,
     screws: &Screws,
 ) -> CommonDMuB2Curvature {
-    let wrench_base_mx_1_0_0_0_3 = inertias.minus_inertia_base_hy
+    let d_mu_7_6_0_0_1_0_1_0_0_0_3 = inertias.minus_inertia_base_hy
         * poses.minus_origin_base_x;
-    let wrench_base_mx_1_0_0_0 = inertias.minus_inertia_base_xy
+    let d_mu_7_6_0_0_1_0_1_0_0_0 = inertias.minus_inertia_base_xy
         + inertias.minus_inertia_base_xy
-        - (wrench_base_mx_1_0_0_0_3 + wrench_base_mx_1_0_0_0_3);
-    let wrench_base_mx_1_0_1_0 = inertias.inertia_base_xx - inertias.inertia_base_yy
+        - (d_mu_7_6_0_0_1_0_1_0_0_0_3 + d_mu_7_6_0_0_1_0_1_0_0_0_3);
+    let d_mu_7_6_0_0_1_0_1_0_1_0 = inertias.inertia_base_xx - inertias.inertia_base_yy
         - (inertias.inertia_base_xx_1 - inertias.inertia_base_yy_1);
-    let wrench_link_1_mz_1_1_0_1_0 = poses.cos_joint_1
+    let d_mu_8_7_0_0_0_1_0_1_1_0_1_0 = poses.cos_joint_1
         * complements.complement_link_2_xz;
-    let wrench_link_1_mz_1_1_0_1_1 = poses.sin_joint_1
+    let d_mu_8_7_0_0_0_1_0_1_1_0_1_1 = poses.sin_joint_1
         * complements.minus_complement_link_2_yz;
-    let wrench_link_1_mz_1_1_0_1 = wrench_link_1_mz_1_1_0_1_0
-        - wrench_link_1_mz_1_1_0_1_1;
-    let wrench_link_1_my_1_0_1_0_3_1 = complements.minus_complement_link_2_hx
+    let d_mu_8_7_0_0_0_1_0_1_1_0_1 = d_mu_8_7_0_0_0_1_0_1_1_0_1_0
+        - d_mu_8_7_0_0_0_1_0_1_1_0_1_1;
+    let d_mu_8_7_0_0_0_0_1_0_1_0_1_0_3_1 = complements.minus_complement_link_2_hx
         * screws.screw_joint_2_vx;
-    let wrench_link_1_mx_1_0_0_0_0_1 = complements.complement_link_2_hy
+    let d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_0_1 = complements.complement_link_2_hy
         * screws.screw_joint_2_vy;
-    let wrench_link_1_mx_1_0_0_0_1_1 = complements.complement_link_2_hz
+    let d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_1_1 = complements.complement_link_2_hz
         * screws.screw_joint_2_vz;
-    let wrench_link_1_mx_1_0_0_0_0 = wrench_link_1_mx_1_0_0_0_0_1
-        + wrench_link_1_mx_1_0_0_0_0_1;
-    let wrench_link_1_mx_1_0_0_0_1 = wrench_link_1_mx_1_0_0_0_1_1
-        + wrench_link_1_mx_1_0_0_0_1_1;
-    let wrench_link_1_my_1_0_1_0_3 = wrench_link_1_my_1_0_1_0_3_1
-        + wrench_link_1_my_1_0_1_0_3_1;
-    let wrench_link_1_mx_1_0_0_0 = wrench_link_1_mx_1_0_0_0_0
-        + wrench_link_1_mx_1_0_0_0_1
-        - (wrench_link_1_mz_1_1_0_1_0 + wrench_link_1_mz_1_1_0_1_0);
-    let wrench_link_1_mx_1_0_1_0 = complements.outside_joint_2_mz_0_1
+    let d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_0 = d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_0_1
+        + d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_0_1;
+    let d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_1 = d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_1_1
+        + d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_1_1;
+    let d_mu_8_7_0_0_0_0_1_0_1_0_1_0_3 = d_mu_8_7_0_0_0_0_1_0_1_0_1_0_3_1
+        + d_mu_8_7_0_0_0_0_1_0_1_0_1_0_3_1;
+    let d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0 = d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_0
+        + d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_1
+        - (d_mu_8_7_0_0_0_1_0_1_1_0_1_0 + d_mu_8_7_0_0_0_1_0_1_1_0_1_0);
+    let d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0 = complements.outside_joint_2_mz_0_1
         - complements.outside_joint_2_mz_0_0
         - (screws.outside_joint_2_mz_1_1 - screws.outside_joint_2_mz_1_0);
-    let wrench_link_1_mx_1_1_0 = complements.outside_joint_2_my_0_0
+    let d_mu_8_7_0_0_0_0_0_1_0_1_1_0 = complements.outside_joint_2_my_0_0
         + poses.cos_joint_1 * complements.complement_link_2_xx
         - poses.cos_joint_1 * complements.complement_link_2_zz
         - (screws.outside_joint_2_my_1_0 - screws.outside_joint_2_my_1_1);
-    let wrench_link_1_my_1_0_1_0 = wrench_link_1_mz_1_1_0_1_1
-        + wrench_link_1_mz_1_1_0_1_1
-        + (wrench_link_1_mx_1_0_0_0_1 - wrench_link_1_my_1_0_1_0_3);
-    let wrench_link_1_my_1_1_0 = poses.sin_joint_1 * complements.complement_link_2_yy
+    let d_mu_8_7_0_0_0_0_1_0_1_0_1_0 = d_mu_8_7_0_0_0_1_0_1_1_0_1_1
+        + d_mu_8_7_0_0_0_1_0_1_1_0_1_1
+        + (d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_1 - d_mu_8_7_0_0_0_0_1_0_1_0_1_0_3);
+    let d_mu_8_7_0_0_0_0_1_0_1_1_0 = poses.sin_joint_1 * complements.complement_link_2_yy
         + complements.outside_joint_2_mx_0_1
         - poses.sin_joint_1 * complements.complement_link_2_zz
         - (screws.outside_joint_2_mx_1_0 + screws.outside_joint_2_mx_1_1);
-    let wrench_link_1_mz_1_1_0 = wrench_link_1_mz_1_1_0_1 + wrench_link_1_mz_1_1_0_1
-        + (wrench_link_1_mx_1_0_0_0_0 - wrench_link_1_my_1_0_1_0_3);
-    let wrench_link_2_mx_1_0_0_0_3_0 = poses.minus_rotation_link_2_yy
+    let d_mu_8_7_0_0_0_1_0_1_1_0 = d_mu_8_7_0_0_0_1_0_1_1_0_1
+        + d_mu_8_7_0_0_0_1_0_1_1_0_1
+        + (d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0_0 - d_mu_8_7_0_0_0_0_1_0_1_0_1_0_3);
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3_0 = poses.minus_rotation_link_2_yy
         * complements.complement_link_3_xz;
-    let wrench_link_2_mx_1_0_0_0_3_1 = poses.cos_joint_2
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3_1 = poses.cos_joint_2
         * complements.complement_link_3_xy;
-    let wrench_link_2_mx_1_0_0_0_3 = wrench_link_2_mx_1_0_0_0_3_0
-        + wrench_link_2_mx_1_0_0_0_3_1;
-    let wrench_link_2_my_1_0_1_0_1_1 = poses.minus_rotation_link_2_xy
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3 = d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3_0
+        + d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3_1;
+    let d_mu_9_8_0_0_0_0_1_0_1_0_1_0_1_1 = poses.minus_rotation_link_2_xy
         * complements.complement_link_3_yz;
-    let wrench_link_2_my_1_0_1_0_1 = wrench_link_2_mx_1_0_0_0_3_1
-        + wrench_link_2_my_1_0_1_0_1_1;
-    let wrench_link_2_mz_1_1_0_1 = wrench_link_2_mx_1_0_0_0_3_0
-        - wrench_link_2_my_1_0_1_0_1_1;
-    let wrench_link_2_my_1_0_1_0_2_1 = complements.complement_link_3_hx
+    let d_mu_9_8_0_0_0_0_1_0_1_0_1_0_1 = d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3_1
+        + d_mu_9_8_0_0_0_0_1_0_1_0_1_0_1_1;
+    let d_mu_9_8_0_0_0_1_0_1_1_0_1 = d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3_0
+        - d_mu_9_8_0_0_0_0_1_0_1_0_1_0_1_1;
+    let d_mu_9_8_0_0_0_0_1_0_1_0_1_0_2_1 = complements.complement_link_3_hx
         * screws.screw_joint_3_vx;
-    let wrench_link_2_mx_1_0_0_0_0_1 = complements.complement_link_3_hy
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_0_1 = complements.complement_link_3_hy
         * screws.screw_joint_3_vy;
-    let wrench_link_2_mx_1_0_0_0_1_1 = complements.complement_link_3_hz
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_1_1 = complements.complement_link_3_hz
         * screws.screw_joint_3_vz;
-    let wrench_link_2_mx_1_0_0_0_0 = wrench_link_2_mx_1_0_0_0_0_1
-        + wrench_link_2_mx_1_0_0_0_0_1;
-    let wrench_link_2_mx_1_0_0_0_1 = wrench_link_2_mx_1_0_0_0_1_1
-        + wrench_link_2_mx_1_0_0_0_1_1;
-    let wrench_link_2_my_1_0_1_0_2 = wrench_link_2_my_1_0_1_0_2_1
-        + wrench_link_2_my_1_0_1_0_2_1;
-    let wrench_link_2_mx_1_0_0_0 = wrench_link_2_mx_1_0_0_0_0
-        + wrench_link_2_mx_1_0_0_0_1
-        - (wrench_link_2_mx_1_0_0_0_3 + wrench_link_2_mx_1_0_0_0_3);
-    let wrench_link_2_mx_1_0_1_0 = poses.cos_joint_2 * complements.complement_link_3_xx
-        + complements.outside_joint_3_mz_0_1_0
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_0 = d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_0_1
+        + d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_0_1;
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_1 = d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_1_1
+        + d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_1_1;
+    let d_mu_9_8_0_0_0_0_1_0_1_0_1_0_2 = d_mu_9_8_0_0_0_0_1_0_1_0_1_0_2_1
+        + d_mu_9_8_0_0_0_0_1_0_1_0_1_0_2_1;
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0 = d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_0
+        + d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_1
+        - (d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3 + d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_3);
+    let d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0 = poses.cos_joint_2
+        * complements.complement_link_3_xx + complements.outside_joint_3_mz_0_1_0
         - (complements.outside_joint_3_mz_0_1_1
             + poses.cos_joint_2 * complements.complement_link_3_yy)
         - (screws.outside_joint_3_mz_1_0 + screws.outside_joint_3_mz_1_1);
-    let wrench_link_2_mx_1_1_0 = poses.minus_rotation_link_2_yy
+    let d_mu_9_8_0_0_0_0_0_1_0_1_1_0 = poses.minus_rotation_link_2_yy
         * complements.complement_link_3_xx - complements.outside_joint_3_my_0_1_0
         - (poses.minus_rotation_link_2_yy * complements.complement_link_3_zz
             + complements.outside_joint_3_my_0_0)
         - (screws.outside_joint_3_my_1_1 + screws.outside_joint_3_my_1_0);
-    let wrench_link_2_my_1_0_1_0 = wrench_link_2_my_1_0_1_0_1
-        + wrench_link_2_my_1_0_1_0_1
-        + (wrench_link_2_my_1_0_1_0_2 + wrench_link_2_mx_1_0_0_0_1);
-    let wrench_link_2_my_1_1_0 = complements.outside_joint_3_mx_0_0
+    let d_mu_9_8_0_0_0_0_1_0_1_0_1_0 = d_mu_9_8_0_0_0_0_1_0_1_0_1_0_1
+        + d_mu_9_8_0_0_0_0_1_0_1_0_1_0_1
+        + (d_mu_9_8_0_0_0_0_1_0_1_0_1_0_2 + d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_1);
+    let d_mu_9_8_0_0_0_0_1_0_1_1_0 = complements.outside_joint_3_mx_0_0
         + poses.minus_rotation_link_2_xy * complements.complement_link_3_zz
         + (complements.outside_joint_3_mx_0_1_1
             - poses.minus_rotation_link_2_xy * complements.complement_link_3_yy)
         - (screws.outside_joint_3_mx_1_0 + screws.outside_joint_3_mx_1_1);
-    let wrench_link_2_mz_1_1_0 = wrench_link_2_mz_1_1_0_1 + wrench_link_2_mz_1_1_0_1
-        + (wrench_link_2_my_1_0_1_0_2 + wrench_link_2_mx_1_0_0_0_0);
-    let wrench_link_3_mx_1_0_0_0_1_0 = poses.rotation_link_3_yy
+    let d_mu_9_8_0_0_0_1_0_1_1_0 = d_mu_9_8_0_0_0_1_0_1_1_0_1
+        + d_mu_9_8_0_0_0_1_0_1_1_0_1
+        + (d_mu_9_8_0_0_0_0_1_0_1_0_1_0_2 + d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0_0);
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1_0 = poses.rotation_link_3_yy
         * complements.complement_link_4_xz;
-    let wrench_link_3_mx_1_0_0_0_1_1 = poses.minus_rotation_link_3_zy
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1_1 = poses.minus_rotation_link_3_zy
         * complements.complement_link_4_xy;
-    let wrench_link_3_mx_1_0_0_0_1 = wrench_link_3_mx_1_0_0_0_1_0
-        + wrench_link_3_mx_1_0_0_0_1_1;
-    let wrench_link_3_my_1_0_1_0_1_0 = poses.minus_rotation_link_3_xy
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1 = d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1_0
+        + d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1_1;
+    let d_mu_10_9_0_0_0_0_1_0_1_0_1_0_1_0 = poses.minus_rotation_link_3_xy
         * complements.complement_link_4_yz;
-    let wrench_link_3_my_1_0_1_0_1 = wrench_link_3_my_1_0_1_0_1_0
-        - wrench_link_3_mx_1_0_0_0_1_1;
-    let wrench_link_3_mz_1_1_0_3 = wrench_link_3_my_1_0_1_0_1_0
-        + wrench_link_3_mx_1_0_0_0_1_0;
-    let wrench_link_3_my_1_0_1_0_2_1 = complements.complement_link_4_hx
+    let d_mu_10_9_0_0_0_0_1_0_1_0_1_0_1 = d_mu_10_9_0_0_0_0_1_0_1_0_1_0_1_0
+        - d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1_1;
+    let d_mu_10_9_0_0_0_1_0_1_1_0_3 = d_mu_10_9_0_0_0_0_1_0_1_0_1_0_1_0
+        + d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1_0;
+    let d_mu_10_9_0_0_0_0_1_0_1_0_1_0_2_1 = complements.complement_link_4_hx
         * screws.screw_joint_4_vx;
-    let wrench_link_3_mx_1_0_0_0_2_1 = complements.complement_link_4_hy
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_2_1 = complements.complement_link_4_hy
         * screws.minus_screw_joint_4_vy;
-    let wrench_link_3_mx_1_0_0_0_3_1 = complements.complement_link_4_hz
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_3_1 = complements.complement_link_4_hz
         * screws.minus_screw_joint_4_vz;
-    let wrench_link_3_mx_1_0_0_0_2 = wrench_link_3_mx_1_0_0_0_2_1
-        + wrench_link_3_mx_1_0_0_0_2_1;
-    let wrench_link_3_mx_1_0_0_0_3 = wrench_link_3_mx_1_0_0_0_3_1
-        + wrench_link_3_mx_1_0_0_0_3_1;
-    let wrench_link_3_my_1_0_1_0_2 = wrench_link_3_my_1_0_1_0_2_1
-        + wrench_link_3_my_1_0_1_0_2_1;
-    let wrench_link_3_mx_1_0_0_0 = wrench_link_3_mx_1_0_0_0_1
-        + wrench_link_3_mx_1_0_0_0_1
-        - (wrench_link_3_mx_1_0_0_0_2 + wrench_link_3_mx_1_0_0_0_3);
-    let wrench_link_3_mx_1_0_1_0 = complements.outside_joint_4_mz_0_0_0
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_2 = d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_2_1
+        + d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_2_1;
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_3 = d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_3_1
+        + d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_3_1;
+    let d_mu_10_9_0_0_0_0_1_0_1_0_1_0_2 = d_mu_10_9_0_0_0_0_1_0_1_0_1_0_2_1
+        + d_mu_10_9_0_0_0_0_1_0_1_0_1_0_2_1;
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0 = d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1
+        + d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_1
+        - (d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_2 + d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_3);
+    let d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0 = complements.outside_joint_4_mz_0_0_0
         + poses.minus_rotation_link_3_zy * complements.complement_link_4_yy
         + (complements.outside_joint_4_mz_0_0_1
             - poses.minus_rotation_link_3_zy * complements.complement_link_4_xx)
         - (screws.outside_joint_4_mz_1_1 - screws.outside_joint_4_mz_1_0);
-    let wrench_link_3_mx_1_1_0 = poses.rotation_link_3_yy
+    let d_mu_10_9_0_0_0_0_0_1_0_1_1_0 = poses.rotation_link_3_yy
         * complements.complement_link_4_zz + complements.outside_joint_4_my_0_1
         - (complements.outside_joint_4_my_0_0_1
             + poses.rotation_link_3_yy * complements.complement_link_4_xx)
         - (screws.outside_joint_4_my_1_0 - screws.outside_joint_4_my_1_1);
-    let wrench_link_3_my_1_0_1_0 = wrench_link_3_my_1_0_1_0_1
-        + wrench_link_3_my_1_0_1_0_1
-        + (wrench_link_3_my_1_0_1_0_2 - wrench_link_3_mx_1_0_0_0_3);
-    let wrench_link_3_my_1_1_0 = poses.minus_rotation_link_3_xy
+    let d_mu_10_9_0_0_0_0_1_0_1_0_1_0 = d_mu_10_9_0_0_0_0_1_0_1_0_1_0_1
+        + d_mu_10_9_0_0_0_0_1_0_1_0_1_0_1
+        + (d_mu_10_9_0_0_0_0_1_0_1_0_1_0_2 - d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_3);
+    let d_mu_10_9_0_0_0_0_1_0_1_1_0 = poses.minus_rotation_link_3_xy
         * complements.complement_link_4_zz - complements.outside_joint_4_mx_0_1
         - (poses.minus_rotation_link_3_xy * complements.complement_link_4_yy
             + complements.outside_joint_4_mx_0_0_0)
         + (screws.outside_joint_4_mx_1_1 + screws.outside_joint_4_mx_1_0);
-    let wrench_link_3_mz_1_1_0 = wrench_link_3_my_1_0_1_0_2 - wrench_link_3_mx_1_0_0_0_2
-        - (wrench_link_3_mz_1_1_0_3 + wrench_link_3_mz_1_1_0_3);
-    let wrench_link_4_mx_1_0_0_0_3_0 = poses.rotation_link_4_yy
+    let d_mu_10_9_0_0_0_1_0_1_1_0 = d_mu_10_9_0_0_0_0_1_0_1_0_1_0_2
+        - d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0_2
+        - (d_mu_10_9_0_0_0_1_0_1_1_0_3 + d_mu_10_9_0_0_0_1_0_1_1_0_3);
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3_0 = poses.rotation_link_4_yy
         * complements.complement_link_5_xz;
-    let wrench_link_4_mx_1_0_0_0_3_1 = poses.rotation_link_5_zz
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3_1 = poses.rotation_link_5_zz
         * complements.complement_link_5_xy;
-    let wrench_link_4_mx_1_0_0_0_3 = wrench_link_4_mx_1_0_0_0_3_0
-        + wrench_link_4_mx_1_0_0_0_3_1;
-    let wrench_link_4_my_1_0_1_0_1_1 = poses.rotation_link_4_xy
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3 = d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3_0
+        + d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3_1;
+    let d_mu_11_10_0_0_0_0_1_0_1_0_1_0_1_1 = poses.rotation_link_4_xy
         * complements.complement_link_5_yz;
-    let wrench_link_4_my_1_0_1_0_1 = wrench_link_4_mx_1_0_0_0_3_1
-        + wrench_link_4_my_1_0_1_0_1_1;
-    let wrench_link_4_mz_1_1_0_1 = wrench_link_4_mx_1_0_0_0_3_0
-        - wrench_link_4_my_1_0_1_0_1_1;
-    let wrench_link_4_my_1_0_1_0_2_1 = complements.complement_link_5_hx
+    let d_mu_11_10_0_0_0_0_1_0_1_0_1_0_1 = d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3_1
+        + d_mu_11_10_0_0_0_0_1_0_1_0_1_0_1_1;
+    let d_mu_11_10_0_0_0_1_0_1_1_0_1 = d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3_0
+        - d_mu_11_10_0_0_0_0_1_0_1_0_1_0_1_1;
+    let d_mu_11_10_0_0_0_0_1_0_1_0_1_0_2_1 = complements.complement_link_5_hx
         * screws.screw_joint_5_vx;
-    let wrench_link_4_mx_1_0_0_0_0_1 = complements.complement_link_5_hy
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_0_1 = complements.complement_link_5_hy
         * screws.screw_joint_5_vy;
-    let wrench_link_4_mx_1_0_0_0_1_1 = complements.complement_link_5_hz
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_1_1 = complements.complement_link_5_hz
         * screws.screw_joint_5_vz;
-    let wrench_link_4_mx_1_0_0_0_0 = wrench_link_4_mx_1_0_0_0_0_1
-        + wrench_link_4_mx_1_0_0_0_0_1;
-    let wrench_link_4_mx_1_0_0_0_1 = wrench_link_4_mx_1_0_0_0_1_1
-        + wrench_link_4_mx_1_0_0_0_1_1;
-    let wrench_link_4_my_1_0_1_0_2 = wrench_link_4_my_1_0_1_0_2_1
-        + wrench_link_4_my_1_0_1_0_2_1;
-    let wrench_link_4_mx_1_0_0_0 = wrench_link_4_mx_1_0_0_0_0
-        + wrench_link_4_mx_1_0_0_0_1
-        - (wrench_link_4_mx_1_0_0_0_3 + wrench_link_4_mx_1_0_0_0_3);
-    let wrench_link_4_mx_1_0_1_0 = poses.rotation_link_5_zz
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_0 = d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_0_1
+        + d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_0_1;
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_1 = d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_1_1
+        + d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_1_1;
+    let d_mu_11_10_0_0_0_0_1_0_1_0_1_0_2 = d_mu_11_10_0_0_0_0_1_0_1_0_1_0_2_1
+        + d_mu_11_10_0_0_0_0_1_0_1_0_1_0_2_1;
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0 = d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_0
+        + d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_1
+        - (d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3 + d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_3);
+    let d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0 = poses.rotation_link_5_zz
         * complements.complement_link_5_xx + complements.outside_joint_5_mz_0_1_0
         - (complements.outside_joint_5_mz_0_1_1
             + poses.rotation_link_5_zz * complements.complement_link_5_yy)
         - (screws.outside_joint_5_mz_1_0 + screws.outside_joint_5_mz_1_1);
-    let wrench_link_4_mx_1_1_0 = poses.rotation_link_4_yy
+    let d_mu_11_10_0_0_0_0_0_1_0_1_1_0 = poses.rotation_link_4_yy
         * complements.complement_link_5_xx - complements.outside_joint_5_my_0_1_0
         - (poses.rotation_link_4_yy * complements.complement_link_5_zz
             + complements.outside_joint_5_my_0_0)
         - (screws.outside_joint_5_my_1_1 + screws.outside_joint_5_my_1_0);
-    let wrench_link_4_my_1_0_1_0 = wrench_link_4_my_1_0_1_0_1
-        + wrench_link_4_my_1_0_1_0_1
-        + (wrench_link_4_my_1_0_1_0_2 + wrench_link_4_mx_1_0_0_0_1);
-    let wrench_link_4_my_1_1_0 = complements.outside_joint_5_mx_0_0
+    let d_mu_11_10_0_0_0_0_1_0_1_0_1_0 = d_mu_11_10_0_0_0_0_1_0_1_0_1_0_1
+        + d_mu_11_10_0_0_0_0_1_0_1_0_1_0_1
+        + (d_mu_11_10_0_0_0_0_1_0_1_0_1_0_2 + d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_1);
+    let d_mu_11_10_0_0_0_0_1_0_1_1_0 = complements.outside_joint_5_mx_0_0
         + poses.rotation_link_4_xy * complements.complement_link_5_zz
         + (complements.outside_joint_5_mx_0_1_1
             - poses.rotation_link_4_xy * complements.complement_link_5_yy)
         - (screws.outside_joint_5_mx_1_0 + screws.outside_joint_5_mx_1_1);
-    let wrench_link_4_mz_1_1_0 = wrench_link_4_mz_1_1_0_1 + wrench_link_4_mz_1_1_0_1
-        + (wrench_link_4_my_1_0_1_0_2 + wrench_link_4_mx_1_0_0_0_0);
-    let wrench_link_5_mx_1_0_0_0_3_0 = poses.rotation_link_5_yy
+    let d_mu_11_10_0_0_0_1_0_1_1_0 = d_mu_11_10_0_0_0_1_0_1_1_0_1
+        + d_mu_11_10_0_0_0_1_0_1_1_0_1
+        + (d_mu_11_10_0_0_0_0_1_0_1_0_1_0_2 + d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0_0);
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3_0 = poses.rotation_link_5_yy
         * complements.complement_link_6_xz;
-    let wrench_link_5_mx_1_0_0_0_3_1 = poses.rotation_link_6_zz
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3_1 = poses.rotation_link_6_zz
         * complements.complement_link_6_xy;
-    let wrench_link_5_mx_1_0_0_0_3 = wrench_link_5_mx_1_0_0_0_3_0
-        + wrench_link_5_mx_1_0_0_0_3_1;
-    let wrench_link_5_my_1_0_1_0_1_1 = poses.rotation_link_6_xz
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3 = d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3_0
+        + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3_1;
+    let d_mu_12_11_0_0_0_0_1_0_1_0_1_0_1_1 = poses.rotation_link_6_xz
         * complements.complement_link_6_yz;
-    let wrench_link_5_my_1_0_1_0_1 = wrench_link_5_mx_1_0_0_0_3_1
-        - wrench_link_5_my_1_0_1_0_1_1;
-    let wrench_link_5_mz_1_1_0_1 = wrench_link_5_my_1_0_1_0_1_1
-        + wrench_link_5_mx_1_0_0_0_3_0;
-    let wrench_link_5_my_1_0_1_0_2_1 = complements.complement_link_6_hx
+    let d_mu_12_11_0_0_0_0_1_0_1_0_1_0_1 = d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3_1
+        - d_mu_12_11_0_0_0_0_1_0_1_0_1_0_1_1;
+    let d_mu_12_11_0_0_0_1_0_1_1_0_1 = d_mu_12_11_0_0_0_0_1_0_1_0_1_0_1_1
+        + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3_0;
+    let d_mu_12_11_0_0_0_0_1_0_1_0_1_0_2_1 = complements.complement_link_6_hx
         * screws.screw_joint_6_vx;
-    let wrench_link_5_mx_1_0_0_0_0_1 = complements.complement_link_6_hy
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_0_1 = complements.complement_link_6_hy
         * screws.screw_joint_6_vy;
-    let wrench_link_5_mx_1_0_0_0_1_1 = complements.complement_link_6_hz
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_1_1 = complements.complement_link_6_hz
         * screws.screw_joint_6_vz;
-    let wrench_link_5_mx_1_0_0_0_0 = wrench_link_5_mx_1_0_0_0_0_1
-        + wrench_link_5_mx_1_0_0_0_0_1;
-    let wrench_link_5_mx_1_0_0_0_1 = wrench_link_5_mx_1_0_0_0_1_1
-        + wrench_link_5_mx_1_0_0_0_1_1;
-    let wrench_link_5_my_1_0_1_0_2 = wrench_link_5_my_1_0_1_0_2_1
-        + wrench_link_5_my_1_0_1_0_2_1;
-    let wrench_link_5_mx_1_0_0_0 = wrench_link_5_mx_1_0_0_0_0
-        + wrench_link_5_mx_1_0_0_0_1
-        - (wrench_link_5_mx_1_0_0_0_3 + wrench_link_5_mx_1_0_0_0_3);
-    let wrench_link_5_mx_1_0_1_0 = poses.rotation_link_6_zz
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_0 = d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_0_1
+        + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_0_1;
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_1 = d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_1_1
+        + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_1_1;
+    let d_mu_12_11_0_0_0_0_1_0_1_0_1_0_2 = d_mu_12_11_0_0_0_0_1_0_1_0_1_0_2_1
+        + d_mu_12_11_0_0_0_0_1_0_1_0_1_0_2_1;
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0 = d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_0
+        + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_1
+        - (d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3 + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_3);
+    let d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0 = poses.rotation_link_6_zz
         * complements.complement_link_6_xx - complements.outside_joint_6_mz_0_0_0
         - (complements.outside_joint_6_mz_0_0_1
             + poses.rotation_link_6_zz * complements.complement_link_6_yy)
         - (screws.outside_joint_6_mz_1_0 + screws.outside_joint_6_mz_1_1);
-    let wrench_link_5_mx_1_1_0 = complements.outside_joint_6_my_0_0_0
+    let d_mu_12_11_0_0_0_0_0_1_0_1_1_0 = complements.outside_joint_6_my_0_0_0
         + poses.rotation_link_5_yy * complements.complement_link_6_xx
         - (poses.rotation_link_5_yy * complements.complement_link_6_zz
             + complements.outside_joint_6_my_0_1)
         - (screws.outside_joint_6_my_1_1 + screws.outside_joint_6_my_1_0);
-    let wrench_link_5_my_1_0_1_0 = wrench_link_5_my_1_0_1_0_1
-        + wrench_link_5_my_1_0_1_0_1
-        + (wrench_link_5_my_1_0_1_0_2 + wrench_link_5_mx_1_0_0_0_1);
-    let wrench_link_5_my_1_1_0 = complements.outside_joint_6_mx_0_1
+    let d_mu_12_11_0_0_0_0_1_0_1_0_1_0 = d_mu_12_11_0_0_0_0_1_0_1_0_1_0_1
+        + d_mu_12_11_0_0_0_0_1_0_1_0_1_0_1
+        + (d_mu_12_11_0_0_0_0_1_0_1_0_1_0_2 + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_1);
+    let d_mu_12_11_0_0_0_0_1_0_1_1_0 = complements.outside_joint_6_mx_0_1
         - poses.rotation_link_6_xz * complements.complement_link_6_zz
         + (poses.rotation_link_6_xz * complements.complement_link_6_yy
             + complements.outside_joint_6_mx_0_0_1)
         - (screws.outside_joint_6_mx_1_0 + screws.outside_joint_6_mx_1_1);
-    let wrench_link_5_mz_1_1_0 = wrench_link_5_mz_1_1_0_1 + wrench_link_5_mz_1_1_0_1
-        + (wrench_link_5_my_1_0_1_0_2 + wrench_link_5_mx_1_0_0_0_0);
+    let d_mu_12_11_0_0_0_1_0_1_1_0 = d_mu_12_11_0_0_0_1_0_1_1_0_1
+        + d_mu_12_11_0_0_0_1_0_1_1_0_1
+        + (d_mu_12_11_0_0_0_0_1_0_1_0_1_0_2 + d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0_0);
     CommonDMuB2Curvature {
-        wrench_base_mx_1_0_0_0,
-        wrench_base_mx_1_0_1_0,
-        wrench_link_1_mx_1_0_0_0,
-        wrench_link_1_mx_1_0_1_0,
-        wrench_link_1_mx_1_1_0,
-        wrench_link_1_my_1_0_1_0,
-        wrench_link_1_my_1_1_0,
-        wrench_link_1_mz_1_1_0,
-        wrench_link_2_mx_1_0_0_0,
-        wrench_link_2_mx_1_0_1_0,
-        wrench_link_2_mx_1_1_0,
-        wrench_link_2_my_1_0_1_0,
-        wrench_link_2_my_1_1_0,
-        wrench_link_2_mz_1_1_0,
-        wrench_link_3_mx_1_0_0_0,
-        wrench_link_3_mx_1_0_1_0,
-        wrench_link_3_mx_1_1_0,
-        wrench_link_3_my_1_0_1_0,
-        wrench_link_3_my_1_1_0,
-        wrench_link_3_mz_1_1_0,
-        wrench_link_4_mx_1_0_0_0,
-        wrench_link_4_mx_1_0_1_0,
-        wrench_link_4_mx_1_1_0,
-        wrench_link_4_my_1_0_1_0,
-        wrench_link_4_my_1_1_0,
-        wrench_link_4_mz_1_1_0,
-        wrench_link_5_mx_1_0_0_0,
-        wrench_link_5_mx_1_0_1_0,
-        wrench_link_5_mx_1_1_0,
-        wrench_link_5_my_1_0_1_0,
-        wrench_link_5_my_1_1_0,
-        wrench_link_5_mz_1_1_0,
+        d_mu_7_6_0_0_1_0_1_0_0_0,
+        d_mu_7_6_0_0_1_0_1_0_1_0,
+        d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0,
+        d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0,
+        d_mu_8_7_0_0_0_0_0_1_0_1_1_0,
+        d_mu_8_7_0_0_0_0_1_0_1_0_1_0,
+        d_mu_8_7_0_0_0_0_1_0_1_1_0,
+        d_mu_8_7_0_0_0_1_0_1_1_0,
+        d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0,
+        d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0,
+        d_mu_9_8_0_0_0_0_0_1_0_1_1_0,
+        d_mu_9_8_0_0_0_0_1_0_1_0_1_0,
+        d_mu_9_8_0_0_0_0_1_0_1_1_0,
+        d_mu_9_8_0_0_0_1_0_1_1_0,
+        d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0,
+        d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0,
+        d_mu_10_9_0_0_0_0_0_1_0_1_1_0,
+        d_mu_10_9_0_0_0_0_1_0_1_0_1_0,
+        d_mu_10_9_0_0_0_0_1_0_1_1_0,
+        d_mu_10_9_0_0_0_1_0_1_1_0,
+        d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0,
+        d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0,
+        d_mu_11_10_0_0_0_0_0_1_0_1_1_0,
+        d_mu_11_10_0_0_0_0_1_0_1_0_1_0,
+        d_mu_11_10_0_0_0_0_1_0_1_1_0,
+        d_mu_11_10_0_0_0_1_0_1_1_0,
+        d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0,
+        d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0,
+        d_mu_12_11_0_0_0_0_0_1_0_1_1_0,
+        d_mu_12_11_0_0_0_0_1_0_1_0_1_0,
+        d_mu_12_11_0_0_0_0_1_0_1_1_0,
+        d_mu_12_11_0_0_0_1_0_1_1_0,
     }
 }
 /// What `d_mu`, `b2` have in common.
@@ -3402,358 +3359,358 @@ fn common_d_mu_b2(
     common_d_mu_and_7_more: &CommonDMuAnd7More,
     common_d_mu_b2_curvature: &CommonDMuB2Curvature,
 ) -> CommonDMuB2 {
-    let wrench_base_my_1 = inertias.composite_base_xx * mu[0]
+    let d_mu_7_6_8_1 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let wrench_base_mx_3 = inertias.composite_base_xy * mu[0]
+    let d_mu_7_6_6_3 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let wrench_base_mx_1 = inertias.composite_base_xz * mu[0]
+    let d_mu_7_6_6_1 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let wrench_link_1_fy_1 = mu[0] * 35.0;
-    let wrench_link_1_fx_3 = mu[1] * 35.0;
-    let wrench_link_1_fx_1 = mu[2] * 35.0;
-    let wrench_base_mx = reactions.reaction_joint_1_wy * wrench_base_mx_1
-        - reactions.reaction_joint_1_wz * wrench_base_mx_3
-        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * mu[1]
+    let d_mu_8_7_14_1 = mu[0] * 35.0;
+    let d_mu_8_7_12_3 = mu[1] * 35.0;
+    let d_mu_8_7_12_1 = mu[2] * 35.0;
+    let d_mu_7_6_6 = reactions.reaction_joint_1_wy * d_mu_7_6_6_1
+        - reactions.reaction_joint_1_wz * d_mu_7_6_6_3
+        - (common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0 * mu[1]
             - outside.outside_joint_1_my * mu[2]);
-    let wrench_base_my = reactions.reaction_joint_1_wz * wrench_base_my_1
-        - reactions.reaction_joint_1_wx * wrench_base_mx_1
-        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * mu[0]
+    let d_mu_7_6_8 = reactions.reaction_joint_1_wz * d_mu_7_6_8_1
+        - reactions.reaction_joint_1_wx * d_mu_7_6_6_1
+        - (common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0 * mu[0]
             + outside.outside_joint_1_mx * mu[2]);
-    let wrench_base_mz = reactions.reaction_joint_1_wx * wrench_base_mx_3
-        - reactions.reaction_joint_1_wy * wrench_base_my_1
+    let d_mu_7_6_10 = reactions.reaction_joint_1_wx * d_mu_7_6_6_3
+        - reactions.reaction_joint_1_wy * d_mu_7_6_8_1
         - (outside.outside_joint_1_mx * mu[1] - outside.outside_joint_1_my * mu[0]
-            + common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * mu[2]);
-    let wrench_link_1_mx = reactions.reaction_joint_2_wy * wrench_base_mx_1
-        - reactions.reaction_joint_2_wz * wrench_base_mx_3
-        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * mu[2]);
-    let wrench_link_1_my = reactions.reaction_joint_2_wz * wrench_base_my_1
-        - reactions.reaction_joint_2_wx * wrench_base_mx_1
-        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * mu[2]);
-    let wrench_link_1_mz = reactions.reaction_joint_2_wx * wrench_base_mx_3
-        - reactions.reaction_joint_2_wy * wrench_base_my_1
-        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0 * mu[2]);
-    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
-        - reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
-    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
-    let wrench_link_1_fz = reactions.reaction_joint_2_vx * wrench_link_1_fx_3
-        - reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
-    let d_mu_8_6_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * mu[2];
-    let d_mu_8_6_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * mu[2];
-    let d_mu_8_6_5 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * mu[2];
-    let wrench_link_2_mx = reactions.reaction_joint_3_wy * wrench_base_mx_1
-        - reactions.reaction_joint_3_wz * wrench_base_mx_3
-        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * mu[2]);
-    let wrench_link_2_my = reactions.reaction_joint_3_wz * wrench_base_my_1
-        - reactions.reaction_joint_3_wx * wrench_base_mx_1
-        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * mu[2]);
-    let wrench_link_2_mz = reactions.reaction_joint_3_wx * wrench_base_mx_3
-        - reactions.reaction_joint_3_wy * wrench_base_my_1
-        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0 * mu[2]);
-    let wrench_link_2_fx = reactions.reaction_joint_3_vy * wrench_link_1_fx_1
-        - reactions.reaction_joint_3_vz * wrench_link_1_fx_3;
-    let wrench_link_2_fy = reactions.reaction_joint_3_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_3_vx * wrench_link_1_fx_1;
-    let wrench_link_2_fz = reactions.reaction_joint_3_vx * wrench_link_1_fx_3
-        - reactions.reaction_joint_3_vy * wrench_link_1_fy_1;
-    let d_mu_9_6_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * mu[2];
-    let d_mu_9_6_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * mu[2];
-    let d_mu_9_6_5 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * mu[1]
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * mu[2];
-    let wrench_link_3_mx = reactions.reaction_joint_4_wy * wrench_base_mx_1
-        - reactions.reaction_joint_4_wz * wrench_base_mx_3
-        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * mu[2]);
-    let wrench_link_3_my = reactions.reaction_joint_4_wz * wrench_base_my_1
-        - reactions.reaction_joint_4_wx * wrench_base_mx_1
-        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * mu[2]);
-    let wrench_link_3_mz = reactions.reaction_joint_4_wx * wrench_base_mx_3
-        - reactions.reaction_joint_4_wy * wrench_base_my_1
-        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0 * mu[2]);
-    let wrench_link_3_fx = reactions.reaction_joint_4_vy * wrench_link_1_fx_1
-        + reactions.minus_reaction_joint_4_vz * wrench_link_1_fx_3;
-    let minus_wrench_link_3_fy = reactions.minus_reaction_joint_4_vz * wrench_link_1_fy_1
-        + reactions.reaction_joint_4_vx * wrench_link_1_fx_1;
-    let wrench_link_3_fz = reactions.reaction_joint_4_vx * wrench_link_1_fx_3
-        - reactions.reaction_joint_4_vy * wrench_link_1_fy_1;
-    let d_mu_10_6_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * mu[2];
-    let d_mu_10_6_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * mu[2];
-    let d_mu_10_6_5 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * mu[2];
-    let wrench_link_4_mx = reactions.reaction_joint_5_wy * wrench_base_mx_1
-        - reactions.reaction_joint_5_wz * wrench_base_mx_3
-        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * mu[2]);
-    let wrench_link_4_my = reactions.reaction_joint_5_wz * wrench_base_my_1
-        - reactions.reaction_joint_5_wx * wrench_base_mx_1
-        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * mu[2]);
-    let wrench_link_4_mz = reactions.reaction_joint_5_wx * wrench_base_mx_3
-        - reactions.reaction_joint_5_wy * wrench_base_my_1
-        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0 * mu[2]);
-    let wrench_link_4_fx = reactions.reaction_joint_5_vy * wrench_link_1_fx_1
-        - reactions.reaction_joint_5_vz * wrench_link_1_fx_3;
-    let wrench_link_4_fy = reactions.reaction_joint_5_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_5_vx * wrench_link_1_fx_1;
-    let wrench_link_4_fz = reactions.reaction_joint_5_vx * wrench_link_1_fx_3
-        - reactions.reaction_joint_5_vy * wrench_link_1_fy_1;
-    let d_mu_11_6_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * mu[2];
-    let d_mu_11_6_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * mu[2];
-    let d_mu_11_6_5 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * mu[2];
-    let wrench_link_5_mx = reactions.reaction_joint_6_wy * wrench_base_mx_1
-        - reactions.reaction_joint_6_wz * wrench_base_mx_3
-        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * mu[2]);
-    let wrench_link_5_my = reactions.reaction_joint_6_wz * wrench_base_my_1
-        - reactions.reaction_joint_6_wx * wrench_base_mx_1
-        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0 * mu[2]);
-    let wrench_link_5_mz = reactions.reaction_joint_6_wx * wrench_base_mx_3
-        - reactions.reaction_joint_6_wy * wrench_base_my_1
-        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * mu[0]
-            + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0 * mu[1]
-            + common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0 * mu[2]);
-    let wrench_link_5_fx = reactions.reaction_joint_6_vy * wrench_link_1_fx_1
-        - reactions.reaction_joint_6_vz * wrench_link_1_fx_3;
-    let wrench_link_5_fy = reactions.reaction_joint_6_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_6_vx * wrench_link_1_fx_1;
-    let wrench_link_5_fz = reactions.reaction_joint_6_vx * wrench_link_1_fx_3
-        - reactions.reaction_joint_6_vy * wrench_link_1_fy_1;
-    let d_mu_12_6_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * mu[2];
-    let d_mu_12_6_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * mu[2];
-    let d_mu_12_6_5 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * mu[0]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * mu[1]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * mu[2];
-    let d_mu_7_6 = reactions.reaction_joint_1_wx
-        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * mu[0]
-            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * mu[1]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * mu[2])
-        + reactions.reaction_joint_1_wy
-            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * mu[1]
-                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * mu[0]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * mu[2])
-        + reactions.reaction_joint_1_wz
-            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * mu[0]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * mu[1]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * mu[2])
-        + wrench_base_mx * screws.connection_joint_2_wx
-        + wrench_base_my * screws.connection_joint_2_wy
-        + wrench_base_mz * screws.connection_joint_2_wz;
-    let d_mu_8_6 = reactions.reaction_joint_1_wx * d_mu_8_6_1
-        + reactions.reaction_joint_1_wy * d_mu_8_6_3
-        + reactions.reaction_joint_1_wz * d_mu_8_6_5
-        + wrench_base_mx * screws.connection_joint_3_wx
-        + wrench_base_my * screws.connection_joint_3_wy
-        + wrench_base_mz * screws.connection_joint_3_wz;
-    let d_mu_9_6 = reactions.reaction_joint_1_wx * d_mu_9_6_1
-        + reactions.reaction_joint_1_wy * d_mu_9_6_3
-        + reactions.reaction_joint_1_wz * d_mu_9_6_5
-        + wrench_base_mx * screws.connection_joint_4_wx
-        + wrench_base_my * screws.connection_joint_4_wy
-        + wrench_base_mz * screws.connection_joint_4_wz;
-    let d_mu_10_6 = reactions.reaction_joint_1_wx * d_mu_10_6_1
-        + reactions.reaction_joint_1_wy * d_mu_10_6_3
-        + reactions.reaction_joint_1_wz * d_mu_10_6_5
-        + wrench_base_mx * screws.connection_joint_5_wx
-        + wrench_base_my * screws.connection_joint_5_wy
-        + wrench_base_mz * screws.connection_joint_5_wz;
-    let d_mu_11_6 = reactions.reaction_joint_1_wx * d_mu_11_6_1
-        + reactions.reaction_joint_1_wy * d_mu_11_6_3
-        + reactions.reaction_joint_1_wz * d_mu_11_6_5
-        + wrench_base_mx * screws.connection_joint_6_wx
-        + wrench_base_my * screws.connection_joint_6_wy
-        + wrench_base_mz * screws.connection_joint_6_wz;
-    let d_mu_12_6 = reactions.reaction_joint_1_wx * d_mu_12_6_1
-        + reactions.reaction_joint_1_wy * d_mu_12_6_3
-        + reactions.reaction_joint_1_wz * d_mu_12_6_5
-        + wrench_base_mx * screws.connection_joint_7_wx
-        + wrench_base_my * screws.connection_joint_7_wy
-        + wrench_base_mz * screws.connection_joint_7_wz;
-    let d_mu_8_7 = reactions.reaction_joint_2_wx * d_mu_8_6_1
-        + reactions.reaction_joint_2_wy * d_mu_8_6_3
-        + reactions.reaction_joint_2_wz * d_mu_8_6_5
-        + wrench_link_1_mx * screws.connection_joint_3_wx
-        + wrench_link_1_my * screws.connection_joint_3_wy
-        + wrench_link_1_mz * screws.connection_joint_3_wz
-        + wrench_link_1_fx * screws.connection_joint_3_vx
-        + wrench_link_1_fy * screws.connection_joint_3_vy
-        + wrench_link_1_fz * screws.connection_joint_3_vz;
-    let d_mu_9_7 = reactions.reaction_joint_2_wx * d_mu_9_6_1
-        + reactions.reaction_joint_2_wy * d_mu_9_6_3
-        + reactions.reaction_joint_2_wz * d_mu_9_6_5
-        + wrench_link_1_mx * screws.connection_joint_4_wx
-        + wrench_link_1_my * screws.connection_joint_4_wy
-        + wrench_link_1_mz * screws.connection_joint_4_wz
-        + wrench_link_1_fx * screws.connection_joint_4_vx
-        + wrench_link_1_fy * screws.connection_joint_4_vy
-        + wrench_link_1_fz * screws.connection_joint_4_vz;
-    let d_mu_10_7 = reactions.reaction_joint_2_wx * d_mu_10_6_1
-        + reactions.reaction_joint_2_wy * d_mu_10_6_3
-        + reactions.reaction_joint_2_wz * d_mu_10_6_5
-        + wrench_link_1_mx * screws.connection_joint_5_wx
-        + wrench_link_1_my * screws.connection_joint_5_wy
-        + wrench_link_1_mz * screws.connection_joint_5_wz
-        + wrench_link_1_fx * screws.connection_joint_5_vx
-        + wrench_link_1_fy * screws.connection_joint_5_vy
-        + wrench_link_1_fz * screws.connection_joint_5_vz;
-    let d_mu_11_7 = reactions.reaction_joint_2_wx * d_mu_11_6_1
-        + reactions.reaction_joint_2_wy * d_mu_11_6_3
-        + reactions.reaction_joint_2_wz * d_mu_11_6_5
-        + wrench_link_1_mx * screws.connection_joint_6_wx
-        + wrench_link_1_my * screws.connection_joint_6_wy
-        + wrench_link_1_mz * screws.connection_joint_6_wz
-        + wrench_link_1_fx * screws.connection_joint_6_vx
-        + wrench_link_1_fy * screws.connection_joint_6_vy
-        + wrench_link_1_fz * screws.connection_joint_6_vz;
-    let d_mu_12_7 = reactions.reaction_joint_2_wx * d_mu_12_6_1
-        + reactions.reaction_joint_2_wy * d_mu_12_6_3
-        + reactions.reaction_joint_2_wz * d_mu_12_6_5
-        + wrench_link_1_mx * screws.connection_joint_7_wx
-        + wrench_link_1_my * screws.connection_joint_7_wy
-        + wrench_link_1_mz * screws.connection_joint_7_wz
-        + wrench_link_1_fx * screws.connection_joint_7_vx
-        + wrench_link_1_fy * screws.connection_joint_7_vy
-        + wrench_link_1_fz * screws.connection_joint_7_vz;
-    let d_mu_9_8 = reactions.reaction_joint_3_wx * d_mu_9_6_1
-        + reactions.reaction_joint_3_wy * d_mu_9_6_3
-        + reactions.reaction_joint_3_wz * d_mu_9_6_5
-        + wrench_link_2_mx * screws.connection_joint_4_wx
-        + wrench_link_2_my * screws.connection_joint_4_wy
-        + wrench_link_2_mz * screws.connection_joint_4_wz
-        + wrench_link_2_fx * screws.connection_joint_4_vx
-        + wrench_link_2_fy * screws.connection_joint_4_vy
-        + wrench_link_2_fz * screws.connection_joint_4_vz;
-    let d_mu_10_8 = reactions.reaction_joint_3_wx * d_mu_10_6_1
-        + reactions.reaction_joint_3_wy * d_mu_10_6_3
-        + reactions.reaction_joint_3_wz * d_mu_10_6_5
-        + wrench_link_2_mx * screws.connection_joint_5_wx
-        + wrench_link_2_my * screws.connection_joint_5_wy
-        + wrench_link_2_mz * screws.connection_joint_5_wz
-        + wrench_link_2_fx * screws.connection_joint_5_vx
-        + wrench_link_2_fy * screws.connection_joint_5_vy
-        + wrench_link_2_fz * screws.connection_joint_5_vz;
-    let d_mu_11_8 = reactions.reaction_joint_3_wx * d_mu_11_6_1
-        + reactions.reaction_joint_3_wy * d_mu_11_6_3
-        + reactions.reaction_joint_3_wz * d_mu_11_6_5
-        + wrench_link_2_mx * screws.connection_joint_6_wx
-        + wrench_link_2_my * screws.connection_joint_6_wy
-        + wrench_link_2_mz * screws.connection_joint_6_wz
-        + wrench_link_2_fx * screws.connection_joint_6_vx
-        + wrench_link_2_fy * screws.connection_joint_6_vy
-        + wrench_link_2_fz * screws.connection_joint_6_vz;
-    let d_mu_12_8 = reactions.reaction_joint_3_wx * d_mu_12_6_1
-        + reactions.reaction_joint_3_wy * d_mu_12_6_3
-        + reactions.reaction_joint_3_wz * d_mu_12_6_5
-        + wrench_link_2_mx * screws.connection_joint_7_wx
-        + wrench_link_2_my * screws.connection_joint_7_wy
-        + wrench_link_2_mz * screws.connection_joint_7_wz
-        + wrench_link_2_fx * screws.connection_joint_7_vx
-        + wrench_link_2_fy * screws.connection_joint_7_vy
-        + wrench_link_2_fz * screws.connection_joint_7_vz;
-    let d_mu_10_9 = reactions.reaction_joint_4_wx * d_mu_10_6_1
-        + reactions.reaction_joint_4_wy * d_mu_10_6_3
-        + reactions.reaction_joint_4_wz * d_mu_10_6_5
-        + wrench_link_3_mx * screws.connection_joint_5_wx
-        + wrench_link_3_my * screws.connection_joint_5_wy
-        + wrench_link_3_mz * screws.connection_joint_5_wz
-        + wrench_link_3_fx * screws.connection_joint_5_vx
-        - minus_wrench_link_3_fy * screws.connection_joint_5_vy
-        + wrench_link_3_fz * screws.connection_joint_5_vz;
-    let d_mu_11_9 = reactions.reaction_joint_4_wx * d_mu_11_6_1
-        + reactions.reaction_joint_4_wy * d_mu_11_6_3
-        + reactions.reaction_joint_4_wz * d_mu_11_6_5
-        + wrench_link_3_mx * screws.connection_joint_6_wx
-        + wrench_link_3_my * screws.connection_joint_6_wy
-        + wrench_link_3_mz * screws.connection_joint_6_wz
-        + wrench_link_3_fx * screws.connection_joint_6_vx
-        - minus_wrench_link_3_fy * screws.connection_joint_6_vy
-        + wrench_link_3_fz * screws.connection_joint_6_vz;
-    let d_mu_12_9 = reactions.reaction_joint_4_wx * d_mu_12_6_1
-        + reactions.reaction_joint_4_wy * d_mu_12_6_3
-        + reactions.reaction_joint_4_wz * d_mu_12_6_5
-        + wrench_link_3_mx * screws.connection_joint_7_wx
-        + wrench_link_3_my * screws.connection_joint_7_wy
-        + wrench_link_3_mz * screws.connection_joint_7_wz
-        + wrench_link_3_fx * screws.connection_joint_7_vx
-        - minus_wrench_link_3_fy * screws.connection_joint_7_vy
-        + wrench_link_3_fz * screws.connection_joint_7_vz;
-    let d_mu_11_10 = reactions.reaction_joint_5_wx * d_mu_11_6_1
-        + reactions.reaction_joint_5_wy * d_mu_11_6_3
-        + reactions.reaction_joint_5_wz * d_mu_11_6_5
-        + wrench_link_4_mx * screws.connection_joint_6_wx
-        + wrench_link_4_my * screws.connection_joint_6_wy
-        + wrench_link_4_mz * screws.connection_joint_6_wz
-        + wrench_link_4_fx * screws.connection_joint_6_vx
-        + wrench_link_4_fy * screws.connection_joint_6_vy
-        + wrench_link_4_fz * screws.connection_joint_6_vz;
-    let d_mu_12_10 = reactions.reaction_joint_5_wx * d_mu_12_6_1
-        + reactions.reaction_joint_5_wy * d_mu_12_6_3
-        + reactions.reaction_joint_5_wz * d_mu_12_6_5
-        + wrench_link_4_mx * screws.connection_joint_7_wx
-        + wrench_link_4_my * screws.connection_joint_7_wy
-        + wrench_link_4_mz * screws.connection_joint_7_wz
-        + wrench_link_4_fx * screws.connection_joint_7_vx
-        + wrench_link_4_fy * screws.connection_joint_7_vy
-        + wrench_link_4_fz * screws.connection_joint_7_vz;
-    let d_mu_12_11 = reactions.reaction_joint_6_wx * d_mu_12_6_1
-        + reactions.reaction_joint_6_wy * d_mu_12_6_3
-        + reactions.reaction_joint_6_wz * d_mu_12_6_5
-        + wrench_link_5_mx * screws.connection_joint_7_wx
-        + wrench_link_5_my * screws.connection_joint_7_wy
-        + wrench_link_5_mz * screws.connection_joint_7_wz
-        + wrench_link_5_fx * screws.connection_joint_7_vx
-        + wrench_link_5_fy * screws.connection_joint_7_vy
-        + wrench_link_5_fz * screws.connection_joint_7_vz;
+            + common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0 * mu[2]);
+    let three_joint_2_x = common_d_mu_and_7_more.three_joint_2_x_0_0_0 * mu[0]
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_2_x_1_0 * mu[2];
+    let three_joint_2_y = common_d_mu_and_7_more.three_joint_2_y_0_0_0 * mu[1]
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * mu[2];
+    let three_joint_2_z = common_d_mu_and_7_more.three_joint_2_x_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_2_z_1_0 * mu[2];
+    let d_mu_8_7_6 = reactions.reaction_joint_2_wy * d_mu_7_6_6_1
+        - reactions.reaction_joint_2_wz * d_mu_7_6_6_3
+        - (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_8_7_8 = reactions.reaction_joint_2_wz * d_mu_7_6_8_1
+        - reactions.reaction_joint_2_wx * d_mu_7_6_6_1
+        - (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_8_7_10 = reactions.reaction_joint_2_wx * d_mu_7_6_6_3
+        - reactions.reaction_joint_2_wy * d_mu_7_6_8_1
+        - (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_8_7_12 = reactions.reaction_joint_2_vy * d_mu_8_7_12_1
+        - reactions.reaction_joint_2_vz * d_mu_8_7_12_3;
+    let d_mu_8_7_14 = reactions.reaction_joint_2_vz * d_mu_8_7_14_1
+        - reactions.reaction_joint_2_vx * d_mu_8_7_12_1;
+    let d_mu_8_7_16 = reactions.reaction_joint_2_vx * d_mu_8_7_12_3
+        - reactions.reaction_joint_2_vy * d_mu_8_7_14_1;
+    let three_joint_3_x = common_d_mu_and_7_more.three_joint_3_x_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * mu[2];
+    let three_joint_3_y = common_d_mu_and_7_more.three_joint_3_x_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * mu[2];
+    let three_joint_3_z = common_d_mu_and_7_more.three_joint_3_x_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_3_z_1_0 * mu[2];
+    let d_mu_9_8_6 = reactions.reaction_joint_3_wy * d_mu_7_6_6_1
+        - reactions.reaction_joint_3_wz * d_mu_7_6_6_3
+        - (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_9_8_8 = reactions.reaction_joint_3_wz * d_mu_7_6_8_1
+        - reactions.reaction_joint_3_wx * d_mu_7_6_6_1
+        - (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_9_8_10 = reactions.reaction_joint_3_wx * d_mu_7_6_6_3
+        - reactions.reaction_joint_3_wy * d_mu_7_6_8_1
+        - (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_9_8_12 = reactions.reaction_joint_3_vy * d_mu_8_7_12_1
+        - reactions.reaction_joint_3_vz * d_mu_8_7_12_3;
+    let d_mu_9_8_14 = reactions.reaction_joint_3_vz * d_mu_8_7_14_1
+        - reactions.reaction_joint_3_vx * d_mu_8_7_12_1;
+    let d_mu_9_8_16 = reactions.reaction_joint_3_vx * d_mu_8_7_12_3
+        - reactions.reaction_joint_3_vy * d_mu_8_7_14_1;
+    let three_joint_4_x = common_d_mu_and_7_more.three_joint_4_x_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * mu[2];
+    let three_joint_4_y = common_d_mu_and_7_more.three_joint_4_x_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * mu[2];
+    let three_joint_4_z = common_d_mu_and_7_more.three_joint_4_x_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * mu[1]
+        - common_d_mu_and_7_more.three_joint_4_z_1_0 * mu[2];
+    let d_mu_10_9_6 = reactions.reaction_joint_4_wy * d_mu_7_6_6_1
+        - reactions.reaction_joint_4_wz * d_mu_7_6_6_3
+        - (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_10_9_8 = reactions.reaction_joint_4_wz * d_mu_7_6_8_1
+        - reactions.reaction_joint_4_wx * d_mu_7_6_6_1
+        - (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_10_9_10 = reactions.reaction_joint_4_wx * d_mu_7_6_6_3
+        - reactions.reaction_joint_4_wy * d_mu_7_6_8_1
+        - (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_10_9_12 = reactions.reaction_joint_4_vy * d_mu_8_7_12_1
+        + reactions.minus_reaction_joint_4_vz * d_mu_8_7_12_3;
+    let d_mu_10_9_14 = reactions.minus_reaction_joint_4_vz * d_mu_8_7_14_1
+        + reactions.reaction_joint_4_vx * d_mu_8_7_12_1;
+    let d_mu_10_9_16 = reactions.reaction_joint_4_vx * d_mu_8_7_12_3
+        - reactions.reaction_joint_4_vy * d_mu_8_7_14_1;
+    let three_joint_5_x = common_d_mu_and_7_more.three_joint_5_x_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * mu[2];
+    let three_joint_5_y = common_d_mu_and_7_more.three_joint_5_x_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * mu[2];
+    let three_joint_5_z = common_d_mu_and_7_more.three_joint_5_x_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_5_z_1_0 * mu[2];
+    let d_mu_11_10_6 = reactions.reaction_joint_5_wy * d_mu_7_6_6_1
+        - reactions.reaction_joint_5_wz * d_mu_7_6_6_3
+        - (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_11_10_8 = reactions.reaction_joint_5_wz * d_mu_7_6_8_1
+        - reactions.reaction_joint_5_wx * d_mu_7_6_6_1
+        - (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_0_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_11_10_10 = reactions.reaction_joint_5_wx * d_mu_7_6_6_3
+        - reactions.reaction_joint_5_wy * d_mu_7_6_8_1
+        - (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0 * mu[0]
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_1_0 * mu[1]
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_1_0_1_1_0 * mu[2]);
+    let d_mu_11_10_12 = reactions.reaction_joint_5_vy * d_mu_8_7_12_1
+        - reactions.reaction_joint_5_vz * d_mu_8_7_12_3;
+    let d_mu_11_10_14 = reactions.reaction_joint_5_vz * d_mu_8_7_14_1
+        - reactions.reaction_joint_5_vx * d_mu_8_7_12_1;
+    let d_mu_11_10_16 = reactions.reaction_joint_5_vx * d_mu_8_7_12_3
+        - reactions.reaction_joint_5_vy * d_mu_8_7_14_1;
+    let three_joint_6_x = common_d_mu_and_7_more.three_joint_6_x_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * mu[2];
+    let three_joint_6_y = common_d_mu_and_7_more.three_joint_6_x_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * mu[2];
+    let three_joint_6_z = common_d_mu_and_7_more.three_joint_6_x_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_6_z_1_0 * mu[2];
+    let three_joint_7_x = common_d_mu_and_7_more.three_joint_7_x_0_0_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * mu[2];
+    let three_joint_7_y = common_d_mu_and_7_more.three_joint_7_x_0_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * mu[2];
+    let three_joint_7_z = common_d_mu_and_7_more.three_joint_7_x_1_0 * mu[0]
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * mu[1]
+        + common_d_mu_and_7_more.three_joint_7_z_1_0 * mu[2];
+    let d_mu_7_6 = reactions.reaction_joint_1_wx * three_joint_2_x
+        + reactions.reaction_joint_1_wy * three_joint_2_y
+        + reactions.reaction_joint_1_wz * three_joint_2_z
+        + d_mu_7_6_6 * screws.connection_joint_2_wx
+        + d_mu_7_6_8 * screws.connection_joint_2_wy
+        + d_mu_7_6_10 * screws.connection_joint_2_wz;
+    let d_mu_8_6 = reactions.reaction_joint_1_wx * three_joint_3_x
+        + reactions.reaction_joint_1_wy * three_joint_3_y
+        + reactions.reaction_joint_1_wz * three_joint_3_z
+        + d_mu_7_6_6 * screws.connection_joint_3_wx
+        + d_mu_7_6_8 * screws.connection_joint_3_wy
+        + d_mu_7_6_10 * screws.connection_joint_3_wz;
+    let d_mu_9_6 = reactions.reaction_joint_1_wx * three_joint_4_x
+        + reactions.reaction_joint_1_wy * three_joint_4_y
+        + reactions.reaction_joint_1_wz * three_joint_4_z
+        + d_mu_7_6_6 * screws.connection_joint_4_wx
+        + d_mu_7_6_8 * screws.connection_joint_4_wy
+        + d_mu_7_6_10 * screws.connection_joint_4_wz;
+    let d_mu_10_6 = reactions.reaction_joint_1_wx * three_joint_5_x
+        + reactions.reaction_joint_1_wy * three_joint_5_y
+        + reactions.reaction_joint_1_wz * three_joint_5_z
+        + d_mu_7_6_6 * screws.connection_joint_5_wx
+        + d_mu_7_6_8 * screws.connection_joint_5_wy
+        + d_mu_7_6_10 * screws.connection_joint_5_wz;
+    let d_mu_11_6 = reactions.reaction_joint_1_wx * three_joint_6_x
+        + reactions.reaction_joint_1_wy * three_joint_6_y
+        + reactions.reaction_joint_1_wz * three_joint_6_z
+        + d_mu_7_6_6 * screws.connection_joint_6_wx
+        + d_mu_7_6_8 * screws.connection_joint_6_wy
+        + d_mu_7_6_10 * screws.connection_joint_6_wz;
+    let d_mu_12_6 = reactions.reaction_joint_1_wx * three_joint_7_x
+        + reactions.reaction_joint_1_wy * three_joint_7_y
+        + reactions.reaction_joint_1_wz * three_joint_7_z
+        + d_mu_7_6_6 * screws.connection_joint_7_wx
+        + d_mu_7_6_8 * screws.connection_joint_7_wy
+        + d_mu_7_6_10 * screws.connection_joint_7_wz;
+    let d_mu_8_7 = reactions.reaction_joint_2_wx * three_joint_3_x
+        + reactions.reaction_joint_2_wy * three_joint_3_y
+        + reactions.reaction_joint_2_wz * three_joint_3_z
+        + d_mu_8_7_6 * screws.connection_joint_3_wx
+        + d_mu_8_7_8 * screws.connection_joint_3_wy
+        + d_mu_8_7_10 * screws.connection_joint_3_wz
+        + d_mu_8_7_12 * screws.connection_joint_3_vx
+        + d_mu_8_7_14 * screws.connection_joint_3_vy
+        + d_mu_8_7_16 * screws.connection_joint_3_vz;
+    let d_mu_9_7 = reactions.reaction_joint_2_wx * three_joint_4_x
+        + reactions.reaction_joint_2_wy * three_joint_4_y
+        + reactions.reaction_joint_2_wz * three_joint_4_z
+        + d_mu_8_7_6 * screws.connection_joint_4_wx
+        + d_mu_8_7_8 * screws.connection_joint_4_wy
+        + d_mu_8_7_10 * screws.connection_joint_4_wz
+        + d_mu_8_7_12 * screws.connection_joint_4_vx
+        + d_mu_8_7_14 * screws.connection_joint_4_vy
+        + d_mu_8_7_16 * screws.connection_joint_4_vz;
+    let d_mu_10_7 = reactions.reaction_joint_2_wx * three_joint_5_x
+        + reactions.reaction_joint_2_wy * three_joint_5_y
+        + reactions.reaction_joint_2_wz * three_joint_5_z
+        + d_mu_8_7_6 * screws.connection_joint_5_wx
+        + d_mu_8_7_8 * screws.connection_joint_5_wy
+        + d_mu_8_7_10 * screws.connection_joint_5_wz
+        + d_mu_8_7_12 * screws.connection_joint_5_vx
+        + d_mu_8_7_14 * screws.connection_joint_5_vy
+        + d_mu_8_7_16 * screws.connection_joint_5_vz;
+    let d_mu_11_7 = reactions.reaction_joint_2_wx * three_joint_6_x
+        + reactions.reaction_joint_2_wy * three_joint_6_y
+        + reactions.reaction_joint_2_wz * three_joint_6_z
+        + d_mu_8_7_6 * screws.connection_joint_6_wx
+        + d_mu_8_7_8 * screws.connection_joint_6_wy
+        + d_mu_8_7_10 * screws.connection_joint_6_wz
+        + d_mu_8_7_12 * screws.connection_joint_6_vx
+        + d_mu_8_7_14 * screws.connection_joint_6_vy
+        + d_mu_8_7_16 * screws.connection_joint_6_vz;
+    let d_mu_12_7 = reactions.reaction_joint_2_wx * three_joint_7_x
+        + reactions.reaction_joint_2_wy * three_joint_7_y
+        + reactions.reaction_joint_2_wz * three_joint_7_z
+        + d_mu_8_7_6 * screws.connection_joint_7_wx
+        + d_mu_8_7_8 * screws.connection_joint_7_wy
+        + d_mu_8_7_10 * screws.connection_joint_7_wz
+        + d_mu_8_7_12 * screws.connection_joint_7_vx
+        + d_mu_8_7_14 * screws.connection_joint_7_vy
+        + d_mu_8_7_16 * screws.connection_joint_7_vz;
+    let d_mu_9_8 = reactions.reaction_joint_3_wx * three_joint_4_x
+        + reactions.reaction_joint_3_wy * three_joint_4_y
+        + reactions.reaction_joint_3_wz * three_joint_4_z
+        + d_mu_9_8_6 * screws.connection_joint_4_wx
+        + d_mu_9_8_8 * screws.connection_joint_4_wy
+        + d_mu_9_8_10 * screws.connection_joint_4_wz
+        + d_mu_9_8_12 * screws.connection_joint_4_vx
+        + d_mu_9_8_14 * screws.connection_joint_4_vy
+        + d_mu_9_8_16 * screws.connection_joint_4_vz;
+    let d_mu_10_8 = reactions.reaction_joint_3_wx * three_joint_5_x
+        + reactions.reaction_joint_3_wy * three_joint_5_y
+        + reactions.reaction_joint_3_wz * three_joint_5_z
+        + d_mu_9_8_6 * screws.connection_joint_5_wx
+        + d_mu_9_8_8 * screws.connection_joint_5_wy
+        + d_mu_9_8_10 * screws.connection_joint_5_wz
+        + d_mu_9_8_12 * screws.connection_joint_5_vx
+        + d_mu_9_8_14 * screws.connection_joint_5_vy
+        + d_mu_9_8_16 * screws.connection_joint_5_vz;
+    let d_mu_11_8 = reactions.reaction_joint_3_wx * three_joint_6_x
+        + reactions.reaction_joint_3_wy * three_joint_6_y
+        + reactions.reaction_joint_3_wz * three_joint_6_z
+        + d_mu_9_8_6 * screws.connection_joint_6_wx
+        + d_mu_9_8_8 * screws.connection_joint_6_wy
+        + d_mu_9_8_10 * screws.connection_joint_6_wz
+        + d_mu_9_8_12 * screws.connection_joint_6_vx
+        + d_mu_9_8_14 * screws.connection_joint_6_vy
+        + d_mu_9_8_16 * screws.connection_joint_6_vz;
+    let d_mu_12_8 = reactions.reaction_joint_3_wx * three_joint_7_x
+        + reactions.reaction_joint_3_wy * three_joint_7_y
+        + reactions.reaction_joint_3_wz * three_joint_7_z
+        + d_mu_9_8_6 * screws.connection_joint_7_wx
+        + d_mu_9_8_8 * screws.connection_joint_7_wy
+        + d_mu_9_8_10 * screws.connection_joint_7_wz
+        + d_mu_9_8_12 * screws.connection_joint_7_vx
+        + d_mu_9_8_14 * screws.connection_joint_7_vy
+        + d_mu_9_8_16 * screws.connection_joint_7_vz;
+    let d_mu_10_9 = reactions.reaction_joint_4_wx * three_joint_5_x
+        + reactions.reaction_joint_4_wy * three_joint_5_y
+        + reactions.reaction_joint_4_wz * three_joint_5_z
+        + d_mu_10_9_6 * screws.connection_joint_5_wx
+        + d_mu_10_9_8 * screws.connection_joint_5_wy
+        + d_mu_10_9_10 * screws.connection_joint_5_wz
+        + d_mu_10_9_12 * screws.connection_joint_5_vx
+        - d_mu_10_9_14 * screws.connection_joint_5_vy
+        + d_mu_10_9_16 * screws.connection_joint_5_vz;
+    let d_mu_11_9 = reactions.reaction_joint_4_wx * three_joint_6_x
+        + reactions.reaction_joint_4_wy * three_joint_6_y
+        + reactions.reaction_joint_4_wz * three_joint_6_z
+        + d_mu_10_9_6 * screws.connection_joint_6_wx
+        + d_mu_10_9_8 * screws.connection_joint_6_wy
+        + d_mu_10_9_10 * screws.connection_joint_6_wz
+        + d_mu_10_9_12 * screws.connection_joint_6_vx
+        - d_mu_10_9_14 * screws.connection_joint_6_vy
+        + d_mu_10_9_16 * screws.connection_joint_6_vz;
+    let d_mu_12_9 = reactions.reaction_joint_4_wx * three_joint_7_x
+        + reactions.reaction_joint_4_wy * three_joint_7_y
+        + reactions.reaction_joint_4_wz * three_joint_7_z
+        + d_mu_10_9_6 * screws.connection_joint_7_wx
+        + d_mu_10_9_8 * screws.connection_joint_7_wy
+        + d_mu_10_9_10 * screws.connection_joint_7_wz
+        + d_mu_10_9_12 * screws.connection_joint_7_vx
+        - d_mu_10_9_14 * screws.connection_joint_7_vy
+        + d_mu_10_9_16 * screws.connection_joint_7_vz;
+    let d_mu_11_10 = reactions.reaction_joint_5_wx * three_joint_6_x
+        + reactions.reaction_joint_5_wy * three_joint_6_y
+        + reactions.reaction_joint_5_wz * three_joint_6_z
+        + d_mu_11_10_6 * screws.connection_joint_6_wx
+        + d_mu_11_10_8 * screws.connection_joint_6_wy
+        + d_mu_11_10_10 * screws.connection_joint_6_wz
+        + d_mu_11_10_12 * screws.connection_joint_6_vx
+        + d_mu_11_10_14 * screws.connection_joint_6_vy
+        + d_mu_11_10_16 * screws.connection_joint_6_vz;
+    let d_mu_12_10 = reactions.reaction_joint_5_wx * three_joint_7_x
+        + reactions.reaction_joint_5_wy * three_joint_7_y
+        + reactions.reaction_joint_5_wz * three_joint_7_z
+        + d_mu_11_10_6 * screws.connection_joint_7_wx
+        + d_mu_11_10_8 * screws.connection_joint_7_wy
+        + d_mu_11_10_10 * screws.connection_joint_7_wz
+        + d_mu_11_10_12 * screws.connection_joint_7_vx
+        + d_mu_11_10_14 * screws.connection_joint_7_vy
+        + d_mu_11_10_16 * screws.connection_joint_7_vz;
+    let d_mu_12_11 = reactions.reaction_joint_6_wx * three_joint_7_x
+        + reactions.reaction_joint_6_wy * three_joint_7_y
+        + reactions.reaction_joint_6_wz * three_joint_7_z
+        + (reactions.reaction_joint_6_wy * d_mu_7_6_6_1
+            - reactions.reaction_joint_6_wz * d_mu_7_6_6_3
+            - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0 * mu[0]
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0 * mu[1]
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0 * mu[2]))
+            * screws.connection_joint_7_wx
+        + (reactions.reaction_joint_6_wz * d_mu_7_6_8_1
+            - reactions.reaction_joint_6_wx * d_mu_7_6_6_1
+            - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0 * mu[0]
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_0_1_0 * mu[1]
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_1_0 * mu[2]))
+            * screws.connection_joint_7_wy
+        + (reactions.reaction_joint_6_wx * d_mu_7_6_6_3
+            - reactions.reaction_joint_6_wy * d_mu_7_6_8_1
+            - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0 * mu[0]
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_1_0 * mu[1]
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_1_0_1_1_0 * mu[2]))
+            * screws.connection_joint_7_wz
+        + (reactions.reaction_joint_6_vy * d_mu_8_7_12_1
+            - reactions.reaction_joint_6_vz * d_mu_8_7_12_3)
+            * screws.connection_joint_7_vx
+        + (reactions.reaction_joint_6_vz * d_mu_8_7_14_1
+            - reactions.reaction_joint_6_vx * d_mu_8_7_12_1)
+            * screws.connection_joint_7_vy
+        + (reactions.reaction_joint_6_vx * d_mu_8_7_12_3
+            - reactions.reaction_joint_6_vy * d_mu_8_7_14_1)
+            * screws.connection_joint_7_vz;
     CommonDMuB2 {
         d_mu_7_6,
         d_mu_8_6,
@@ -4166,95 +4123,95 @@ fn common_coupling_torque_d_mu_xi(
 }
 /// What `forward_dynamics`, `inverse_dynamics` have in common.
 struct CommonForwardDynamicsInverseDynamics {
+    wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0: f64,
+    wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1: f64,
+    wrench_link_7_my_0_1_0_1_0_0_0_0_0_0: f64,
+    wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0: f64,
+    wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_0: f64,
+    wrench_link_7_mx_0_0_1_1_0_0_0_0_1: f64,
+    wrench_link_7_my_0_1_0_1_0_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_1_1_1_0_0_0_0_0_0: f64,
+    wrench_link_7_mx_0_1_0_1_0_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_1_1_0_0_0_0_0: f64,
+    wrench_link_7_my_0_1_0_1_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_1_1_1_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_1_0_1_0_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_0_1_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_1_1_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_1_1_0_0_0_1: f64,
+    wrench_link_7_my_0_1_0_1_0_0_0_1: f64,
+    wrench_link_7_mx_0_1_1_1_0_0_0_1: f64,
+    wrench_link_7_mx_0_1_0_1_0_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_0_1_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_1_1_0_0_1: f64,
+    wrench_link_7_mx_0_0_1_1_0_0_1: f64,
+    wrench_link_7_my_0_1_0_1_0_0_1: f64,
+    wrench_link_7_mx_0_1_1_1_0_0_1: f64,
+    wrench_link_7_mx_0_1_0_1_0_0_1: f64,
+    wrench_link_7_mx_0_0_0_0_1_0_1: f64,
+    wrench_link_7_mx_0_0_0_1_1_0_1: f64,
+    wrench_link_7_mx_0_0_1_1_0_1: f64,
+    wrench_link_7_my_0_1_0_1_0_1: f64,
+    wrench_link_7_mx_0_1_1_1_0_1: f64,
+    wrench_link_7_mx_0_1_0_1_0_1: f64,
+    wrench_link_7_mx_0_0_0_0_1_1: f64,
+    wrench_link_7_mx_0_0_0_1_1_1: f64,
+    wrench_link_7_mx_0_0_1_1_1: f64,
+    wrench_link_7_my_0_1_0_1_1: f64,
+    wrench_link_7_mx_0_1_1_1_1: f64,
+    wrench_link_7_mx_0_1_0_1_1: f64,
     wrench_base_mx_1_0: f64,
     wrench_base_my_1_0: f64,
     wrench_base_mz_1_0: f64,
     wrench_base_fx_1_0: f64,
     wrench_base_fy_1_0: f64,
     wrench_base_fz_1_0: f64,
-    wrench_link_1_mx_1: f64,
-    wrench_link_1_my_1: f64,
-    wrench_link_1_mz_1: f64,
-    wrench_link_1_fx_1: f64,
-    wrench_link_1_fy_1: f64,
-    wrench_link_1_fz_1: f64,
-    wrench_link_2_mx_1: f64,
-    wrench_link_2_my_1: f64,
-    wrench_link_2_mz_1: f64,
-    wrench_link_2_fx_1: f64,
-    wrench_link_2_fy_1: f64,
-    wrench_link_2_fz_1: f64,
-    wrench_link_3_mx_1: f64,
-    wrench_link_3_my_1: f64,
-    wrench_link_3_mz_1: f64,
-    wrench_link_3_fx_1: f64,
-    wrench_link_3_fy_1: f64,
-    wrench_link_3_fz_1: f64,
-    wrench_link_4_mx_1: f64,
-    wrench_link_4_my_1: f64,
-    wrench_link_4_mz_1: f64,
-    wrench_link_4_fx_1: f64,
-    wrench_link_4_fy_1: f64,
-    wrench_link_4_fz_1: f64,
-    wrench_link_5_mx_1: f64,
-    wrench_link_5_my_1: f64,
-    wrench_link_5_mz_1: f64,
-    wrench_link_5_fx_1: f64,
-    wrench_link_5_fy_1: f64,
-    wrench_link_5_fz_1: f64,
-    wrench_link_6_mx_1: f64,
-    wrench_link_6_my_1: f64,
-    wrench_link_6_mz_1: f64,
-    wrench_link_6_fx_1: f64,
-    wrench_link_6_fy_1: f64,
-    wrench_link_6_fz_1: f64,
-    minus_wrench_link_7_mx: f64,
-    minus_wrench_link_7_my: f64,
-    minus_wrench_link_7_mz: f64,
-    minus_wrench_link_7_fx: f64,
-    minus_wrench_link_7_fy: f64,
-    minus_wrench_link_7_fz: f64,
-    wrench_link_6_mx_0_0_0_0_0_0_1: f64,
-    wrench_link_6_mx_0_0_0_0_0_1_1: f64,
-    wrench_link_6_mx_0_0_0_0_1_1: f64,
-    wrench_link_6_my_0_0_0_1_1_1: f64,
-    wrench_link_6_mx_0_0_0_1_1_1: f64,
-    wrench_link_6_mx_0_0_0_1_0_1: f64,
-    wrench_link_5_mx_0_0_1_0_0_0_1: f64,
-    wrench_link_5_mx_0_0_1_0_0_1_1: f64,
-    wrench_link_5_mx_0_0_1_0_1_1: f64,
-    wrench_link_5_mx_0_0_1_1_1_1_1: f64,
-    wrench_link_5_mx_0_0_1_1_1_0_1: f64,
-    wrench_link_5_mx_0_0_1_1_0_1: f64,
-    wrench_link_4_mx_0_0_1_0_0_0_1: f64,
-    wrench_link_4_mx_0_0_1_0_0_1_1: f64,
-    wrench_link_4_mx_0_0_1_0_1_1: f64,
-    wrench_link_4_mx_0_0_1_1_1_1_1: f64,
-    wrench_link_4_mx_0_0_1_1_1_0_1: f64,
-    wrench_link_4_mx_0_0_1_1_0_1: f64,
-    wrench_link_3_mx_0_0_1_0_0_1_1: f64,
-    wrench_link_3_mx_0_0_1_0_0_0_1: f64,
-    wrench_link_3_mx_0_0_1_0_1_1: f64,
-    wrench_link_3_mx_0_0_1_1_1_1_1: f64,
-    wrench_link_3_mx_0_0_1_1_1_0_1: f64,
-    wrench_link_3_mx_0_0_1_1_0_1: f64,
-    wrench_link_2_mx_0_0_1_0_0_0_1: f64,
-    wrench_link_2_mx_0_0_1_0_0_1_1: f64,
-    wrench_link_2_mx_0_0_1_0_1_1: f64,
-    wrench_link_2_mx_0_0_1_1_1_1_1: f64,
-    wrench_link_2_mx_0_0_1_1_1_0_1: f64,
-    wrench_link_2_mx_0_0_1_1_0_1: f64,
-    wrench_link_1_mx_0_0_1_0_0_0_1: f64,
-    wrench_link_1_mx_0_0_1_0_0_1_1: f64,
-    wrench_link_1_mx_0_0_1_0_1_1: f64,
-    wrench_link_1_mx_0_0_1_1_1_1_1: f64,
-    wrench_link_1_mx_0_0_1_1_1_0_1: f64,
-    wrench_link_1_mx_0_0_1_1_0_1: f64,
-    wrench_base_mx_0_0_1_0_0_1: f64,
-    wrench_base_mx_0_0_1_0_1_1: f64,
-    wrench_base_mx_0_0_1_1_1_1_1: f64,
-    wrench_base_mx_0_0_1_1_1_0_1: f64,
-    wrench_base_mx_0_0_1_1_0_1: f64,
+    wrench_link_1_mx_0_1: f64,
+    wrench_link_1_my_0_1: f64,
+    wrench_link_1_mz_0_1: f64,
+    wrench_link_1_fx_0_1: f64,
+    wrench_link_1_fy_1_1: f64,
+    wrench_link_1_fz_0_1: f64,
+    wrench_link_2_mx_0_1: f64,
+    wrench_link_2_my_0_1: f64,
+    wrench_link_2_mz_0_1: f64,
+    wrench_link_2_fx_0_1: f64,
+    wrench_link_2_fy_0_1: f64,
+    wrench_link_2_fz_0_1: f64,
+    wrench_link_3_mx_0_1: f64,
+    wrench_link_3_my_0_1: f64,
+    wrench_link_3_mz_0_1: f64,
+    wrench_link_3_fx_0_1: f64,
+    wrench_link_3_fy_0_1: f64,
+    wrench_link_3_fz_0_1: f64,
+    wrench_link_4_mx_0_1: f64,
+    wrench_link_4_my_0_1: f64,
+    wrench_link_4_mz_0_1: f64,
+    wrench_link_4_fx_0_1: f64,
+    wrench_link_4_fy_0_1: f64,
+    wrench_link_4_fz_0_1: f64,
+    wrench_link_5_mx_0_1: f64,
+    wrench_link_5_my_0_1: f64,
+    wrench_link_5_mz_0_1: f64,
+    wrench_link_5_fx_0_1: f64,
+    wrench_link_5_fy_0_1: f64,
+    wrench_link_5_fz_0_1: f64,
+    wrench_link_6_mx_0_1: f64,
+    wrench_link_6_my_0_1: f64,
+    wrench_link_6_mz_0_1: f64,
+    wrench_link_6_fx_0_1: f64,
+    wrench_link_6_fy_0_1: f64,
+    wrench_link_6_fz_0_1: f64,
+    wrench_link_7_mx_1: f64,
+    wrench_link_7_my_1: f64,
+    wrench_link_7_mz_1: f64,
+    wrench_link_7_fx_1: f64,
+    wrench_link_7_fy_1: f64,
+    wrench_link_7_fz_1: f64,
 }
 /// What `forward_dynamics`, `inverse_dynamics` have in common.
 #[inline(never)]
@@ -4266,581 +4223,670 @@ fn common_forward_dynamics_inverse_dynamics(
     screws: &Screws,
     velocities: &Velocities,
 ) -> CommonForwardDynamicsInverseDynamics {
-    let wrench_base_my_1_0_2_1 = mu[0] - velocities.minus_velocity_base_wx;
-    let wrench_base_my_1_0_2_3 = mu[1] - velocities.minus_velocity_base_wy;
+    let wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0 = mu[0]
+        - velocities.minus_velocity_base_wx;
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0 = mu[1]
+        - velocities.minus_velocity_base_wy;
     let wrench_base_my_1_0_2_5 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_my_1_0_2 = inertias.inertia_base_xx * wrench_base_my_1_0_2_1
-        - inertias.minus_inertia_base_xy * wrench_base_my_1_0_2_3
+    let wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1 = velocities.velocity_link_1_wz + mu[2];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 = wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        * qd[0];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1 = wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        * qd[0];
+    let wrench_link_7_my_0_1_0_1_0_0_0_0_0_0 = (velocities.velocity_link_1_vy
+        - wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1 * poses.minus_origin_base_x) * qd[0];
+    let wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1 = (wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
+    let wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0 = (wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        * poses.minus_origin_base_x
+        + wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0 * poses.minus_origin_base_y) * qd[0];
+    let wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0 = velocities.velocity_link_2_wx + mu[0];
+    let wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2 = mu[1]
+        - velocities.minus_velocity_link_2_wy;
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_1 = wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        * poses.cos_joint_1 * qd[1];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_0 = wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        * poses.sin_joint_1 * qd[1];
+    let wrench_link_7_mx_0_0_1_1_0_0_0_0_1 = (wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        * poses.cos_joint_1 + wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2 * poses.sin_joint_1)
+        * qd[1];
+    let wrench_link_7_my_0_1_0_1_0_0_0_0_0_1 = (wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2
+        * screws.screw_joint_2_vz
+        - wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1 * screws.screw_joint_2_vy
+        + velocities.velocity_link_2_vz * poses.cos_joint_1) * qd[1];
+    let wrench_link_7_mx_0_1_1_1_0_0_0_0_0_0 = (wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        * screws.screw_joint_2_vx
+        - wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0 * screws.screw_joint_2_vz
+        + velocities.velocity_link_2_vz * poses.sin_joint_1) * qd[1];
+    let wrench_link_7_mx_0_1_0_1_0_0_0_0_0_1 = (wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        * screws.screw_joint_2_vy
+        - wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2 * screws.screw_joint_2_vx
+        - (velocities.velocity_link_2_vx * poses.cos_joint_1
+            + velocities.velocity_link_2_vy * poses.sin_joint_1)) * qd[1];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2 = velocities.velocity_link_3_wx + mu[0];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0 = mu[1]
+        - velocities.minus_velocity_link_3_wy;
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2 = velocities.velocity_link_3_wz + mu[2];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        * poses.cos_joint_2
+        + wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2 * poses.minus_rotation_link_2_yy)
+        * qd[2];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
+        * poses.minus_rotation_link_2_xy
+        + wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2 * poses.cos_joint_2) * qd[2];
+    let wrench_link_7_mx_0_0_1_1_0_0_0_0_0 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        * poses.minus_rotation_link_2_xy
+        - wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2 * poses.minus_rotation_link_2_yy)
+        * qd[2];
+    let wrench_link_7_my_0_1_0_1_0_0_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        * screws.screw_joint_3_vz
+        - wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2 * screws.screw_joint_3_vy
+        + (velocities.velocity_link_3_vy * poses.cos_joint_2
+            + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy)) * qd[2];
+    let wrench_link_7_mx_0_1_1_1_0_0_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
+        * screws.screw_joint_3_vx
+        - wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2 * screws.screw_joint_3_vz
+        - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
+            + velocities.velocity_link_3_vx * poses.cos_joint_2)) * qd[2];
+    let wrench_link_7_mx_0_1_0_1_0_0_0_0_1 = (wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2
+        * screws.screw_joint_3_vy
+        - wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0 * screws.screw_joint_3_vx
+        + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
+            - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy)) * qd[2];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0 = velocities.velocity_link_4_wx + mu[0];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0 = velocities.velocity_link_4_wy + mu[1];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2 = velocities.velocity_link_4_wz + mu[2];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0
+        * poses.minus_rotation_link_3_zy
+        + wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2 * poses.rotation_link_3_yy) * qd[3];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_0_1 = (wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        * poses.minus_rotation_link_3_zy
+        - wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2 * poses.minus_rotation_link_3_xy) * qd[3];
+    let wrench_link_7_mx_0_0_1_1_0_0_0_1 = (wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        * poses.rotation_link_3_yy
+        + wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0 * poses.minus_rotation_link_3_xy) * qd[3];
+    let wrench_link_7_my_0_1_0_1_0_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
+        * screws.minus_screw_joint_4_vy
+        - wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0 * screws.minus_screw_joint_4_vz
+        - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
+            + velocities.velocity_link_4_vz * poses.rotation_link_3_yy)) * qd[3];
+    let wrench_link_7_mx_0_1_1_1_0_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
+        * screws.screw_joint_4_vx
+        + wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0 * screws.minus_screw_joint_4_vz
+        + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
+            - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy)) * qd[3];
+    let wrench_link_7_mx_0_1_0_1_0_0_0_1 = (velocities.velocity_link_4_vx
+        * poses.rotation_link_3_yy
+        + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
+        - (wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0 * screws.minus_screw_joint_4_vy
+            + wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0 * screws.screw_joint_4_vx)) * qd[3];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_1_2 = velocities.velocity_link_5_wx + mu[0];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_1_0 = velocities.velocity_link_5_wy + mu[1];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_1_2 = velocities.velocity_link_5_wz + mu[2];
+    let wrench_link_7_mx_0_0_0_0_1_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        * poses.rotation_link_5_zz
+        + wrench_link_7_mx_0_0_0_0_1_0_0_1_2 * poses.rotation_link_4_yy) * qd[4];
+    let wrench_link_7_mx_0_0_0_1_1_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_1_2
+        * poses.rotation_link_4_xy
+        + wrench_link_7_mx_0_0_0_1_1_0_0_1_2 * poses.rotation_link_5_zz) * qd[4];
+    let wrench_link_7_mx_0_0_1_1_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        * poses.rotation_link_4_xy
+        - wrench_link_7_mx_0_0_0_1_1_0_0_1_2 * poses.rotation_link_4_yy) * qd[4];
+    let wrench_link_7_my_0_1_0_1_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        * screws.screw_joint_5_vz
+        - wrench_link_7_mx_0_0_0_0_1_0_0_1_2 * screws.screw_joint_5_vy
+        + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
+            + velocities.velocity_link_5_vz * poses.rotation_link_4_yy)) * qd[4];
+    let wrench_link_7_mx_0_1_1_1_0_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_0_1_2
+        * screws.screw_joint_5_vx
+        - wrench_link_7_mx_0_0_0_1_1_0_0_1_2 * screws.screw_joint_5_vz
+        - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
+            + velocities.velocity_link_5_vx * poses.rotation_link_5_zz)) * qd[4];
+    let wrench_link_7_mx_0_1_0_1_0_0_1 = (wrench_link_7_mx_0_0_0_1_1_0_0_1_2
+        * screws.screw_joint_5_vy
+        - wrench_link_7_mx_0_0_0_0_1_0_0_1_0 * screws.screw_joint_5_vx
+        + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
+            - velocities.velocity_link_5_vx * poses.rotation_link_4_yy)) * qd[4];
+    let wrench_link_7_mx_0_0_0_1_1_0_1_2 = velocities.velocity_link_6_wx + mu[0];
+    let wrench_link_7_mx_0_0_0_0_1_0_1_0 = velocities.velocity_link_6_wy + mu[1];
+    let wrench_link_7_mx_0_0_0_0_1_0_1_2 = velocities.velocity_link_6_wz + mu[2];
+    let wrench_link_7_mx_0_0_0_0_1_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_1_0
+        * poses.rotation_link_6_zz
+        + wrench_link_7_mx_0_0_0_0_1_0_1_2 * poses.rotation_link_5_yy) * qd[5];
+    let wrench_link_7_mx_0_0_0_1_1_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_1_2
+        * poses.rotation_link_6_xz
+        - wrench_link_7_mx_0_0_0_1_1_0_1_2 * poses.rotation_link_6_zz) * qd[5];
+    let wrench_link_7_mx_0_0_1_1_0_1 = (wrench_link_7_mx_0_0_0_1_1_0_1_2
+        * poses.rotation_link_5_yy
+        + wrench_link_7_mx_0_0_0_0_1_0_1_0 * poses.rotation_link_6_xz) * qd[5];
+    let wrench_link_7_my_0_1_0_1_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_1_0
+        * screws.screw_joint_6_vz
+        - wrench_link_7_mx_0_0_0_0_1_0_1_2 * screws.screw_joint_6_vy
+        + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
+            + velocities.velocity_link_6_vz * poses.rotation_link_5_yy)) * qd[5];
+    let wrench_link_7_mx_0_1_1_1_0_1 = (wrench_link_7_mx_0_0_0_0_1_0_1_2
+        * screws.screw_joint_6_vx
+        - wrench_link_7_mx_0_0_0_1_1_0_1_2 * screws.screw_joint_6_vz
+        + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
+            - velocities.velocity_link_6_vx * poses.rotation_link_6_zz)) * qd[5];
+    let wrench_link_7_mx_0_1_0_1_0_1 = (wrench_link_7_mx_0_0_0_1_1_0_1_2
+        * screws.screw_joint_6_vy
+        - wrench_link_7_mx_0_0_0_0_1_0_1_0 * screws.screw_joint_6_vx
+        - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
+            + velocities.velocity_link_6_vy * poses.rotation_link_6_xz)) * qd[5];
+    let wrench_link_7_mx_0_0_0_1_1_1_2 = velocities.velocity_link_7_wx + mu[0];
+    let wrench_link_7_mx_0_0_0_0_1_1_0 = velocities.velocity_link_7_wy + mu[1];
+    let wrench_link_7_mx_0_0_0_0_1_1_2 = velocities.velocity_link_7_wz + mu[2];
+    let wrench_link_7_mx_0_0_0_0_1_1 = (wrench_link_7_mx_0_0_0_0_1_1_0
+        * poses.rotation_link_6_zy
+        + wrench_link_7_mx_0_0_0_0_1_1_2 * poses.minus_rotation_link_6_yy) * qd[6];
+    let wrench_link_7_mx_0_0_0_1_1_1 = (wrench_link_7_mx_0_0_0_0_1_1_2
+        * poses.minus_rotation_link_6_xy
+        + wrench_link_7_mx_0_0_0_1_1_1_2 * poses.rotation_link_6_zy) * qd[6];
+    let wrench_link_7_mx_0_0_1_1_1 = (wrench_link_7_mx_0_0_0_0_1_1_0
+        * poses.minus_rotation_link_6_xy
+        - wrench_link_7_mx_0_0_0_1_1_1_2 * poses.minus_rotation_link_6_yy) * qd[6];
+    let wrench_link_7_my_0_1_0_1_1 = (wrench_link_7_mx_0_0_0_0_1_1_0
+        * screws.screw_joint_7_vz
+        - wrench_link_7_mx_0_0_0_0_1_1_2 * screws.screw_joint_7_vy
+        + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
+            + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy)) * qd[6];
+    let wrench_link_7_mx_0_1_1_1_1 = (wrench_link_7_mx_0_0_0_0_1_1_2
+        * screws.screw_joint_7_vx
+        - wrench_link_7_mx_0_0_0_1_1_1_2 * screws.screw_joint_7_vz
+        - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
+            + velocities.velocity_link_7_vx * poses.rotation_link_6_zy)) * qd[6];
+    let wrench_link_7_mx_0_1_0_1_1 = (wrench_link_7_mx_0_0_0_1_1_1_2
+        * screws.screw_joint_7_vy
+        - wrench_link_7_mx_0_0_0_0_1_1_0 * screws.screw_joint_7_vx
+        + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
+            - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy)) * qd[6];
+    let wrench_base_my_1_0_2 = inertias.inertia_base_xx
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        - inertias.minus_inertia_base_xy * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
         - inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_5
         + (velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hy
             - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
-    let wrench_base_mx_1_0_0 = inertias.inertia_base_yy * wrench_base_my_1_0_2_3
-        - inertias.minus_inertia_base_xy * wrench_base_my_1_0_2_1
+    let wrench_base_mx_1_0_0 = inertias.inertia_base_yy
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        - inertias.minus_inertia_base_xy * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
         - inertias.minus_inertia_base_yz * wrench_base_my_1_0_2_5
         - (velocities.velocity_base_vx * inertias.minus_inertia_base_hz
             + velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
     let wrench_base_mx_1_0_2 = inertias.inertia_base_zz * wrench_base_my_1_0_2_5
-        - (inertias.minus_inertia_base_xz * wrench_base_my_1_0_2_1
-            + inertias.minus_inertia_base_yz * wrench_base_my_1_0_2_3)
+        - (inertias.minus_inertia_base_xz * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+            + inertias.minus_inertia_base_yz * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0)
         + (velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
             + velocities.velocity_base_vx * inertias.minus_inertia_base_hy);
     let wrench_base_my_1_0_6 = velocities.velocity_base_vx * 3.5
         + (wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hy
-            - wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hz);
-    let wrench_base_mx_1_0_6 = wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hz
+            - wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0 * inertias.minus_inertia_base_hz);
+    let wrench_base_mx_1_0_6 = wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        * inertias.minus_inertia_base_hz
         - wrench_base_my_1_0_2_5 * inertias.minus_inertia_base_hx
         - velocities.minus_velocity_base_vy * 3.5;
-    let wrench_base_mx_1_0_4 = wrench_base_my_1_0_2_3 * inertias.minus_inertia_base_hx
-        - wrench_base_my_1_0_2_1 * inertias.minus_inertia_base_hy
+    let wrench_base_mx_1_0_4 = wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        * inertias.minus_inertia_base_hx
+        - wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0 * inertias.minus_inertia_base_hy
         - velocities.minus_velocity_base_vz * 3.5;
     let wrench_base_mx_1_0 = wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_5
-        - wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_3
+        - wrench_base_mx_1_0_2 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
         + (wrench_base_mx_1_0_4 * velocities.minus_velocity_base_vy
             - wrench_base_mx_1_0_6 * velocities.minus_velocity_base_vz);
-    let wrench_base_my_1_0 = wrench_base_mx_1_0_2 * wrench_base_my_1_0_2_1
+    let wrench_base_my_1_0 = wrench_base_mx_1_0_2
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
         - wrench_base_my_1_0_2 * wrench_base_my_1_0_2_5
         + (wrench_base_mx_1_0_4 * velocities.velocity_base_vx
             + wrench_base_my_1_0_6 * velocities.minus_velocity_base_vz);
-    let wrench_base_mz_1_0 = wrench_base_my_1_0_2 * wrench_base_my_1_0_2_3
-        - wrench_base_mx_1_0_0 * wrench_base_my_1_0_2_1
+    let wrench_base_mz_1_0 = wrench_base_my_1_0_2
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        - wrench_base_mx_1_0_0 * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
         - (wrench_base_my_1_0_6 * velocities.minus_velocity_base_vy
             + wrench_base_mx_1_0_6 * velocities.velocity_base_vx);
     let wrench_base_fx_1_0 = wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_5
-        - wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_3;
-    let wrench_base_fy_1_0 = wrench_base_mx_1_0_4 * wrench_base_my_1_0_2_1
+        - wrench_base_mx_1_0_4 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0;
+    let wrench_base_fy_1_0 = wrench_base_mx_1_0_4
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
         - wrench_base_my_1_0_6 * wrench_base_my_1_0_2_5;
-    let wrench_base_fz_1_0 = wrench_base_my_1_0_6 * wrench_base_my_1_0_2_3
-        - wrench_base_mx_1_0_6 * wrench_base_my_1_0_2_1;
-    let wrench_link_1_my_1_2_5 = velocities.velocity_link_1_wz + mu[2];
-    let wrench_link_1_my_1_2 = inertias.inertia_link_1_xx * wrench_base_my_1_0_2_1
-        + inertias.inertia_link_1_xy * wrench_base_my_1_0_2_3
-        + inertias.inertia_link_1_xz * wrench_link_1_my_1_2_5
+    let wrench_base_fz_1_0 = wrench_base_my_1_0_6
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        - wrench_base_mx_1_0_6 * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0;
+    let wrench_link_1_my_0_1_2 = inertias.inertia_link_1_xx
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        + inertias.inertia_link_1_xy * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        + inertias.inertia_link_1_xz * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
         - (velocities.minus_velocity_base_vz * inertias.inertia_link_1_hy
             + velocities.velocity_link_1_vy * inertias.inertia_link_1_hz);
-    let wrench_link_1_mx_1_0 = inertias.inertia_link_1_xy * wrench_base_my_1_0_2_1
-        + inertias.inertia_link_1_yy * wrench_base_my_1_0_2_3
-        - inertias.minus_inertia_link_1_yz * wrench_link_1_my_1_2_5
+    let wrench_link_1_mx_0_1_0 = inertias.inertia_link_1_xy
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        + inertias.inertia_link_1_yy * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        - inertias.minus_inertia_link_1_yz * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
         + (velocities.velocity_link_1_vx * inertias.inertia_link_1_hz
             - velocities.minus_velocity_base_vz * inertias.minus_inertia_link_1_hx);
-    let wrench_link_1_mx_1_2 = inertias.inertia_link_1_xz * wrench_base_my_1_0_2_1
-        - inertias.minus_inertia_link_1_yz * wrench_base_my_1_0_2_3
-        + inertias.inertia_link_1_zz * wrench_link_1_my_1_2_5
+    let wrench_link_1_mx_0_1_2 = inertias.inertia_link_1_xz
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        - inertias.minus_inertia_link_1_yz * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        + inertias.inertia_link_1_zz * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
         - (velocities.velocity_link_1_vy * inertias.minus_inertia_link_1_hx
             + velocities.velocity_link_1_vx * inertias.inertia_link_1_hy);
-    let wrench_link_1_my_1_6 = velocities.velocity_link_1_vx * 2.0
-        + (wrench_base_my_1_0_2_3 * inertias.inertia_link_1_hz
-            - wrench_link_1_my_1_2_5 * inertias.inertia_link_1_hy);
-    let wrench_link_1_mx_1_4 = velocities.velocity_link_1_vy * 2.0
-        - (wrench_link_1_my_1_2_5 * inertias.minus_inertia_link_1_hx
-            + wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hz);
-    let wrench_link_1_mx_1_6 = wrench_base_my_1_0_2_1 * inertias.inertia_link_1_hy
-        + wrench_base_my_1_0_2_3 * inertias.minus_inertia_link_1_hx
+    let wrench_link_1_my_0_1_6 = velocities.velocity_link_1_vx * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0 * inertias.inertia_link_1_hz
+            - wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1 * inertias.inertia_link_1_hy);
+    let wrench_link_1_mx_0_1_4 = velocities.velocity_link_1_vy * 2.0
+        - (wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1 * inertias.minus_inertia_link_1_hx
+            + wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0 * inertias.inertia_link_1_hz);
+    let wrench_link_1_mx_0_1_6 = wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        * inertias.inertia_link_1_hy
+        + wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0 * inertias.minus_inertia_link_1_hx
         - velocities.minus_velocity_base_vz * 2.0;
-    let wrench_link_1_mx_1 = wrench_link_1_mx_1_0 * wrench_link_1_my_1_2_5
-        - wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_3
-        - (wrench_link_1_mx_1_4 * velocities.minus_velocity_base_vz
-            + wrench_link_1_mx_1_6 * velocities.velocity_link_1_vy);
-    let wrench_link_1_my_1 = wrench_link_1_mx_1_2 * wrench_base_my_1_0_2_1
-        - wrench_link_1_my_1_2 * wrench_link_1_my_1_2_5
-        + (wrench_link_1_mx_1_6 * velocities.velocity_link_1_vx
-            + wrench_link_1_my_1_6 * velocities.minus_velocity_base_vz);
-    let wrench_link_1_mz_1 = wrench_link_1_my_1_2 * wrench_base_my_1_0_2_3
-        - wrench_link_1_mx_1_0 * wrench_base_my_1_0_2_1
-        + (wrench_link_1_my_1_6 * velocities.velocity_link_1_vy
-            - wrench_link_1_mx_1_4 * velocities.velocity_link_1_vx);
-    let wrench_link_1_fx_1 = wrench_link_1_mx_1_4 * wrench_link_1_my_1_2_5
-        - wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_3;
-    let wrench_link_1_fy_1 = wrench_link_1_mx_1_6 * wrench_base_my_1_0_2_1
-        - wrench_link_1_my_1_6 * wrench_link_1_my_1_2_5;
-    let wrench_link_1_fz_1 = wrench_link_1_my_1_6 * wrench_base_my_1_0_2_3
-        - wrench_link_1_mx_1_4 * wrench_base_my_1_0_2_1;
-    let wrench_link_2_my_1_2_1 = velocities.velocity_link_2_wx + mu[0];
-    let wrench_link_2_my_1_2_3 = mu[1] - velocities.minus_velocity_link_2_wy;
-    let wrench_link_2_my_1_2 = inertias.inertia_link_2_xx * wrench_link_2_my_1_2_1
-        + inertias.inertia_link_2_xy * wrench_link_2_my_1_2_3
-        + inertias.inertia_link_2_xz * wrench_link_1_my_1_2_5
+    let wrench_link_1_mx_0_1 = wrench_link_1_mx_0_1_0
+        * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        - wrench_link_1_mx_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        - (wrench_link_1_mx_0_1_4 * velocities.minus_velocity_base_vz
+            + wrench_link_1_mx_0_1_6 * velocities.velocity_link_1_vy);
+    let wrench_link_1_my_0_1 = wrench_link_1_mx_0_1_2
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        - wrench_link_1_my_0_1_2 * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        + (wrench_link_1_mx_0_1_6 * velocities.velocity_link_1_vx
+            + wrench_link_1_my_0_1_6 * velocities.minus_velocity_base_vz);
+    let wrench_link_1_mz_0_1 = wrench_link_1_my_0_1_2
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        - wrench_link_1_mx_0_1_0 * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        + (wrench_link_1_my_0_1_6 * velocities.velocity_link_1_vy
+            - wrench_link_1_mx_0_1_4 * velocities.velocity_link_1_vx);
+    let wrench_link_1_fx_0_1 = wrench_link_1_mx_0_1_4
+        * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        - wrench_link_1_mx_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0;
+    let wrench_link_1_fy_1_1 = wrench_link_1_mx_0_1_6
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0
+        - wrench_link_1_my_0_1_6 * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1;
+    let wrench_link_1_fz_0_1 = wrench_link_1_my_0_1_6
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0_0
+        - wrench_link_1_mx_0_1_4 * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1_0;
+    let wrench_link_2_my_0_1_2 = inertias.inertia_link_2_xx
+        * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        + inertias.inertia_link_2_xy * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2
+        + inertias.inertia_link_2_xz * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
         - (velocities.velocity_link_2_vz * inertias.minus_inertia_link_2_hy
             + velocities.velocity_link_2_vy * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_1_0 = inertias.inertia_link_2_xy * wrench_link_2_my_1_2_1
-        + inertias.inertia_link_2_yy * wrench_link_2_my_1_2_3
-        + inertias.inertia_link_2_yz * wrench_link_1_my_1_2_5
+    let wrench_link_2_mx_0_1_0 = inertias.inertia_link_2_xy
+        * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        + inertias.inertia_link_2_yy * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2
+        + inertias.inertia_link_2_yz * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
         + (velocities.velocity_link_2_vx * inertias.inertia_link_2_hz
             - velocities.velocity_link_2_vz * inertias.inertia_link_2_hx);
-    let wrench_link_2_mx_1_2 = inertias.inertia_link_2_xz * wrench_link_2_my_1_2_1
-        + inertias.inertia_link_2_yz * wrench_link_2_my_1_2_3
-        + inertias.inertia_link_2_zz * wrench_link_1_my_1_2_5
+    let wrench_link_2_mx_0_1_2 = inertias.inertia_link_2_xz
+        * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        + inertias.inertia_link_2_yz * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2
+        + inertias.inertia_link_2_zz * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
         + (velocities.velocity_link_2_vy * inertias.inertia_link_2_hx
             + velocities.velocity_link_2_vx * inertias.minus_inertia_link_2_hy);
-    let wrench_link_2_my_1_6 = velocities.velocity_link_2_vx * 2.0
-        + (wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hz
-            + wrench_link_1_my_1_2_5 * inertias.minus_inertia_link_2_hy);
-    let wrench_link_2_mx_1_4 = velocities.velocity_link_2_vy * 2.0
-        + (wrench_link_1_my_1_2_5 * inertias.inertia_link_2_hx
-            - wrench_link_2_my_1_2_1 * inertias.inertia_link_2_hz);
-    let wrench_link_2_mx_1_6 = velocities.velocity_link_2_vz * 2.0
-        - (wrench_link_2_my_1_2_1 * inertias.minus_inertia_link_2_hy
-            + wrench_link_2_my_1_2_3 * inertias.inertia_link_2_hx);
-    let wrench_link_2_mx_1 = wrench_link_2_mx_1_0 * wrench_link_1_my_1_2_5
-        - wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_3
-        + (wrench_link_2_mx_1_4 * velocities.velocity_link_2_vz
-            - wrench_link_2_mx_1_6 * velocities.velocity_link_2_vy);
-    let wrench_link_2_my_1 = wrench_link_2_mx_1_2 * wrench_link_2_my_1_2_1
-        - wrench_link_2_my_1_2 * wrench_link_1_my_1_2_5
-        + (wrench_link_2_mx_1_6 * velocities.velocity_link_2_vx
-            - wrench_link_2_my_1_6 * velocities.velocity_link_2_vz);
-    let wrench_link_2_mz_1 = wrench_link_2_my_1_2 * wrench_link_2_my_1_2_3
-        - wrench_link_2_mx_1_0 * wrench_link_2_my_1_2_1
-        + (wrench_link_2_my_1_6 * velocities.velocity_link_2_vy
-            - wrench_link_2_mx_1_4 * velocities.velocity_link_2_vx);
-    let wrench_link_2_fx_1 = wrench_link_2_mx_1_4 * wrench_link_1_my_1_2_5
-        - wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_3;
-    let wrench_link_2_fy_1 = wrench_link_2_mx_1_6 * wrench_link_2_my_1_2_1
-        - wrench_link_2_my_1_6 * wrench_link_1_my_1_2_5;
-    let wrench_link_2_fz_1 = wrench_link_2_my_1_6 * wrench_link_2_my_1_2_3
-        - wrench_link_2_mx_1_4 * wrench_link_2_my_1_2_1;
-    let wrench_link_3_my_1_2_1 = velocities.velocity_link_3_wx + mu[0];
-    let wrench_link_3_my_1_2_3 = mu[1] - velocities.minus_velocity_link_3_wy;
-    let wrench_link_3_my_1_2_5 = velocities.velocity_link_3_wz + mu[2];
-    let wrench_link_3_my_1_2 = inertias.inertia_link_3_xx * wrench_link_3_my_1_2_1
-        + inertias.inertia_link_3_xy * wrench_link_3_my_1_2_3
-        + inertias.inertia_link_3_xz * wrench_link_3_my_1_2_5
+    let wrench_link_2_my_0_1_6 = velocities.velocity_link_2_vx * 2.0
+        + (wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2 * inertias.inertia_link_2_hz
+            + wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1 * inertias.minus_inertia_link_2_hy);
+    let wrench_link_2_mx_0_1_4 = velocities.velocity_link_2_vy * 2.0
+        + (wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1 * inertias.inertia_link_2_hx
+            - wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0 * inertias.inertia_link_2_hz);
+    let wrench_link_2_mx_0_1_6 = velocities.velocity_link_2_vz * 2.0
+        - (wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0 * inertias.minus_inertia_link_2_hy
+            + wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2 * inertias.inertia_link_2_hx);
+    let wrench_link_2_mx_0_1 = wrench_link_2_mx_0_1_0
+        * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        - wrench_link_2_mx_0_1_2 * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2
+        + (wrench_link_2_mx_0_1_4 * velocities.velocity_link_2_vz
+            - wrench_link_2_mx_0_1_6 * velocities.velocity_link_2_vy);
+    let wrench_link_2_my_0_1 = wrench_link_2_mx_0_1_2
+        * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        - wrench_link_2_my_0_1_2 * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        + (wrench_link_2_mx_0_1_6 * velocities.velocity_link_2_vx
+            - wrench_link_2_my_0_1_6 * velocities.velocity_link_2_vz);
+    let wrench_link_2_mz_0_1 = wrench_link_2_my_0_1_2
+        * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2
+        - wrench_link_2_mx_0_1_0 * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        + (wrench_link_2_my_0_1_6 * velocities.velocity_link_2_vy
+            - wrench_link_2_mx_0_1_4 * velocities.velocity_link_2_vx);
+    let wrench_link_2_fx_0_1 = wrench_link_2_mx_0_1_4
+        * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1
+        - wrench_link_2_mx_0_1_6 * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2;
+    let wrench_link_2_fy_0_1 = wrench_link_2_mx_0_1_6
+        * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0
+        - wrench_link_2_my_0_1_6 * wrench_link_7_my_0_1_0_1_0_0_0_0_0_0_1;
+    let wrench_link_2_fz_0_1 = wrench_link_2_my_0_1_6
+        * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_2
+        - wrench_link_2_mx_0_1_4 * wrench_link_7_mx_0_0_1_1_0_0_0_0_1_0;
+    let wrench_link_3_my_0_1_2 = inertias.inertia_link_3_xx
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2
+        + inertias.inertia_link_3_xy * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        + inertias.inertia_link_3_xz * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
         - (velocities.velocity_link_3_vz * inertias.minus_inertia_link_3_hy
             + velocities.velocity_link_3_vy * inertias.inertia_link_3_hz);
-    let wrench_link_3_mx_1_0 = inertias.inertia_link_3_xy * wrench_link_3_my_1_2_1
-        + inertias.inertia_link_3_yy * wrench_link_3_my_1_2_3
-        + inertias.inertia_link_3_yz * wrench_link_3_my_1_2_5
+    let wrench_link_3_mx_0_1_0 = inertias.inertia_link_3_xy
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2
+        + inertias.inertia_link_3_yy * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        + inertias.inertia_link_3_yz * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
         + (velocities.velocity_link_3_vx * inertias.inertia_link_3_hz
             - velocities.velocity_link_3_vz * inertias.inertia_link_3_hx);
-    let wrench_link_3_mx_1_2 = inertias.inertia_link_3_xz * wrench_link_3_my_1_2_1
-        + inertias.inertia_link_3_yz * wrench_link_3_my_1_2_3
-        + inertias.inertia_link_3_zz * wrench_link_3_my_1_2_5
+    let wrench_link_3_mx_0_1_2 = inertias.inertia_link_3_xz
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2
+        + inertias.inertia_link_3_yz * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        + inertias.inertia_link_3_zz * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
         + (velocities.velocity_link_3_vy * inertias.inertia_link_3_hx
             + velocities.velocity_link_3_vx * inertias.minus_inertia_link_3_hy);
-    let wrench_link_3_my_1_6 = velocities.velocity_link_3_vx * 2.0
-        + (wrench_link_3_my_1_2_3 * inertias.inertia_link_3_hz
-            + wrench_link_3_my_1_2_5 * inertias.minus_inertia_link_3_hy);
-    let wrench_link_3_mx_1_4 = velocities.velocity_link_3_vy * 2.0
-        + (wrench_link_3_my_1_2_5 * inertias.inertia_link_3_hx
-            - wrench_link_3_my_1_2_1 * inertias.inertia_link_3_hz);
-    let wrench_link_3_mx_1_6 = velocities.velocity_link_3_vz * 2.0
-        - (wrench_link_3_my_1_2_1 * inertias.minus_inertia_link_3_hy
-            + wrench_link_3_my_1_2_3 * inertias.inertia_link_3_hx);
-    let wrench_link_3_mx_1 = wrench_link_3_mx_1_0 * wrench_link_3_my_1_2_5
-        - wrench_link_3_mx_1_2 * wrench_link_3_my_1_2_3
-        + (wrench_link_3_mx_1_4 * velocities.velocity_link_3_vz
-            - wrench_link_3_mx_1_6 * velocities.velocity_link_3_vy);
-    let wrench_link_3_my_1 = wrench_link_3_mx_1_2 * wrench_link_3_my_1_2_1
-        - wrench_link_3_my_1_2 * wrench_link_3_my_1_2_5
-        + (wrench_link_3_mx_1_6 * velocities.velocity_link_3_vx
-            - wrench_link_3_my_1_6 * velocities.velocity_link_3_vz);
-    let wrench_link_3_mz_1 = wrench_link_3_my_1_2 * wrench_link_3_my_1_2_3
-        - wrench_link_3_mx_1_0 * wrench_link_3_my_1_2_1
-        + (wrench_link_3_my_1_6 * velocities.velocity_link_3_vy
-            - wrench_link_3_mx_1_4 * velocities.velocity_link_3_vx);
-    let wrench_link_3_fx_1 = wrench_link_3_mx_1_4 * wrench_link_3_my_1_2_5
-        - wrench_link_3_mx_1_6 * wrench_link_3_my_1_2_3;
-    let wrench_link_3_fy_1 = wrench_link_3_mx_1_6 * wrench_link_3_my_1_2_1
-        - wrench_link_3_my_1_6 * wrench_link_3_my_1_2_5;
-    let wrench_link_3_fz_1 = wrench_link_3_my_1_6 * wrench_link_3_my_1_2_3
-        - wrench_link_3_mx_1_4 * wrench_link_3_my_1_2_1;
-    let wrench_link_4_my_1_2_1 = velocities.velocity_link_4_wx + mu[0];
-    let wrench_link_4_my_1_2_3 = velocities.velocity_link_4_wy + mu[1];
-    let wrench_link_4_my_1_2_5 = velocities.velocity_link_4_wz + mu[2];
-    let wrench_link_4_my_1_2 = inertias.inertia_link_4_xx * wrench_link_4_my_1_2_1
-        + inertias.inertia_link_4_xy * wrench_link_4_my_1_2_3
-        + inertias.inertia_link_4_xz * wrench_link_4_my_1_2_5
+    let wrench_link_3_my_0_1_6 = velocities.velocity_link_3_vx * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0 * inertias.inertia_link_3_hz
+            + wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2 * inertias.minus_inertia_link_3_hy);
+    let wrench_link_3_mx_0_1_4 = velocities.velocity_link_3_vy * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2 * inertias.inertia_link_3_hx
+            - wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2 * inertias.inertia_link_3_hz);
+    let wrench_link_3_mx_0_1_6 = velocities.velocity_link_3_vz * 2.0
+        - (wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2 * inertias.minus_inertia_link_3_hy
+            + wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0 * inertias.inertia_link_3_hx);
+    let wrench_link_3_mx_0_1 = wrench_link_3_mx_0_1_0
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
+        - wrench_link_3_mx_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        + (wrench_link_3_mx_0_1_4 * velocities.velocity_link_3_vz
+            - wrench_link_3_mx_0_1_6 * velocities.velocity_link_3_vy);
+    let wrench_link_3_my_0_1 = wrench_link_3_mx_0_1_2
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2
+        - wrench_link_3_my_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
+        + (wrench_link_3_mx_0_1_6 * velocities.velocity_link_3_vx
+            - wrench_link_3_my_0_1_6 * velocities.velocity_link_3_vz);
+    let wrench_link_3_mz_0_1 = wrench_link_3_my_0_1_2
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        - wrench_link_3_mx_0_1_0 * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2
+        + (wrench_link_3_my_0_1_6 * velocities.velocity_link_3_vy
+            - wrench_link_3_mx_0_1_4 * velocities.velocity_link_3_vx);
+    let wrench_link_3_fx_0_1 = wrench_link_3_mx_0_1_4
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2
+        - wrench_link_3_mx_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0;
+    let wrench_link_3_fy_0_1 = wrench_link_3_mx_0_1_6
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2
+        - wrench_link_3_my_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_2;
+    let wrench_link_3_fz_0_1 = wrench_link_3_my_0_1_6
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1_0
+        - wrench_link_3_mx_0_1_4 * wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1_2;
+    let wrench_link_4_my_0_1_2 = inertias.inertia_link_4_xx
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        + inertias.inertia_link_4_xy * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0
+        + inertias.inertia_link_4_xz * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
         + (velocities.velocity_link_4_vz * inertias.inertia_link_4_hy
             - velocities.velocity_link_4_vy * inertias.inertia_link_4_hz);
-    let wrench_link_4_mx_1_0 = inertias.inertia_link_4_xy * wrench_link_4_my_1_2_1
-        + inertias.inertia_link_4_yy * wrench_link_4_my_1_2_3
-        + inertias.inertia_link_4_yz * wrench_link_4_my_1_2_5
+    let wrench_link_4_mx_0_1_0 = inertias.inertia_link_4_xy
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        + inertias.inertia_link_4_yy * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0
+        + inertias.inertia_link_4_yz * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
         + (velocities.velocity_link_4_vx * inertias.inertia_link_4_hz
             + velocities.velocity_link_4_vz * inertias.minus_inertia_link_4_hx);
-    let wrench_link_4_mx_1_2 = inertias.inertia_link_4_xz * wrench_link_4_my_1_2_1
-        + inertias.inertia_link_4_yz * wrench_link_4_my_1_2_3
-        + inertias.inertia_link_4_zz * wrench_link_4_my_1_2_5
+    let wrench_link_4_mx_0_1_2 = inertias.inertia_link_4_xz
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        + inertias.inertia_link_4_yz * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0
+        + inertias.inertia_link_4_zz * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
         - (velocities.velocity_link_4_vy * inertias.minus_inertia_link_4_hx
             + velocities.velocity_link_4_vx * inertias.inertia_link_4_hy);
-    let wrench_link_4_my_1_6 = velocities.velocity_link_4_vx * 2.0
-        + (wrench_link_4_my_1_2_3 * inertias.inertia_link_4_hz
-            - wrench_link_4_my_1_2_5 * inertias.inertia_link_4_hy);
-    let wrench_link_4_mx_1_4 = velocities.velocity_link_4_vy * 2.0
-        - (wrench_link_4_my_1_2_5 * inertias.minus_inertia_link_4_hx
-            + wrench_link_4_my_1_2_1 * inertias.inertia_link_4_hz);
-    let wrench_link_4_mx_1_6 = velocities.velocity_link_4_vz * 2.0
-        + (wrench_link_4_my_1_2_1 * inertias.inertia_link_4_hy
-            + wrench_link_4_my_1_2_3 * inertias.minus_inertia_link_4_hx);
-    let wrench_link_4_mx_1 = wrench_link_4_mx_1_0 * wrench_link_4_my_1_2_5
-        - wrench_link_4_mx_1_2 * wrench_link_4_my_1_2_3
-        + (wrench_link_4_mx_1_4 * velocities.velocity_link_4_vz
-            - wrench_link_4_mx_1_6 * velocities.velocity_link_4_vy);
-    let wrench_link_4_my_1 = wrench_link_4_mx_1_2 * wrench_link_4_my_1_2_1
-        - wrench_link_4_my_1_2 * wrench_link_4_my_1_2_5
-        + (wrench_link_4_mx_1_6 * velocities.velocity_link_4_vx
-            - wrench_link_4_my_1_6 * velocities.velocity_link_4_vz);
-    let wrench_link_4_mz_1 = wrench_link_4_my_1_2 * wrench_link_4_my_1_2_3
-        - wrench_link_4_mx_1_0 * wrench_link_4_my_1_2_1
-        + (wrench_link_4_my_1_6 * velocities.velocity_link_4_vy
-            - wrench_link_4_mx_1_4 * velocities.velocity_link_4_vx);
-    let wrench_link_4_fx_1 = wrench_link_4_mx_1_4 * wrench_link_4_my_1_2_5
-        - wrench_link_4_mx_1_6 * wrench_link_4_my_1_2_3;
-    let wrench_link_4_fy_1 = wrench_link_4_mx_1_6 * wrench_link_4_my_1_2_1
-        - wrench_link_4_my_1_6 * wrench_link_4_my_1_2_5;
-    let wrench_link_4_fz_1 = wrench_link_4_my_1_6 * wrench_link_4_my_1_2_3
-        - wrench_link_4_mx_1_4 * wrench_link_4_my_1_2_1;
-    let wrench_link_5_my_1_2_1 = velocities.velocity_link_5_wx + mu[0];
-    let wrench_link_5_my_1_2_3 = velocities.velocity_link_5_wy + mu[1];
-    let wrench_link_5_my_1_2_5 = velocities.velocity_link_5_wz + mu[2];
-    let wrench_link_5_my_1_2 = inertias.inertia_link_5_xx * wrench_link_5_my_1_2_1
-        + inertias.inertia_link_5_xy * wrench_link_5_my_1_2_3
-        + inertias.inertia_link_5_xz * wrench_link_5_my_1_2_5
+    let wrench_link_4_my_0_1_6 = velocities.velocity_link_4_vx * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0 * inertias.inertia_link_4_hz
+            - wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2 * inertias.inertia_link_4_hy);
+    let wrench_link_4_mx_0_1_4 = velocities.velocity_link_4_vy * 2.0
+        - (wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2 * inertias.minus_inertia_link_4_hx
+            + wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0 * inertias.inertia_link_4_hz);
+    let wrench_link_4_mx_0_1_6 = velocities.velocity_link_4_vz * 2.0
+        + (wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0 * inertias.inertia_link_4_hy
+            + wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0 * inertias.minus_inertia_link_4_hx);
+    let wrench_link_4_mx_0_1 = wrench_link_4_mx_0_1_0
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
+        - wrench_link_4_mx_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0
+        + (wrench_link_4_mx_0_1_4 * velocities.velocity_link_4_vz
+            - wrench_link_4_mx_0_1_6 * velocities.velocity_link_4_vy);
+    let wrench_link_4_my_0_1 = wrench_link_4_mx_0_1_2
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        - wrench_link_4_my_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
+        + (wrench_link_4_mx_0_1_6 * velocities.velocity_link_4_vx
+            - wrench_link_4_my_0_1_6 * velocities.velocity_link_4_vz);
+    let wrench_link_4_mz_0_1 = wrench_link_4_my_0_1_2
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0
+        - wrench_link_4_mx_0_1_0 * wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        + (wrench_link_4_my_0_1_6 * velocities.velocity_link_4_vy
+            - wrench_link_4_mx_0_1_4 * velocities.velocity_link_4_vx);
+    let wrench_link_4_fx_0_1 = wrench_link_4_mx_0_1_4
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2
+        - wrench_link_4_mx_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0;
+    let wrench_link_4_fy_0_1 = wrench_link_4_mx_0_1_6
+        * wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0
+        - wrench_link_4_my_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_2;
+    let wrench_link_4_fz_0_1 = wrench_link_4_my_0_1_6
+        * wrench_link_7_mx_0_0_0_0_1_0_0_0_1_0
+        - wrench_link_4_mx_0_1_4 * wrench_link_7_mx_0_0_0_1_1_0_0_0_1_0;
+    let wrench_link_5_my_0_1_2 = inertias.inertia_link_5_xx
+        * wrench_link_7_mx_0_0_0_1_1_0_0_1_2
+        + inertias.inertia_link_5_xy * wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        + inertias.inertia_link_5_xz * wrench_link_7_mx_0_0_0_0_1_0_0_1_2
         + (velocities.velocity_link_5_vz * inertias.inertia_link_5_hy
             - velocities.velocity_link_5_vy * inertias.inertia_link_5_hz);
-    let wrench_link_5_mx_1_0 = inertias.inertia_link_5_xy * wrench_link_5_my_1_2_1
-        + inertias.inertia_link_5_yy * wrench_link_5_my_1_2_3
-        + inertias.inertia_link_5_yz * wrench_link_5_my_1_2_5
+    let wrench_link_5_mx_0_1_0 = inertias.inertia_link_5_xy
+        * wrench_link_7_mx_0_0_0_1_1_0_0_1_2
+        + inertias.inertia_link_5_yy * wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        + inertias.inertia_link_5_yz * wrench_link_7_mx_0_0_0_0_1_0_0_1_2
         + (velocities.velocity_link_5_vx * inertias.inertia_link_5_hz
             + velocities.velocity_link_5_vz * inertias.minus_inertia_link_5_hx);
-    let wrench_link_5_mx_1_2 = inertias.inertia_link_5_xz * wrench_link_5_my_1_2_1
-        + inertias.inertia_link_5_yz * wrench_link_5_my_1_2_3
-        + inertias.inertia_link_5_zz * wrench_link_5_my_1_2_5
+    let wrench_link_5_mx_0_1_2 = inertias.inertia_link_5_xz
+        * wrench_link_7_mx_0_0_0_1_1_0_0_1_2
+        + inertias.inertia_link_5_yz * wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        + inertias.inertia_link_5_zz * wrench_link_7_mx_0_0_0_0_1_0_0_1_2
         - (velocities.velocity_link_5_vy * inertias.minus_inertia_link_5_hx
             + velocities.velocity_link_5_vx * inertias.inertia_link_5_hy);
-    let wrench_link_5_my_1_6 = velocities.velocity_link_5_vx * 2.0
-        + (wrench_link_5_my_1_2_3 * inertias.inertia_link_5_hz
-            - wrench_link_5_my_1_2_5 * inertias.inertia_link_5_hy);
-    let wrench_link_5_mx_1_4 = velocities.velocity_link_5_vy * 2.0
-        - (wrench_link_5_my_1_2_5 * inertias.minus_inertia_link_5_hx
-            + wrench_link_5_my_1_2_1 * inertias.inertia_link_5_hz);
-    let wrench_link_5_mx_1_6 = velocities.velocity_link_5_vz * 2.0
-        + (wrench_link_5_my_1_2_1 * inertias.inertia_link_5_hy
-            + wrench_link_5_my_1_2_3 * inertias.minus_inertia_link_5_hx);
-    let wrench_link_5_mx_1 = wrench_link_5_mx_1_0 * wrench_link_5_my_1_2_5
-        - wrench_link_5_mx_1_2 * wrench_link_5_my_1_2_3
-        + (wrench_link_5_mx_1_4 * velocities.velocity_link_5_vz
-            - wrench_link_5_mx_1_6 * velocities.velocity_link_5_vy);
-    let wrench_link_5_my_1 = wrench_link_5_mx_1_2 * wrench_link_5_my_1_2_1
-        - wrench_link_5_my_1_2 * wrench_link_5_my_1_2_5
-        + (wrench_link_5_mx_1_6 * velocities.velocity_link_5_vx
-            - wrench_link_5_my_1_6 * velocities.velocity_link_5_vz);
-    let wrench_link_5_mz_1 = wrench_link_5_my_1_2 * wrench_link_5_my_1_2_3
-        - wrench_link_5_mx_1_0 * wrench_link_5_my_1_2_1
-        + (wrench_link_5_my_1_6 * velocities.velocity_link_5_vy
-            - wrench_link_5_mx_1_4 * velocities.velocity_link_5_vx);
-    let wrench_link_5_fx_1 = wrench_link_5_mx_1_4 * wrench_link_5_my_1_2_5
-        - wrench_link_5_mx_1_6 * wrench_link_5_my_1_2_3;
-    let wrench_link_5_fy_1 = wrench_link_5_mx_1_6 * wrench_link_5_my_1_2_1
-        - wrench_link_5_my_1_6 * wrench_link_5_my_1_2_5;
-    let wrench_link_5_fz_1 = wrench_link_5_my_1_6 * wrench_link_5_my_1_2_3
-        - wrench_link_5_mx_1_4 * wrench_link_5_my_1_2_1;
-    let wrench_link_6_my_1_2_1 = velocities.velocity_link_6_wx + mu[0];
-    let wrench_link_6_my_1_2_3 = velocities.velocity_link_6_wy + mu[1];
-    let wrench_link_6_my_1_2_5 = velocities.velocity_link_6_wz + mu[2];
-    let wrench_link_6_my_1_2 = inertias.inertia_link_6_xx * wrench_link_6_my_1_2_1
-        - inertias.minus_inertia_link_6_xy * wrench_link_6_my_1_2_3
-        + inertias.inertia_link_6_xz * wrench_link_6_my_1_2_5
+    let wrench_link_5_my_0_1_6 = velocities.velocity_link_5_vx * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_0_0_1_0 * inertias.inertia_link_5_hz
+            - wrench_link_7_mx_0_0_0_0_1_0_0_1_2 * inertias.inertia_link_5_hy);
+    let wrench_link_5_mx_0_1_4 = velocities.velocity_link_5_vy * 2.0
+        - (wrench_link_7_mx_0_0_0_0_1_0_0_1_2 * inertias.minus_inertia_link_5_hx
+            + wrench_link_7_mx_0_0_0_1_1_0_0_1_2 * inertias.inertia_link_5_hz);
+    let wrench_link_5_mx_0_1_6 = velocities.velocity_link_5_vz * 2.0
+        + (wrench_link_7_mx_0_0_0_1_1_0_0_1_2 * inertias.inertia_link_5_hy
+            + wrench_link_7_mx_0_0_0_0_1_0_0_1_0 * inertias.minus_inertia_link_5_hx);
+    let wrench_link_5_mx_0_1 = wrench_link_5_mx_0_1_0
+        * wrench_link_7_mx_0_0_0_0_1_0_0_1_2
+        - wrench_link_5_mx_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        + (wrench_link_5_mx_0_1_4 * velocities.velocity_link_5_vz
+            - wrench_link_5_mx_0_1_6 * velocities.velocity_link_5_vy);
+    let wrench_link_5_my_0_1 = wrench_link_5_mx_0_1_2
+        * wrench_link_7_mx_0_0_0_1_1_0_0_1_2
+        - wrench_link_5_my_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_0_1_2
+        + (wrench_link_5_mx_0_1_6 * velocities.velocity_link_5_vx
+            - wrench_link_5_my_0_1_6 * velocities.velocity_link_5_vz);
+    let wrench_link_5_mz_0_1 = wrench_link_5_my_0_1_2
+        * wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        - wrench_link_5_mx_0_1_0 * wrench_link_7_mx_0_0_0_1_1_0_0_1_2
+        + (wrench_link_5_my_0_1_6 * velocities.velocity_link_5_vy
+            - wrench_link_5_mx_0_1_4 * velocities.velocity_link_5_vx);
+    let wrench_link_5_fx_0_1 = wrench_link_5_mx_0_1_4
+        * wrench_link_7_mx_0_0_0_0_1_0_0_1_2
+        - wrench_link_5_mx_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_0_1_0;
+    let wrench_link_5_fy_0_1 = wrench_link_5_mx_0_1_6
+        * wrench_link_7_mx_0_0_0_1_1_0_0_1_2
+        - wrench_link_5_my_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_0_1_2;
+    let wrench_link_5_fz_0_1 = wrench_link_5_my_0_1_6
+        * wrench_link_7_mx_0_0_0_0_1_0_0_1_0
+        - wrench_link_5_mx_0_1_4 * wrench_link_7_mx_0_0_0_1_1_0_0_1_2;
+    let wrench_link_6_my_0_1_2 = inertias.inertia_link_6_xx
+        * wrench_link_7_mx_0_0_0_1_1_0_1_2
+        - inertias.minus_inertia_link_6_xy * wrench_link_7_mx_0_0_0_0_1_0_1_0
+        + inertias.inertia_link_6_xz * wrench_link_7_mx_0_0_0_0_1_0_1_2
         - (velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hy
             + velocities.velocity_link_6_vy * inertias.inertia_link_6_hz);
-    let wrench_link_6_mx_1_0 = inertias.inertia_link_6_yy * wrench_link_6_my_1_2_3
-        - inertias.minus_inertia_link_6_xy * wrench_link_6_my_1_2_1
-        + inertias.inertia_link_6_yz * wrench_link_6_my_1_2_5
+    let wrench_link_6_mx_0_1_0 = inertias.inertia_link_6_yy
+        * wrench_link_7_mx_0_0_0_0_1_0_1_0
+        - inertias.minus_inertia_link_6_xy * wrench_link_7_mx_0_0_0_1_1_0_1_2
+        + inertias.inertia_link_6_yz * wrench_link_7_mx_0_0_0_0_1_0_1_2
         + (velocities.velocity_link_6_vx * inertias.inertia_link_6_hz
             + velocities.velocity_link_6_vz * inertias.minus_inertia_link_6_hx);
-    let wrench_link_6_mx_1_2 = inertias.inertia_link_6_xz * wrench_link_6_my_1_2_1
-        + inertias.inertia_link_6_yz * wrench_link_6_my_1_2_3
-        + inertias.inertia_link_6_zz * wrench_link_6_my_1_2_5
+    let wrench_link_6_mx_0_1_2 = inertias.inertia_link_6_xz
+        * wrench_link_7_mx_0_0_0_1_1_0_1_2
+        + inertias.inertia_link_6_yz * wrench_link_7_mx_0_0_0_0_1_0_1_0
+        + inertias.inertia_link_6_zz * wrench_link_7_mx_0_0_0_0_1_0_1_2
         + (velocities.velocity_link_6_vx * inertias.minus_inertia_link_6_hy
             - velocities.velocity_link_6_vy * inertias.minus_inertia_link_6_hx);
-    let wrench_link_6_my_1_6 = velocities.velocity_link_6_vx * 2.0
-        + (wrench_link_6_my_1_2_3 * inertias.inertia_link_6_hz
-            + wrench_link_6_my_1_2_5 * inertias.minus_inertia_link_6_hy);
-    let wrench_link_6_mx_1_4 = velocities.velocity_link_6_vy * 2.0
-        - (wrench_link_6_my_1_2_5 * inertias.minus_inertia_link_6_hx
-            + wrench_link_6_my_1_2_1 * inertias.inertia_link_6_hz);
-    let wrench_link_6_mx_1_6 = velocities.velocity_link_6_vz * 2.0
-        + (wrench_link_6_my_1_2_3 * inertias.minus_inertia_link_6_hx
-            - wrench_link_6_my_1_2_1 * inertias.minus_inertia_link_6_hy);
-    let wrench_link_6_mx_1 = wrench_link_6_mx_1_0 * wrench_link_6_my_1_2_5
-        - wrench_link_6_mx_1_2 * wrench_link_6_my_1_2_3
-        + (wrench_link_6_mx_1_4 * velocities.velocity_link_6_vz
-            - wrench_link_6_mx_1_6 * velocities.velocity_link_6_vy);
-    let wrench_link_6_my_1 = wrench_link_6_mx_1_2 * wrench_link_6_my_1_2_1
-        - wrench_link_6_my_1_2 * wrench_link_6_my_1_2_5
-        + (wrench_link_6_mx_1_6 * velocities.velocity_link_6_vx
-            - wrench_link_6_my_1_6 * velocities.velocity_link_6_vz);
-    let wrench_link_6_mz_1 = wrench_link_6_my_1_2 * wrench_link_6_my_1_2_3
-        - wrench_link_6_mx_1_0 * wrench_link_6_my_1_2_1
-        + (wrench_link_6_my_1_6 * velocities.velocity_link_6_vy
-            - wrench_link_6_mx_1_4 * velocities.velocity_link_6_vx);
-    let wrench_link_6_fx_1 = wrench_link_6_mx_1_4 * wrench_link_6_my_1_2_5
-        - wrench_link_6_mx_1_6 * wrench_link_6_my_1_2_3;
-    let wrench_link_6_fy_1 = wrench_link_6_mx_1_6 * wrench_link_6_my_1_2_1
-        - wrench_link_6_my_1_6 * wrench_link_6_my_1_2_5;
-    let wrench_link_6_fz_1 = wrench_link_6_my_1_6 * wrench_link_6_my_1_2_3
-        - wrench_link_6_mx_1_4 * wrench_link_6_my_1_2_1;
-    let minus_wrench_link_7_my_1 = velocities.velocity_link_7_wx + mu[0];
-    let minus_wrench_link_7_mx_3 = velocities.velocity_link_7_wy + mu[1];
-    let minus_wrench_link_7_mx_1 = velocities.velocity_link_7_wz + mu[2];
-    let minus_wrench_link_7_my_2 = inertias.inertia_link_7_xx * minus_wrench_link_7_my_1
-        - inertias.minus_inertia_link_7_xy * minus_wrench_link_7_mx_3
-        + inertias.inertia_link_7_xz * minus_wrench_link_7_mx_1
+    let wrench_link_6_my_0_1_6 = velocities.velocity_link_6_vx * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_0_1_0 * inertias.inertia_link_6_hz
+            + wrench_link_7_mx_0_0_0_0_1_0_1_2 * inertias.minus_inertia_link_6_hy);
+    let wrench_link_6_mx_0_1_4 = velocities.velocity_link_6_vy * 2.0
+        - (wrench_link_7_mx_0_0_0_0_1_0_1_2 * inertias.minus_inertia_link_6_hx
+            + wrench_link_7_mx_0_0_0_1_1_0_1_2 * inertias.inertia_link_6_hz);
+    let wrench_link_6_mx_0_1_6 = velocities.velocity_link_6_vz * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_0_1_0 * inertias.minus_inertia_link_6_hx
+            - wrench_link_7_mx_0_0_0_1_1_0_1_2 * inertias.minus_inertia_link_6_hy);
+    let wrench_link_6_mx_0_1 = wrench_link_6_mx_0_1_0 * wrench_link_7_mx_0_0_0_0_1_0_1_2
+        - wrench_link_6_mx_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_1_0
+        + (wrench_link_6_mx_0_1_4 * velocities.velocity_link_6_vz
+            - wrench_link_6_mx_0_1_6 * velocities.velocity_link_6_vy);
+    let wrench_link_6_my_0_1 = wrench_link_6_mx_0_1_2 * wrench_link_7_mx_0_0_0_1_1_0_1_2
+        - wrench_link_6_my_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_1_2
+        + (wrench_link_6_mx_0_1_6 * velocities.velocity_link_6_vx
+            - wrench_link_6_my_0_1_6 * velocities.velocity_link_6_vz);
+    let wrench_link_6_mz_0_1 = wrench_link_6_my_0_1_2 * wrench_link_7_mx_0_0_0_0_1_0_1_0
+        - wrench_link_6_mx_0_1_0 * wrench_link_7_mx_0_0_0_1_1_0_1_2
+        + (wrench_link_6_my_0_1_6 * velocities.velocity_link_6_vy
+            - wrench_link_6_mx_0_1_4 * velocities.velocity_link_6_vx);
+    let wrench_link_6_fx_0_1 = wrench_link_6_mx_0_1_4 * wrench_link_7_mx_0_0_0_0_1_0_1_2
+        - wrench_link_6_mx_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_1_0;
+    let wrench_link_6_fy_0_1 = wrench_link_6_mx_0_1_6 * wrench_link_7_mx_0_0_0_1_1_0_1_2
+        - wrench_link_6_my_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_1_2;
+    let wrench_link_6_fz_0_1 = wrench_link_6_my_0_1_6 * wrench_link_7_mx_0_0_0_0_1_0_1_0
+        - wrench_link_6_mx_0_1_4 * wrench_link_7_mx_0_0_0_1_1_0_1_2;
+    let wrench_link_7_my_1_2 = inertias.inertia_link_7_xx
+        * wrench_link_7_mx_0_0_0_1_1_1_2
+        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_0_0_0_0_1_1_0
+        + inertias.inertia_link_7_xz * wrench_link_7_mx_0_0_0_0_1_1_2
         - (velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hy
             + velocities.velocity_link_7_vy * inertias.inertia_link_7_hz);
-    let minus_wrench_link_7_mx_0 = inertias.inertia_link_7_yy * minus_wrench_link_7_mx_3
-        - inertias.minus_inertia_link_7_xy * minus_wrench_link_7_my_1
-        + inertias.inertia_link_7_yz * minus_wrench_link_7_mx_1
+    let wrench_link_7_mx_1_0 = inertias.inertia_link_7_yy
+        * wrench_link_7_mx_0_0_0_0_1_1_0
+        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_0_0_0_1_1_1_2
+        + inertias.inertia_link_7_yz * wrench_link_7_mx_0_0_0_0_1_1_2
         + (velocities.velocity_link_7_vx * inertias.inertia_link_7_hz
             + velocities.velocity_link_7_vz * inertias.minus_inertia_link_7_hx);
-    let minus_wrench_link_7_mx_2 = inertias.inertia_link_7_xz * minus_wrench_link_7_my_1
-        + inertias.inertia_link_7_yz * minus_wrench_link_7_mx_3
-        + inertias.inertia_link_7_zz * minus_wrench_link_7_mx_1
+    let wrench_link_7_mx_1_2 = inertias.inertia_link_7_xz
+        * wrench_link_7_mx_0_0_0_1_1_1_2
+        + inertias.inertia_link_7_yz * wrench_link_7_mx_0_0_0_0_1_1_0
+        + inertias.inertia_link_7_zz * wrench_link_7_mx_0_0_0_0_1_1_2
         + (velocities.velocity_link_7_vx * inertias.minus_inertia_link_7_hy
             - velocities.velocity_link_7_vy * inertias.minus_inertia_link_7_hx);
-    let minus_wrench_link_7_my_6 = velocities.velocity_link_7_vx * 2.0
-        + (minus_wrench_link_7_mx_3 * inertias.inertia_link_7_hz
-            + minus_wrench_link_7_mx_1 * inertias.minus_inertia_link_7_hy);
-    let minus_wrench_link_7_mx_4 = velocities.velocity_link_7_vy * 2.0
-        - (minus_wrench_link_7_mx_1 * inertias.minus_inertia_link_7_hx
-            + minus_wrench_link_7_my_1 * inertias.inertia_link_7_hz);
-    let minus_wrench_link_7_mx_6 = velocities.velocity_link_7_vz * 2.0
-        + (minus_wrench_link_7_mx_3 * inertias.minus_inertia_link_7_hx
-            - minus_wrench_link_7_my_1 * inertias.minus_inertia_link_7_hy);
-    let minus_wrench_link_7_mx = minus_wrench_link_7_mx_0 * minus_wrench_link_7_mx_1
-        - minus_wrench_link_7_mx_2 * minus_wrench_link_7_mx_3
-        + (minus_wrench_link_7_mx_4 * velocities.velocity_link_7_vz
-            - minus_wrench_link_7_mx_6 * velocities.velocity_link_7_vy);
-    let minus_wrench_link_7_my = minus_wrench_link_7_mx_2 * minus_wrench_link_7_my_1
-        - minus_wrench_link_7_my_2 * minus_wrench_link_7_mx_1
-        + (minus_wrench_link_7_mx_6 * velocities.velocity_link_7_vx
-            - minus_wrench_link_7_my_6 * velocities.velocity_link_7_vz);
-    let minus_wrench_link_7_mz = minus_wrench_link_7_my_2 * minus_wrench_link_7_mx_3
-        - minus_wrench_link_7_mx_0 * minus_wrench_link_7_my_1
-        + (minus_wrench_link_7_my_6 * velocities.velocity_link_7_vy
-            - minus_wrench_link_7_mx_4 * velocities.velocity_link_7_vx);
-    let minus_wrench_link_7_fx = minus_wrench_link_7_mx_4 * minus_wrench_link_7_mx_1
-        - minus_wrench_link_7_mx_6 * minus_wrench_link_7_mx_3;
-    let minus_wrench_link_7_fy = minus_wrench_link_7_mx_6 * minus_wrench_link_7_my_1
-        - minus_wrench_link_7_my_6 * minus_wrench_link_7_mx_1;
-    let minus_wrench_link_7_fz = minus_wrench_link_7_my_6 * minus_wrench_link_7_mx_3
-        - minus_wrench_link_7_mx_4 * minus_wrench_link_7_my_1;
-    let wrench_link_6_mx_0_0_0_0_0_0_1 = (minus_wrench_link_7_mx_3
-        * poses.rotation_link_6_zy
-        + minus_wrench_link_7_mx_1 * poses.minus_rotation_link_6_yy) * qd[6];
-    let wrench_link_6_mx_0_0_0_0_0_1_1 = (minus_wrench_link_7_mx_1
-        * poses.minus_rotation_link_6_xy
-        + minus_wrench_link_7_my_1 * poses.rotation_link_6_zy) * qd[6];
-    let wrench_link_6_mx_0_0_0_0_1_1 = (minus_wrench_link_7_mx_3
-        * poses.minus_rotation_link_6_xy
-        - minus_wrench_link_7_my_1 * poses.minus_rotation_link_6_yy) * qd[6];
-    let wrench_link_6_my_0_0_0_1_1_1 = (minus_wrench_link_7_mx_3
-        * screws.screw_joint_7_vz - minus_wrench_link_7_mx_1 * screws.screw_joint_7_vy
-        + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
-            + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy)) * qd[6];
-    let wrench_link_6_mx_0_0_0_1_1_1 = (minus_wrench_link_7_mx_1
-        * screws.screw_joint_7_vx - minus_wrench_link_7_my_1 * screws.screw_joint_7_vz
-        - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
-            + velocities.velocity_link_7_vx * poses.rotation_link_6_zy)) * qd[6];
-    let wrench_link_6_mx_0_0_0_1_0_1 = (minus_wrench_link_7_my_1
-        * screws.screw_joint_7_vy - minus_wrench_link_7_mx_3 * screws.screw_joint_7_vx
-        + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
-            - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy)) * qd[6];
-    let wrench_link_5_mx_0_0_1_0_0_0_1 = (wrench_link_6_my_1_2_3
-        * poses.rotation_link_6_zz + wrench_link_6_my_1_2_5 * poses.rotation_link_5_yy)
-        * qd[5];
-    let wrench_link_5_mx_0_0_1_0_0_1_1 = (wrench_link_6_my_1_2_5
-        * poses.rotation_link_6_xz - wrench_link_6_my_1_2_1 * poses.rotation_link_6_zz)
-        * qd[5];
-    let wrench_link_5_mx_0_0_1_0_1_1 = (wrench_link_6_my_1_2_1 * poses.rotation_link_5_yy
-        + wrench_link_6_my_1_2_3 * poses.rotation_link_6_xz) * qd[5];
-    let wrench_link_5_mx_0_0_1_1_1_1_1 = (wrench_link_6_my_1_2_3
-        * screws.screw_joint_6_vz - wrench_link_6_my_1_2_5 * screws.screw_joint_6_vy
-        + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
-            + velocities.velocity_link_6_vz * poses.rotation_link_5_yy)) * qd[5];
-    let wrench_link_5_mx_0_0_1_1_1_0_1 = (wrench_link_6_my_1_2_5
-        * screws.screw_joint_6_vx - wrench_link_6_my_1_2_1 * screws.screw_joint_6_vz
-        + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
-            - velocities.velocity_link_6_vx * poses.rotation_link_6_zz)) * qd[5];
-    let wrench_link_5_mx_0_0_1_1_0_1 = (wrench_link_6_my_1_2_1 * screws.screw_joint_6_vy
-        - wrench_link_6_my_1_2_3 * screws.screw_joint_6_vx
-        - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
-            + velocities.velocity_link_6_vy * poses.rotation_link_6_xz)) * qd[5];
-    let wrench_link_4_mx_0_0_1_0_0_0_1 = (wrench_link_5_my_1_2_3
-        * poses.rotation_link_5_zz + wrench_link_5_my_1_2_5 * poses.rotation_link_4_yy)
-        * qd[4];
-    let wrench_link_4_mx_0_0_1_0_0_1_1 = (wrench_link_5_my_1_2_5
-        * poses.rotation_link_4_xy + wrench_link_5_my_1_2_1 * poses.rotation_link_5_zz)
-        * qd[4];
-    let wrench_link_4_mx_0_0_1_0_1_1 = (wrench_link_5_my_1_2_3 * poses.rotation_link_4_xy
-        - wrench_link_5_my_1_2_1 * poses.rotation_link_4_yy) * qd[4];
-    let wrench_link_4_mx_0_0_1_1_1_1_1 = (wrench_link_5_my_1_2_3
-        * screws.screw_joint_5_vz - wrench_link_5_my_1_2_5 * screws.screw_joint_5_vy
-        + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
-            + velocities.velocity_link_5_vz * poses.rotation_link_4_yy)) * qd[4];
-    let wrench_link_4_mx_0_0_1_1_1_0_1 = (wrench_link_5_my_1_2_5
-        * screws.screw_joint_5_vx - wrench_link_5_my_1_2_1 * screws.screw_joint_5_vz
-        - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
-            + velocities.velocity_link_5_vx * poses.rotation_link_5_zz)) * qd[4];
-    let wrench_link_4_mx_0_0_1_1_0_1 = (wrench_link_5_my_1_2_1 * screws.screw_joint_5_vy
-        - wrench_link_5_my_1_2_3 * screws.screw_joint_5_vx
-        + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
-            - velocities.velocity_link_5_vx * poses.rotation_link_4_yy)) * qd[4];
-    let wrench_link_3_mx_0_0_1_0_0_1_1 = (wrench_link_4_my_1_2_3
-        * poses.minus_rotation_link_3_zy
-        + wrench_link_4_my_1_2_5 * poses.rotation_link_3_yy) * qd[3];
-    let wrench_link_3_mx_0_0_1_0_0_0_1 = (wrench_link_4_my_1_2_1
-        * poses.minus_rotation_link_3_zy
-        - wrench_link_4_my_1_2_5 * poses.minus_rotation_link_3_xy) * qd[3];
-    let wrench_link_3_mx_0_0_1_0_1_1 = (wrench_link_4_my_1_2_1 * poses.rotation_link_3_yy
-        + wrench_link_4_my_1_2_3 * poses.minus_rotation_link_3_xy) * qd[3];
-    let wrench_link_3_mx_0_0_1_1_1_1_1 = (wrench_link_4_my_1_2_5
-        * screws.minus_screw_joint_4_vy
-        - wrench_link_4_my_1_2_3 * screws.minus_screw_joint_4_vz
-        - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
-            + velocities.velocity_link_4_vz * poses.rotation_link_3_yy)) * qd[3];
-    let wrench_link_3_mx_0_0_1_1_1_0_1 = (wrench_link_4_my_1_2_5
-        * screws.screw_joint_4_vx
-        + wrench_link_4_my_1_2_1 * screws.minus_screw_joint_4_vz
-        + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
-            - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy)) * qd[3];
-    let wrench_link_3_mx_0_0_1_1_0_1 = (velocities.velocity_link_4_vx
-        * poses.rotation_link_3_yy
-        + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
-        - (wrench_link_4_my_1_2_1 * screws.minus_screw_joint_4_vy
-            + wrench_link_4_my_1_2_3 * screws.screw_joint_4_vx)) * qd[3];
-    let wrench_link_2_mx_0_0_1_0_0_0_1 = (wrench_link_3_my_1_2_3 * poses.cos_joint_2
-        + wrench_link_3_my_1_2_5 * poses.minus_rotation_link_2_yy) * qd[2];
-    let wrench_link_2_mx_0_0_1_0_0_1_1 = (wrench_link_3_my_1_2_5
-        * poses.minus_rotation_link_2_xy + wrench_link_3_my_1_2_1 * poses.cos_joint_2)
-        * qd[2];
-    let wrench_link_2_mx_0_0_1_0_1_1 = (wrench_link_3_my_1_2_3
-        * poses.minus_rotation_link_2_xy
-        - wrench_link_3_my_1_2_1 * poses.minus_rotation_link_2_yy) * qd[2];
-    let wrench_link_2_mx_0_0_1_1_1_1_1 = (wrench_link_3_my_1_2_3
-        * screws.screw_joint_3_vz - wrench_link_3_my_1_2_5 * screws.screw_joint_3_vy
-        + (velocities.velocity_link_3_vy * poses.cos_joint_2
-            + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy)) * qd[2];
-    let wrench_link_2_mx_0_0_1_1_1_0_1 = (wrench_link_3_my_1_2_5
-        * screws.screw_joint_3_vx - wrench_link_3_my_1_2_1 * screws.screw_joint_3_vz
-        - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
-            + velocities.velocity_link_3_vx * poses.cos_joint_2)) * qd[2];
-    let wrench_link_2_mx_0_0_1_1_0_1 = (wrench_link_3_my_1_2_1 * screws.screw_joint_3_vy
-        - wrench_link_3_my_1_2_3 * screws.screw_joint_3_vx
-        + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
-            - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy)) * qd[2];
-    let wrench_link_1_mx_0_0_1_0_0_0_1 = wrench_link_1_my_1_2_5 * poses.cos_joint_1
-        * qd[1];
-    let wrench_link_1_mx_0_0_1_0_0_1_1 = wrench_link_1_my_1_2_5 * poses.sin_joint_1
-        * qd[1];
-    let wrench_link_1_mx_0_0_1_0_1_1 = (wrench_link_2_my_1_2_1 * poses.cos_joint_1
-        + wrench_link_2_my_1_2_3 * poses.sin_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_1_1_1_1 = (wrench_link_2_my_1_2_3
-        * screws.screw_joint_2_vz - wrench_link_1_my_1_2_5 * screws.screw_joint_2_vy
-        + velocities.velocity_link_2_vz * poses.cos_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_1_1_0_1 = (wrench_link_1_my_1_2_5
-        * screws.screw_joint_2_vx - wrench_link_2_my_1_2_1 * screws.screw_joint_2_vz
-        + velocities.velocity_link_2_vz * poses.sin_joint_1) * qd[1];
-    let wrench_link_1_mx_0_0_1_1_0_1 = (wrench_link_2_my_1_2_1 * screws.screw_joint_2_vy
-        - wrench_link_2_my_1_2_3 * screws.screw_joint_2_vx
-        - (velocities.velocity_link_2_vx * poses.cos_joint_1
-            + velocities.velocity_link_2_vy * poses.sin_joint_1)) * qd[1];
-    let wrench_base_mx_0_0_1_0_0_1 = wrench_base_my_1_0_2_3 * qd[0];
-    let wrench_base_mx_0_0_1_0_1_1 = wrench_base_my_1_0_2_1 * qd[0];
-    let wrench_base_mx_0_0_1_1_1_1_1 = (velocities.velocity_link_1_vy
-        - wrench_link_1_my_1_2_5 * poses.minus_origin_base_x) * qd[0];
-    let wrench_base_mx_0_0_1_1_1_0_1 = (wrench_link_1_my_1_2_5
-        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
-    let wrench_base_mx_0_0_1_1_0_1 = (wrench_base_my_1_0_2_1 * poses.minus_origin_base_x
-        + wrench_base_my_1_0_2_3 * poses.minus_origin_base_y) * qd[0];
+    let wrench_link_7_my_1_6 = velocities.velocity_link_7_vx * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_1_0 * inertias.inertia_link_7_hz
+            + wrench_link_7_mx_0_0_0_0_1_1_2 * inertias.minus_inertia_link_7_hy);
+    let wrench_link_7_mx_1_4 = velocities.velocity_link_7_vy * 2.0
+        - (wrench_link_7_mx_0_0_0_0_1_1_2 * inertias.minus_inertia_link_7_hx
+            + wrench_link_7_mx_0_0_0_1_1_1_2 * inertias.inertia_link_7_hz);
+    let wrench_link_7_mx_1_6 = velocities.velocity_link_7_vz * 2.0
+        + (wrench_link_7_mx_0_0_0_0_1_1_0 * inertias.minus_inertia_link_7_hx
+            - wrench_link_7_mx_0_0_0_1_1_1_2 * inertias.minus_inertia_link_7_hy);
+    let wrench_link_7_mx_1 = wrench_link_7_mx_1_0 * wrench_link_7_mx_0_0_0_0_1_1_2
+        - wrench_link_7_mx_1_2 * wrench_link_7_mx_0_0_0_0_1_1_0
+        + (wrench_link_7_mx_1_4 * velocities.velocity_link_7_vz
+            - wrench_link_7_mx_1_6 * velocities.velocity_link_7_vy);
+    let wrench_link_7_my_1 = wrench_link_7_mx_1_2 * wrench_link_7_mx_0_0_0_1_1_1_2
+        - wrench_link_7_my_1_2 * wrench_link_7_mx_0_0_0_0_1_1_2
+        + (wrench_link_7_mx_1_6 * velocities.velocity_link_7_vx
+            - wrench_link_7_my_1_6 * velocities.velocity_link_7_vz);
+    let wrench_link_7_mz_1 = wrench_link_7_my_1_2 * wrench_link_7_mx_0_0_0_0_1_1_0
+        - wrench_link_7_mx_1_0 * wrench_link_7_mx_0_0_0_1_1_1_2
+        + (wrench_link_7_my_1_6 * velocities.velocity_link_7_vy
+            - wrench_link_7_mx_1_4 * velocities.velocity_link_7_vx);
+    let wrench_link_7_fx_1 = wrench_link_7_mx_1_4 * wrench_link_7_mx_0_0_0_0_1_1_2
+        - wrench_link_7_mx_1_6 * wrench_link_7_mx_0_0_0_0_1_1_0;
+    let wrench_link_7_fy_1 = wrench_link_7_mx_1_6 * wrench_link_7_mx_0_0_0_1_1_1_2
+        - wrench_link_7_my_1_6 * wrench_link_7_mx_0_0_0_0_1_1_2;
+    let wrench_link_7_fz_1 = wrench_link_7_my_1_6 * wrench_link_7_mx_0_0_0_0_1_1_0
+        - wrench_link_7_mx_1_4 * wrench_link_7_mx_0_0_0_1_1_1_2;
     CommonForwardDynamicsInverseDynamics {
+        wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0,
+        wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1,
+        wrench_link_7_my_0_1_0_1_0_0_0_0_0_0,
+        wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1,
+        wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0,
+        wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_1,
+        wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_0,
+        wrench_link_7_mx_0_0_1_1_0_0_0_0_1,
+        wrench_link_7_my_0_1_0_1_0_0_0_0_0_1,
+        wrench_link_7_mx_0_1_1_1_0_0_0_0_0_0,
+        wrench_link_7_mx_0_1_0_1_0_0_0_0_0_1,
+        wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1,
+        wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1,
+        wrench_link_7_mx_0_0_1_1_0_0_0_0_0,
+        wrench_link_7_my_0_1_0_1_0_0_0_0_1,
+        wrench_link_7_mx_0_1_1_1_0_0_0_0_1,
+        wrench_link_7_mx_0_1_0_1_0_0_0_0_1,
+        wrench_link_7_mx_0_0_0_0_1_0_0_0_1,
+        wrench_link_7_mx_0_0_0_1_1_0_0_0_1,
+        wrench_link_7_mx_0_0_1_1_0_0_0_1,
+        wrench_link_7_my_0_1_0_1_0_0_0_1,
+        wrench_link_7_mx_0_1_1_1_0_0_0_1,
+        wrench_link_7_mx_0_1_0_1_0_0_0_1,
+        wrench_link_7_mx_0_0_0_0_1_0_0_1,
+        wrench_link_7_mx_0_0_0_1_1_0_0_1,
+        wrench_link_7_mx_0_0_1_1_0_0_1,
+        wrench_link_7_my_0_1_0_1_0_0_1,
+        wrench_link_7_mx_0_1_1_1_0_0_1,
+        wrench_link_7_mx_0_1_0_1_0_0_1,
+        wrench_link_7_mx_0_0_0_0_1_0_1,
+        wrench_link_7_mx_0_0_0_1_1_0_1,
+        wrench_link_7_mx_0_0_1_1_0_1,
+        wrench_link_7_my_0_1_0_1_0_1,
+        wrench_link_7_mx_0_1_1_1_0_1,
+        wrench_link_7_mx_0_1_0_1_0_1,
+        wrench_link_7_mx_0_0_0_0_1_1,
+        wrench_link_7_mx_0_0_0_1_1_1,
+        wrench_link_7_mx_0_0_1_1_1,
+        wrench_link_7_my_0_1_0_1_1,
+        wrench_link_7_mx_0_1_1_1_1,
+        wrench_link_7_mx_0_1_0_1_1,
         wrench_base_mx_1_0,
         wrench_base_my_1_0,
         wrench_base_mz_1_0,
         wrench_base_fx_1_0,
         wrench_base_fy_1_0,
         wrench_base_fz_1_0,
-        wrench_link_1_mx_1,
-        wrench_link_1_my_1,
-        wrench_link_1_mz_1,
-        wrench_link_1_fx_1,
-        wrench_link_1_fy_1,
-        wrench_link_1_fz_1,
-        wrench_link_2_mx_1,
-        wrench_link_2_my_1,
-        wrench_link_2_mz_1,
-        wrench_link_2_fx_1,
-        wrench_link_2_fy_1,
-        wrench_link_2_fz_1,
-        wrench_link_3_mx_1,
-        wrench_link_3_my_1,
-        wrench_link_3_mz_1,
-        wrench_link_3_fx_1,
-        wrench_link_3_fy_1,
-        wrench_link_3_fz_1,
-        wrench_link_4_mx_1,
-        wrench_link_4_my_1,
-        wrench_link_4_mz_1,
-        wrench_link_4_fx_1,
-        wrench_link_4_fy_1,
-        wrench_link_4_fz_1,
-        wrench_link_5_mx_1,
-        wrench_link_5_my_1,
-        wrench_link_5_mz_1,
-        wrench_link_5_fx_1,
-        wrench_link_5_fy_1,
-        wrench_link_5_fz_1,
-        wrench_link_6_mx_1,
-        wrench_link_6_my_1,
-        wrench_link_6_mz_1,
-        wrench_link_6_fx_1,
-        wrench_link_6_fy_1,
-        wrench_link_6_fz_1,
-        minus_wrench_link_7_mx,
-        minus_wrench_link_7_my,
-        minus_wrench_link_7_mz,
-        minus_wrench_link_7_fx,
-        minus_wrench_link_7_fy,
-        minus_wrench_link_7_fz,
-        wrench_link_6_mx_0_0_0_0_0_0_1,
-        wrench_link_6_mx_0_0_0_0_0_1_1,
-        wrench_link_6_mx_0_0_0_0_1_1,
-        wrench_link_6_my_0_0_0_1_1_1,
-        wrench_link_6_mx_0_0_0_1_1_1,
-        wrench_link_6_mx_0_0_0_1_0_1,
-        wrench_link_5_mx_0_0_1_0_0_0_1,
-        wrench_link_5_mx_0_0_1_0_0_1_1,
-        wrench_link_5_mx_0_0_1_0_1_1,
-        wrench_link_5_mx_0_0_1_1_1_1_1,
-        wrench_link_5_mx_0_0_1_1_1_0_1,
-        wrench_link_5_mx_0_0_1_1_0_1,
-        wrench_link_4_mx_0_0_1_0_0_0_1,
-        wrench_link_4_mx_0_0_1_0_0_1_1,
-        wrench_link_4_mx_0_0_1_0_1_1,
-        wrench_link_4_mx_0_0_1_1_1_1_1,
-        wrench_link_4_mx_0_0_1_1_1_0_1,
-        wrench_link_4_mx_0_0_1_1_0_1,
-        wrench_link_3_mx_0_0_1_0_0_1_1,
-        wrench_link_3_mx_0_0_1_0_0_0_1,
-        wrench_link_3_mx_0_0_1_0_1_1,
-        wrench_link_3_mx_0_0_1_1_1_1_1,
-        wrench_link_3_mx_0_0_1_1_1_0_1,
-        wrench_link_3_mx_0_0_1_1_0_1,
-        wrench_link_2_mx_0_0_1_0_0_0_1,
-        wrench_link_2_mx_0_0_1_0_0_1_1,
-        wrench_link_2_mx_0_0_1_0_1_1,
-        wrench_link_2_mx_0_0_1_1_1_1_1,
-        wrench_link_2_mx_0_0_1_1_1_0_1,
-        wrench_link_2_mx_0_0_1_1_0_1,
-        wrench_link_1_mx_0_0_1_0_0_0_1,
-        wrench_link_1_mx_0_0_1_0_0_1_1,
-        wrench_link_1_mx_0_0_1_0_1_1,
-        wrench_link_1_mx_0_0_1_1_1_1_1,
-        wrench_link_1_mx_0_0_1_1_1_0_1,
-        wrench_link_1_mx_0_0_1_1_0_1,
-        wrench_base_mx_0_0_1_0_0_1,
-        wrench_base_mx_0_0_1_0_1_1,
-        wrench_base_mx_0_0_1_1_1_1_1,
-        wrench_base_mx_0_0_1_1_1_0_1,
-        wrench_base_mx_0_0_1_1_0_1,
+        wrench_link_1_mx_0_1,
+        wrench_link_1_my_0_1,
+        wrench_link_1_mz_0_1,
+        wrench_link_1_fx_0_1,
+        wrench_link_1_fy_1_1,
+        wrench_link_1_fz_0_1,
+        wrench_link_2_mx_0_1,
+        wrench_link_2_my_0_1,
+        wrench_link_2_mz_0_1,
+        wrench_link_2_fx_0_1,
+        wrench_link_2_fy_0_1,
+        wrench_link_2_fz_0_1,
+        wrench_link_3_mx_0_1,
+        wrench_link_3_my_0_1,
+        wrench_link_3_mz_0_1,
+        wrench_link_3_fx_0_1,
+        wrench_link_3_fy_0_1,
+        wrench_link_3_fz_0_1,
+        wrench_link_4_mx_0_1,
+        wrench_link_4_my_0_1,
+        wrench_link_4_mz_0_1,
+        wrench_link_4_fx_0_1,
+        wrench_link_4_fy_0_1,
+        wrench_link_4_fz_0_1,
+        wrench_link_5_mx_0_1,
+        wrench_link_5_my_0_1,
+        wrench_link_5_mz_0_1,
+        wrench_link_5_fx_0_1,
+        wrench_link_5_fy_0_1,
+        wrench_link_5_fz_0_1,
+        wrench_link_6_mx_0_1,
+        wrench_link_6_my_0_1,
+        wrench_link_6_mz_0_1,
+        wrench_link_6_fx_0_1,
+        wrench_link_6_fy_0_1,
+        wrench_link_6_fz_0_1,
+        wrench_link_7_mx_1,
+        wrench_link_7_my_1,
+        wrench_link_7_mz_1,
+        wrench_link_7_fx_1,
+        wrench_link_7_fy_1,
+        wrench_link_7_fz_1,
     }
 }
 /// What only `inertia` computes.
@@ -5214,11 +5260,11 @@ fn d_mu_itself(
     let d_mu_0_0_1 = d_mu_0_0_3_0 * poses.com_y;
     // D_μ column 0
     d_mu[0][0] = 0.0 - (poses.com_z * d_mu_0_0_1 - poses.com_y * d_mu_0_0_3);
-    let d_mu_1_0_0_2 = inertias.composite_base_xz * mu[0]
+    let six_joint_1_mx_11 = inertias.composite_base_xz * mu[0]
         + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
     let d_mu_1_0_0_1 = (inertias.composite_base_xx + inertias.composite_base_yy
         + inertias.composite_base_zz) * 0.5;
-    let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - d_mu_1_0_0_2;
+    let d_mu_1_0_0 = mu[2] * d_mu_1_0_0_1 - six_joint_1_mx_11;
     let d_mu_1_0_4_1_0 = mu[2] * 17.5;
     let d_mu_1_0_4_0_0 = mu[1] * 17.5;
     let d_mu_1_0_4_1 = d_mu_1_0_4_1_0 * poses.com_z;
@@ -5226,153 +5272,160 @@ fn d_mu_itself(
     let d_mu_1_0_4 = d_mu_1_0_4_0 + d_mu_1_0_4_1;
     d_mu[0][1] = 0.0
         - (d_mu_1_0_0 + (poses.com_x * d_mu_0_0_3 + poses.com_z * d_mu_1_0_4));
-    let d_mu_2_0_0_2 = inertias.composite_base_xy * mu[0]
+    let six_joint_1_mx_9 = inertias.composite_base_xy * mu[0]
         + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let d_mu_2_0_0 = mu[1] * d_mu_1_0_0_1 - d_mu_2_0_0_2;
+    let d_mu_2_0_0 = mu[1] * d_mu_1_0_0_1 - six_joint_1_mx_9;
     d_mu[0][2] = d_mu_2_0_0 + (poses.com_x * d_mu_0_0_1 + poses.com_y * d_mu_1_0_4)
         + 0.0;
     d_mu[0][3] = 0.0 - d_mu_1_0_4;
     d_mu[0][4] = d_mu_0_0_1 + 0.0;
     d_mu[0][5] = d_mu_0_0_3 + 0.0;
-    let d_mu_6_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
-    let d_mu_6_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
-    let d_mu_6_0_0 = d_mu_6_0_0_1 + d_mu_6_0_0_1;
-    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
+    let six_joint_1_mx_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
+    let six_joint_1_mx_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
+    let six_joint_1_mx_0 = six_joint_1_mx_0_1 + six_joint_1_mx_0_1;
+    let six_joint_1_mx_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1);
-    let d_mu_6_0_17_2_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let d_mu_6_0_15_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let d_mu_6_0_17_0_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let d_mu_6_0_17_2 = d_mu_6_0_17_2_0 * 17.5;
-    let d_mu_6_0_15_6 = d_mu_6_0_15_6_0 * 17.5;
-    let d_mu_6_0_17_0 = d_mu_6_0_17_0_0 * 17.5;
-    let d_mu_6_0_15_0 = mu[0] * 0.5;
-    let d_mu_6_0_15_2 = mu[1] * 0.5;
-    let d_mu_6_0_17_4 = mu[2] * 0.5;
-    let d_mu_6_0_8 = d_mu_6_0_17_0_0 * 0.5;
-    let d_mu_6_0_17 = d_mu_6_0_17_0 * screws.connection_joint_1_wx
-        - d_mu_6_0_17_2 * screws.connection_joint_1_wz
-        - d_mu_6_0_17_4 * screws.minus_inside_joint_1_fx;
-    let d_mu_6_0_15 = d_mu_6_0_15_0 * screws.inside_joint_1_fy
-        + d_mu_6_0_15_2 * screws.minus_inside_joint_1_fx
-        + (d_mu_6_0_17_2 * screws.connection_joint_1_wy
-            - d_mu_6_0_15_6 * screws.connection_joint_1_wx);
-    let d_mu_6_0 = (d_mu_6_0_0 - d_mu_6_0_1) * d_mu_6_0_15_0 + d_mu_6_0_3 * d_mu_6_0_15_2
-        - screws.inside_joint_1_my * d_mu_6_0_17_4
-        + screws.inside_joint_1_fy * d_mu_6_0_8
-        + (d_mu_2_0_0_2 * screws.connection_joint_1_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_1_wy
-            - d_mu_6_0_17_0 * screws.connection_joint_1_vy)
-        + (d_mu_6_0_15 * poses.com_y - d_mu_6_0_17 * poses.com_z);
-    d_mu[0][6] = d_mu_6_0 + 0.0;
-    let d_mu_7_0_9 = d_mu_6_0_15_6_0 * 0.5;
-    let d_mu_7_0_20 = d_mu_6_0_17_4 * screws.inside_joint_2_fx
-        - d_mu_6_0_15_0 * screws.inside_joint_2_fz
-        + (d_mu_6_0_17_0 * screws.connection_joint_2_wx
-            - d_mu_6_0_17_2 * screws.connection_joint_2_wz);
-    let d_mu_7_0_18 = d_mu_6_0_15_0 * screws.inside_joint_2_fy
-        - d_mu_6_0_15_2 * screws.inside_joint_2_fx
-        + (d_mu_6_0_17_2 * screws.connection_joint_2_wy
-            - d_mu_6_0_15_6 * screws.connection_joint_2_wx);
-    let d_mu_7_0 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
-        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_2_fy * d_mu_6_0_8 - screws.inside_joint_2_fz * d_mu_7_0_9)
-        + (d_mu_2_0_0_2 * screws.connection_joint_2_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_2_wy
-            + (d_mu_6_0_15_6 * screws.connection_joint_2_vz
-                - d_mu_6_0_17_0 * screws.connection_joint_2_vy))
-        + (d_mu_7_0_18 * poses.com_y - d_mu_7_0_20 * poses.com_z);
-    d_mu[0][7] = d_mu_7_0 + 0.0;
-    let d_mu_8_0_20 = d_mu_6_0_17_4 * screws.inside_joint_3_fx
-        - d_mu_6_0_15_0 * screws.inside_joint_3_fz
-        + (d_mu_6_0_17_0 * screws.connection_joint_3_wx
-            - d_mu_6_0_17_2 * screws.connection_joint_3_wz);
-    let d_mu_8_0_18 = d_mu_6_0_15_0 * screws.inside_joint_3_fy
-        - d_mu_6_0_15_2 * screws.inside_joint_3_fx
-        + (d_mu_6_0_17_2 * screws.connection_joint_3_wy
-            - d_mu_6_0_15_6 * screws.connection_joint_3_wx);
-    let d_mu_8_0 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_3_fy * d_mu_6_0_8 - screws.inside_joint_3_fz * d_mu_7_0_9)
-        + (d_mu_2_0_0_2 * screws.connection_joint_3_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_3_wy
-            + (d_mu_6_0_15_6 * screws.connection_joint_3_vz
-                - d_mu_6_0_17_0 * screws.connection_joint_3_vy))
-        + (d_mu_8_0_18 * poses.com_y - d_mu_8_0_20 * poses.com_z);
-    d_mu[0][8] = d_mu_8_0 + 0.0;
-    let d_mu_9_0_20 = d_mu_6_0_17_4 * screws.inside_joint_4_fx
-        - d_mu_6_0_15_0 * screws.inside_joint_4_fz
-        + (d_mu_6_0_17_0 * screws.connection_joint_4_wx
-            - d_mu_6_0_17_2 * screws.connection_joint_4_wz);
-    let d_mu_9_0_18 = d_mu_6_0_15_0 * screws.inside_joint_4_fy
-        - d_mu_6_0_15_2 * screws.inside_joint_4_fx
-        + (d_mu_6_0_17_2 * screws.connection_joint_4_wy
-            - d_mu_6_0_15_6 * screws.connection_joint_4_wx);
-    let d_mu_9_0 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_4_fy * d_mu_6_0_8 - screws.inside_joint_4_fz * d_mu_7_0_9)
-        + (d_mu_2_0_0_2 * screws.connection_joint_4_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_4_wy
-            + (d_mu_6_0_15_6 * screws.connection_joint_4_vz
-                - d_mu_6_0_17_0 * screws.connection_joint_4_vy))
-        + (d_mu_9_0_18 * poses.com_y - d_mu_9_0_20 * poses.com_z);
-    d_mu[0][9] = d_mu_9_0 + 0.0;
-    let d_mu_10_0_20 = d_mu_6_0_17_4 * screws.inside_joint_5_fx
-        - d_mu_6_0_15_0 * screws.inside_joint_5_fz
-        + (d_mu_6_0_17_0 * screws.connection_joint_5_wx
-            - d_mu_6_0_17_2 * screws.connection_joint_5_wz);
-    let d_mu_10_0_18 = d_mu_6_0_15_0 * screws.inside_joint_5_fy
-        - d_mu_6_0_15_2 * screws.inside_joint_5_fx
-        + (d_mu_6_0_17_2 * screws.connection_joint_5_wy
-            - d_mu_6_0_15_6 * screws.connection_joint_5_wx);
-    let d_mu_10_0 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_5_fy * d_mu_6_0_8 - screws.inside_joint_5_fz * d_mu_7_0_9)
-        + (d_mu_2_0_0_2 * screws.connection_joint_5_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_5_wy
-            + (d_mu_6_0_15_6 * screws.connection_joint_5_vz
-                - d_mu_6_0_17_0 * screws.connection_joint_5_vy))
-        + (d_mu_10_0_18 * poses.com_y - d_mu_10_0_20 * poses.com_z);
-    d_mu[0][10] = d_mu_10_0 + 0.0;
-    let d_mu_11_0_20 = d_mu_6_0_17_4 * screws.inside_joint_6_fx
-        - d_mu_6_0_15_0 * screws.inside_joint_6_fz
-        + (d_mu_6_0_17_0 * screws.connection_joint_6_wx
-            - d_mu_6_0_17_2 * screws.connection_joint_6_wz);
-    let d_mu_11_0_18 = d_mu_6_0_15_0 * screws.inside_joint_6_fy
-        - d_mu_6_0_15_2 * screws.inside_joint_6_fx
-        + (d_mu_6_0_17_2 * screws.connection_joint_6_wy
-            - d_mu_6_0_15_6 * screws.connection_joint_6_wx);
-    let d_mu_11_0 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_6_fy * d_mu_6_0_8 - screws.inside_joint_6_fz * d_mu_7_0_9)
-        + (d_mu_2_0_0_2 * screws.connection_joint_6_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_6_wy
-            + (d_mu_6_0_15_6 * screws.connection_joint_6_vz
-                - d_mu_6_0_17_0 * screws.connection_joint_6_vy))
-        + (d_mu_11_0_18 * poses.com_y - d_mu_11_0_20 * poses.com_z);
-    d_mu[0][11] = d_mu_11_0 + 0.0;
-    let d_mu_12_0_20 = d_mu_6_0_17_4 * screws.inside_joint_7_fx
-        - d_mu_6_0_15_0 * screws.inside_joint_7_fz
-        + (d_mu_6_0_17_0 * screws.connection_joint_7_wx
-            - d_mu_6_0_17_2 * screws.connection_joint_7_wz);
-    let d_mu_12_0_18 = d_mu_6_0_15_0 * screws.inside_joint_7_fy
-        - d_mu_6_0_15_2 * screws.inside_joint_7_fx
-        + (d_mu_6_0_17_2 * screws.connection_joint_7_wy
-            - d_mu_6_0_15_6 * screws.connection_joint_7_wx);
-    let d_mu_12_0 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_7_fy * d_mu_6_0_8 - screws.inside_joint_7_fz * d_mu_7_0_9)
-        + (d_mu_2_0_0_2 * screws.connection_joint_7_wz
-            - d_mu_1_0_0_2 * screws.connection_joint_7_wy
-            + (d_mu_6_0_15_6 * screws.connection_joint_7_vz
-                - d_mu_6_0_17_0 * screws.connection_joint_7_vy))
-        + (d_mu_12_0_18 * poses.com_y - d_mu_12_0_20 * poses.com_z);
-    d_mu[0][12] = d_mu_12_0 + 0.0;
+    let six_joint_1_fy_2_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
+    let six_joint_1_fz_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let six_joint_1_fy_0_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let six_joint_1_fy_2 = six_joint_1_fy_2_0 * 17.5;
+    let six_joint_1_fz_6 = six_joint_1_fz_6_0 * 17.5;
+    let six_joint_1_fy_0 = six_joint_1_fy_0_0 * 17.5;
+    let six_joint_1_fz_0 = mu[0] * 0.5;
+    let six_joint_1_fz_2 = mu[1] * 0.5;
+    let six_joint_1_fy_4 = mu[2] * 0.5;
+    let six_joint_1_mx_8 = six_joint_1_fy_0_0 * 0.5;
+    let six_joint_1_fy = six_joint_1_fy_0 * screws.connection_joint_1_wx
+        - six_joint_1_fy_2 * screws.connection_joint_1_wz
+        - six_joint_1_fy_4 * screws.minus_inside_joint_1_fx;
+    let six_joint_1_fz = six_joint_1_fz_0 * screws.inside_joint_1_fy
+        + six_joint_1_fz_2 * screws.minus_inside_joint_1_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_1_wy
+            - six_joint_1_fz_6 * screws.connection_joint_1_wx);
+    let six_joint_1_mx = (six_joint_1_mx_0 - six_joint_1_mx_1) * six_joint_1_fz_0
+        + six_joint_1_mx_3 * six_joint_1_fz_2
+        - screws.inside_joint_1_my * six_joint_1_fy_4
+        + screws.inside_joint_1_fy * six_joint_1_mx_8
+        + (six_joint_1_mx_9 * screws.connection_joint_1_wz
+            - six_joint_1_mx_11 * screws.connection_joint_1_wy
+            - six_joint_1_fy_0 * screws.connection_joint_1_vy)
+        + (six_joint_1_fz * poses.com_y - six_joint_1_fy * poses.com_z);
+    d_mu[0][6] = six_joint_1_mx + 0.0;
+    let six_joint_2_mx_9 = six_joint_1_fz_6_0 * 0.5;
+    let six_joint_2_fy = six_joint_1_fy_4 * screws.inside_joint_2_fx
+        - six_joint_1_fz_0 * screws.inside_joint_2_fz
+        + (six_joint_1_fy_0 * screws.connection_joint_2_wx
+            - six_joint_1_fy_2 * screws.connection_joint_2_wz);
+    let six_joint_2_fz = six_joint_1_fz_0 * screws.inside_joint_2_fy
+        - six_joint_1_fz_2 * screws.inside_joint_2_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_2_wy
+            - six_joint_1_fz_6 * screws.connection_joint_2_wx);
+    let six_joint_2_mx = common_d_mu_and_7_more.three_joint_2_x_0_0_0 * six_joint_1_fz_0
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_2_x_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_2_fy * six_joint_1_mx_8
+            - screws.inside_joint_2_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_2_wz
+            - six_joint_1_mx_11 * screws.connection_joint_2_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_2_vz
+                - six_joint_1_fy_0 * screws.connection_joint_2_vy))
+        + (six_joint_2_fz * poses.com_y - six_joint_2_fy * poses.com_z);
+    d_mu[0][7] = six_joint_2_mx + 0.0;
+    let six_joint_3_fy = six_joint_1_fy_4 * screws.inside_joint_3_fx
+        - six_joint_1_fz_0 * screws.inside_joint_3_fz
+        + (six_joint_1_fy_0 * screws.connection_joint_3_wx
+            - six_joint_1_fy_2 * screws.connection_joint_3_wz);
+    let six_joint_3_fz = six_joint_1_fz_0 * screws.inside_joint_3_fy
+        - six_joint_1_fz_2 * screws.inside_joint_3_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_3_wy
+            - six_joint_1_fz_6 * screws.connection_joint_3_wx);
+    let six_joint_3_mx = common_d_mu_and_7_more.three_joint_3_x_0_0_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_3_fy * six_joint_1_mx_8
+            - screws.inside_joint_3_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_3_wz
+            - six_joint_1_mx_11 * screws.connection_joint_3_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_3_vz
+                - six_joint_1_fy_0 * screws.connection_joint_3_vy))
+        + (six_joint_3_fz * poses.com_y - six_joint_3_fy * poses.com_z);
+    d_mu[0][8] = six_joint_3_mx + 0.0;
+    let six_joint_4_fy = six_joint_1_fy_4 * screws.inside_joint_4_fx
+        - six_joint_1_fz_0 * screws.inside_joint_4_fz
+        + (six_joint_1_fy_0 * screws.connection_joint_4_wx
+            - six_joint_1_fy_2 * screws.connection_joint_4_wz);
+    let six_joint_4_fz = six_joint_1_fz_0 * screws.inside_joint_4_fy
+        - six_joint_1_fz_2 * screws.inside_joint_4_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_4_wy
+            - six_joint_1_fz_6 * screws.connection_joint_4_wx);
+    let six_joint_4_mx = common_d_mu_and_7_more.three_joint_4_x_0_0_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_4_fy * six_joint_1_mx_8
+            - screws.inside_joint_4_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_4_wz
+            - six_joint_1_mx_11 * screws.connection_joint_4_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_4_vz
+                - six_joint_1_fy_0 * screws.connection_joint_4_vy))
+        + (six_joint_4_fz * poses.com_y - six_joint_4_fy * poses.com_z);
+    d_mu[0][9] = six_joint_4_mx + 0.0;
+    let six_joint_5_fy = six_joint_1_fy_4 * screws.inside_joint_5_fx
+        - six_joint_1_fz_0 * screws.inside_joint_5_fz
+        + (six_joint_1_fy_0 * screws.connection_joint_5_wx
+            - six_joint_1_fy_2 * screws.connection_joint_5_wz);
+    let six_joint_5_fz = six_joint_1_fz_0 * screws.inside_joint_5_fy
+        - six_joint_1_fz_2 * screws.inside_joint_5_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_5_wy
+            - six_joint_1_fz_6 * screws.connection_joint_5_wx);
+    let six_joint_5_mx = common_d_mu_and_7_more.three_joint_5_x_0_0_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_5_fy * six_joint_1_mx_8
+            - screws.inside_joint_5_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_5_wz
+            - six_joint_1_mx_11 * screws.connection_joint_5_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_5_vz
+                - six_joint_1_fy_0 * screws.connection_joint_5_vy))
+        + (six_joint_5_fz * poses.com_y - six_joint_5_fy * poses.com_z);
+    d_mu[0][10] = six_joint_5_mx + 0.0;
+    let six_joint_6_fy = six_joint_1_fy_4 * screws.inside_joint_6_fx
+        - six_joint_1_fz_0 * screws.inside_joint_6_fz
+        + (six_joint_1_fy_0 * screws.connection_joint_6_wx
+            - six_joint_1_fy_2 * screws.connection_joint_6_wz);
+    let six_joint_6_fz = six_joint_1_fz_0 * screws.inside_joint_6_fy
+        - six_joint_1_fz_2 * screws.inside_joint_6_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_6_wy
+            - six_joint_1_fz_6 * screws.connection_joint_6_wx);
+    let six_joint_6_mx = common_d_mu_and_7_more.three_joint_6_x_0_0_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_6_fy * six_joint_1_mx_8
+            - screws.inside_joint_6_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_6_wz
+            - six_joint_1_mx_11 * screws.connection_joint_6_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_6_vz
+                - six_joint_1_fy_0 * screws.connection_joint_6_vy))
+        + (six_joint_6_fz * poses.com_y - six_joint_6_fy * poses.com_z);
+    d_mu[0][11] = six_joint_6_mx + 0.0;
+    let six_joint_7_fy = six_joint_1_fy_4 * screws.inside_joint_7_fx
+        - six_joint_1_fz_0 * screws.inside_joint_7_fz
+        + (six_joint_1_fy_0 * screws.connection_joint_7_wx
+            - six_joint_1_fy_2 * screws.connection_joint_7_wz);
+    let six_joint_7_fz = six_joint_1_fz_0 * screws.inside_joint_7_fy
+        - six_joint_1_fz_2 * screws.inside_joint_7_fx
+        + (six_joint_1_fy_2 * screws.connection_joint_7_wy
+            - six_joint_1_fz_6 * screws.connection_joint_7_wx);
+    let six_joint_7_mx = common_d_mu_and_7_more.three_joint_7_x_0_0_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_7_fy * six_joint_1_mx_8
+            - screws.inside_joint_7_fz * six_joint_2_mx_9)
+        + (six_joint_1_mx_9 * screws.connection_joint_7_wz
+            - six_joint_1_mx_11 * screws.connection_joint_7_wy
+            + (six_joint_1_fz_6 * screws.connection_joint_7_vz
+                - six_joint_1_fy_0 * screws.connection_joint_7_vy))
+        + (six_joint_7_fz * poses.com_y - six_joint_7_fy * poses.com_z);
+    d_mu[0][12] = six_joint_7_mx + 0.0;
     let d_mu_0_1_2 = d_mu_1_0_4_0_0 * poses.com_z;
     let d_mu_0_1_4_0 = d_mu_0_0_3_0 * poses.com_x;
     let d_mu_0_1_4 = d_mu_0_1_4_0 + d_mu_1_0_4_1;
@@ -5381,112 +5434,119 @@ fn d_mu_itself(
         + 0.0;
     let d_mu_1_1_3 = d_mu_1_0_4_0_0 * poses.com_x;
     d_mu[1][1] = 0.0 - (poses.com_x * d_mu_0_1_2 - poses.com_z * d_mu_1_1_3);
-    let d_mu_2_1_0_2 = inertias.composite_base_xx * mu[0]
+    let six_joint_1_my_11 = inertias.composite_base_xx * mu[0]
         + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - d_mu_2_1_0_2;
+    let d_mu_2_1_0 = mu[0] * d_mu_1_0_0_1 - six_joint_1_my_11;
     d_mu[1][2] = 0.0
         - (d_mu_2_1_0 + (poses.com_x * d_mu_0_1_4 + poses.com_y * d_mu_1_1_3));
     d_mu[1][3] = d_mu_1_1_3 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_0_1_4;
     d_mu[1][5] = d_mu_0_1_2 + 0.0;
-    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
-    let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
-    let d_mu_6_1_15 = d_mu_6_0_15_6 * screws.connection_joint_1_wz
-        - d_mu_6_0_17_0 * screws.connection_joint_1_wy
-        - d_mu_6_0_17_4 * screws.inside_joint_1_fy;
-    let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_15_0 + (d_mu_6_0_1 - d_mu_6_1_3) * d_mu_6_0_15_2
-        + screws.inside_joint_1_mx * d_mu_6_0_17_4
-        + screws.minus_inside_joint_1_fx * d_mu_6_0_8
-        + (d_mu_1_0_0_2 * screws.connection_joint_1_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_1_wz
-            - d_mu_6_0_17_0 * screws.minus_connection_joint_1_vx)
-        + (d_mu_6_1_15 * poses.com_z - d_mu_6_0_15 * poses.com_x);
-    d_mu[1][6] = d_mu_6_1 + 0.0;
-    let d_mu_7_1_7 = d_mu_6_0_17_2_0 * 0.5;
-    let d_mu_7_1_18 = d_mu_6_0_15_2 * screws.inside_joint_2_fz
-        - d_mu_6_0_17_4 * screws.inside_joint_2_fy
-        + (d_mu_6_0_15_6 * screws.connection_joint_2_wz
-            - d_mu_6_0_17_0 * screws.connection_joint_2_wy);
-    let d_mu_7_1 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * d_mu_6_0_15_2
-        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_2_fz * d_mu_7_1_7 - screws.inside_joint_2_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_2_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_2_wz
-            + (d_mu_6_0_17_0 * screws.connection_joint_2_vx
-                - d_mu_6_0_17_2 * screws.connection_joint_2_vz))
-        + (d_mu_7_1_18 * poses.com_z - d_mu_7_0_18 * poses.com_x);
-    d_mu[1][7] = d_mu_7_1 + 0.0;
-    let d_mu_8_1_18 = d_mu_6_0_15_2 * screws.inside_joint_3_fz
-        - d_mu_6_0_17_4 * screws.inside_joint_3_fy
-        + (d_mu_6_0_15_6 * screws.connection_joint_3_wz
-            - d_mu_6_0_17_0 * screws.connection_joint_3_wy);
-    let d_mu_8_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_3_fz * d_mu_7_1_7 - screws.inside_joint_3_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_3_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_3_wz
-            + (d_mu_6_0_17_0 * screws.connection_joint_3_vx
-                - d_mu_6_0_17_2 * screws.connection_joint_3_vz))
-        + (d_mu_8_1_18 * poses.com_z - d_mu_8_0_18 * poses.com_x);
-    d_mu[1][8] = d_mu_8_1 + 0.0;
-    let d_mu_9_1_18 = d_mu_6_0_15_2 * screws.inside_joint_4_fz
-        - d_mu_6_0_17_4 * screws.inside_joint_4_fy
-        + (d_mu_6_0_15_6 * screws.connection_joint_4_wz
-            - d_mu_6_0_17_0 * screws.connection_joint_4_wy);
-    let d_mu_9_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_4_fz * d_mu_7_1_7 - screws.inside_joint_4_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_4_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_4_wz
-            + (d_mu_6_0_17_0 * screws.connection_joint_4_vx
-                - d_mu_6_0_17_2 * screws.connection_joint_4_vz))
-        + (d_mu_9_1_18 * poses.com_z - d_mu_9_0_18 * poses.com_x);
-    d_mu[1][9] = d_mu_9_1 + 0.0;
-    let d_mu_10_1_18 = d_mu_6_0_15_2 * screws.inside_joint_5_fz
-        - d_mu_6_0_17_4 * screws.inside_joint_5_fy
-        + (d_mu_6_0_15_6 * screws.connection_joint_5_wz
-            - d_mu_6_0_17_0 * screws.connection_joint_5_wy);
-    let d_mu_10_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_5_fz * d_mu_7_1_7 - screws.inside_joint_5_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_5_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_5_wz
-            + (d_mu_6_0_17_0 * screws.connection_joint_5_vx
-                - d_mu_6_0_17_2 * screws.connection_joint_5_vz))
-        + (d_mu_10_1_18 * poses.com_z - d_mu_10_0_18 * poses.com_x);
-    d_mu[1][10] = d_mu_10_1 + 0.0;
-    let d_mu_11_1_18 = d_mu_6_0_15_2 * screws.inside_joint_6_fz
-        - d_mu_6_0_17_4 * screws.inside_joint_6_fy
-        + (d_mu_6_0_15_6 * screws.connection_joint_6_wz
-            - d_mu_6_0_17_0 * screws.connection_joint_6_wy);
-    let d_mu_11_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_6_fz * d_mu_7_1_7 - screws.inside_joint_6_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_6_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_6_wz
-            + (d_mu_6_0_17_0 * screws.connection_joint_6_vx
-                - d_mu_6_0_17_2 * screws.connection_joint_6_vz))
-        + (d_mu_11_1_18 * poses.com_z - d_mu_11_0_18 * poses.com_x);
-    d_mu[1][11] = d_mu_11_1 + 0.0;
-    let d_mu_12_1_18 = d_mu_6_0_15_2 * screws.inside_joint_7_fz
-        - d_mu_6_0_17_4 * screws.inside_joint_7_fy
-        + (d_mu_6_0_15_6 * screws.connection_joint_7_wz
-            - d_mu_6_0_17_0 * screws.connection_joint_7_wy);
-    let d_mu_12_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_7_fz * d_mu_7_1_7 - screws.inside_joint_7_fx * d_mu_6_0_8)
-        + (d_mu_1_0_0_2 * screws.connection_joint_7_wx
-            - d_mu_2_1_0_2 * screws.connection_joint_7_wz
-            + (d_mu_6_0_17_0 * screws.connection_joint_7_vx
-                - d_mu_6_0_17_2 * screws.connection_joint_7_vz))
-        + (d_mu_12_1_18 * poses.com_z - d_mu_12_0_18 * poses.com_x);
-    d_mu[1][12] = d_mu_12_1 + 0.0;
+    let six_joint_1_my_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+    let six_joint_1_my_3 = six_joint_1_my_3_1 + six_joint_1_my_3_1;
+    let six_joint_1_fx = six_joint_1_fz_6 * screws.connection_joint_1_wz
+        - six_joint_1_fy_0 * screws.connection_joint_1_wy
+        - six_joint_1_fy_4 * screws.inside_joint_1_fy;
+    let six_joint_1_my = six_joint_1_mx_3 * six_joint_1_fz_0
+        + (six_joint_1_mx_1 - six_joint_1_my_3) * six_joint_1_fz_2
+        + screws.inside_joint_1_mx * six_joint_1_fy_4
+        + screws.minus_inside_joint_1_fx * six_joint_1_mx_8
+        + (six_joint_1_mx_11 * screws.connection_joint_1_wx
+            - six_joint_1_my_11 * screws.connection_joint_1_wz
+            - six_joint_1_fy_0 * screws.minus_connection_joint_1_vx)
+        + (six_joint_1_fx * poses.com_z - six_joint_1_fz * poses.com_x);
+    d_mu[1][6] = six_joint_1_my + 0.0;
+    let six_joint_2_my_7 = six_joint_1_fy_2_0 * 0.5;
+    let six_joint_2_fx = six_joint_1_fz_2 * screws.inside_joint_2_fz
+        - six_joint_1_fy_4 * screws.inside_joint_2_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_2_wz
+            - six_joint_1_fy_0 * screws.connection_joint_2_wy);
+    let six_joint_2_my = common_d_mu_and_7_more.three_joint_2_y_0_0_0 * six_joint_1_fz_2
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_2_fz * six_joint_2_my_7
+            - screws.inside_joint_2_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_2_wx
+            - six_joint_1_my_11 * screws.connection_joint_2_wz
+            + (six_joint_1_fy_0 * screws.connection_joint_2_vx
+                - six_joint_1_fy_2 * screws.connection_joint_2_vz))
+        + (six_joint_2_fx * poses.com_z - six_joint_2_fz * poses.com_x);
+    d_mu[1][7] = six_joint_2_my + 0.0;
+    let six_joint_3_fx = six_joint_1_fz_2 * screws.inside_joint_3_fz
+        - six_joint_1_fy_4 * screws.inside_joint_3_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_3_wz
+            - six_joint_1_fy_0 * screws.connection_joint_3_wy);
+    let six_joint_3_my = common_d_mu_and_7_more.three_joint_3_x_0_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_3_fz * six_joint_2_my_7
+            - screws.inside_joint_3_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_3_wx
+            - six_joint_1_my_11 * screws.connection_joint_3_wz
+            + (six_joint_1_fy_0 * screws.connection_joint_3_vx
+                - six_joint_1_fy_2 * screws.connection_joint_3_vz))
+        + (six_joint_3_fx * poses.com_z - six_joint_3_fz * poses.com_x);
+    d_mu[1][8] = six_joint_3_my + 0.0;
+    let six_joint_4_fx = six_joint_1_fz_2 * screws.inside_joint_4_fz
+        - six_joint_1_fy_4 * screws.inside_joint_4_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_4_wz
+            - six_joint_1_fy_0 * screws.connection_joint_4_wy);
+    let six_joint_4_my = common_d_mu_and_7_more.three_joint_4_x_0_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_4_fz * six_joint_2_my_7
+            - screws.inside_joint_4_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_4_wx
+            - six_joint_1_my_11 * screws.connection_joint_4_wz
+            + (six_joint_1_fy_0 * screws.connection_joint_4_vx
+                - six_joint_1_fy_2 * screws.connection_joint_4_vz))
+        + (six_joint_4_fx * poses.com_z - six_joint_4_fz * poses.com_x);
+    d_mu[1][9] = six_joint_4_my + 0.0;
+    let six_joint_5_fx = six_joint_1_fz_2 * screws.inside_joint_5_fz
+        - six_joint_1_fy_4 * screws.inside_joint_5_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_5_wz
+            - six_joint_1_fy_0 * screws.connection_joint_5_wy);
+    let six_joint_5_my = common_d_mu_and_7_more.three_joint_5_x_0_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_5_fz * six_joint_2_my_7
+            - screws.inside_joint_5_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_5_wx
+            - six_joint_1_my_11 * screws.connection_joint_5_wz
+            + (six_joint_1_fy_0 * screws.connection_joint_5_vx
+                - six_joint_1_fy_2 * screws.connection_joint_5_vz))
+        + (six_joint_5_fx * poses.com_z - six_joint_5_fz * poses.com_x);
+    d_mu[1][10] = six_joint_5_my + 0.0;
+    let six_joint_6_fx = six_joint_1_fz_2 * screws.inside_joint_6_fz
+        - six_joint_1_fy_4 * screws.inside_joint_6_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_6_wz
+            - six_joint_1_fy_0 * screws.connection_joint_6_wy);
+    let six_joint_6_my = common_d_mu_and_7_more.three_joint_6_x_0_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_6_fz * six_joint_2_my_7
+            - screws.inside_joint_6_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_6_wx
+            - six_joint_1_my_11 * screws.connection_joint_6_wz
+            + (six_joint_1_fy_0 * screws.connection_joint_6_vx
+                - six_joint_1_fy_2 * screws.connection_joint_6_vz))
+        + (six_joint_6_fx * poses.com_z - six_joint_6_fz * poses.com_x);
+    d_mu[1][11] = six_joint_6_my + 0.0;
+    let six_joint_7_fx = six_joint_1_fz_2 * screws.inside_joint_7_fz
+        - six_joint_1_fy_4 * screws.inside_joint_7_fy
+        + (six_joint_1_fz_6 * screws.connection_joint_7_wz
+            - six_joint_1_fy_0 * screws.connection_joint_7_wy);
+    let six_joint_7_my = common_d_mu_and_7_more.three_joint_7_x_0_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_7_fz * six_joint_2_my_7
+            - screws.inside_joint_7_fx * six_joint_1_mx_8)
+        + (six_joint_1_mx_11 * screws.connection_joint_7_wx
+            - six_joint_1_my_11 * screws.connection_joint_7_wz
+            + (six_joint_1_fy_0 * screws.connection_joint_7_vx
+                - six_joint_1_fy_2 * screws.connection_joint_7_vz))
+        + (six_joint_7_fx * poses.com_z - six_joint_7_fz * poses.com_x);
+    d_mu[1][12] = six_joint_7_my + 0.0;
     let d_mu_0_2_4 = d_mu_1_0_4_1_0 * poses.com_y;
     let d_mu_0_2_2 = d_mu_0_1_4_0 + d_mu_1_0_4_0;
     // D_μ column 2
@@ -5499,77 +5559,83 @@ fn d_mu_itself(
     d_mu[2][3] = d_mu_1_2_4 + 0.0;
     d_mu[2][4] = d_mu_0_2_4 + 0.0;
     d_mu[2][5] = 0.0 - d_mu_0_2_2;
-    let d_mu_6_2 = screws.inside_joint_1_mx * d_mu_6_0_15_2
-        - screws.inside_joint_1_my * d_mu_6_0_15_0
-        + (d_mu_6_0_0 - d_mu_6_1_3) * d_mu_6_0_17_4
-        - (screws.minus_inside_joint_1_fx * d_mu_7_0_9
-            + screws.inside_joint_1_fy * d_mu_7_1_7)
-        + (d_mu_2_1_0_2 * screws.connection_joint_1_wy
-            - d_mu_2_0_0_2 * screws.connection_joint_1_wx
-            + (d_mu_6_0_17_2 * screws.connection_joint_1_vy
-                + d_mu_6_0_15_6 * screws.minus_connection_joint_1_vx))
-        + (d_mu_6_0_17 * poses.com_x - d_mu_6_1_15 * poses.com_y);
-    d_mu[2][6] = d_mu_6_2 + 0.0;
-    let d_mu_7_2 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_2_fx * d_mu_7_0_9 - screws.inside_joint_2_fy * d_mu_7_1_7)
-        + (d_mu_2_1_0_2 * screws.connection_joint_2_wy
-            - d_mu_2_0_0_2 * screws.connection_joint_2_wx
-            + (d_mu_6_0_17_2 * screws.connection_joint_2_vy
-                - d_mu_6_0_15_6 * screws.connection_joint_2_vx))
-        + (d_mu_7_0_20 * poses.com_x - d_mu_7_1_18 * poses.com_y);
-    d_mu[2][7] = d_mu_7_2 + 0.0;
-    let d_mu_8_2 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_3_fx * d_mu_7_0_9 - screws.inside_joint_3_fy * d_mu_7_1_7)
-        + (d_mu_2_1_0_2 * screws.connection_joint_3_wy
-            - d_mu_2_0_0_2 * screws.connection_joint_3_wx
-            + (d_mu_6_0_17_2 * screws.connection_joint_3_vy
-                - d_mu_6_0_15_6 * screws.connection_joint_3_vx))
-        + (d_mu_8_0_20 * poses.com_x - d_mu_8_1_18 * poses.com_y);
-    d_mu[2][8] = d_mu_8_2 + 0.0;
-    let d_mu_9_2 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_4_fx * d_mu_7_0_9 - screws.inside_joint_4_fy * d_mu_7_1_7)
-        + (d_mu_2_1_0_2 * screws.connection_joint_4_wy
-            - d_mu_2_0_0_2 * screws.connection_joint_4_wx
-            + (d_mu_6_0_17_2 * screws.connection_joint_4_vy
-                - d_mu_6_0_15_6 * screws.connection_joint_4_vx))
-        + (d_mu_9_0_20 * poses.com_x - d_mu_9_1_18 * poses.com_y);
-    d_mu[2][9] = d_mu_9_2 + 0.0;
-    let d_mu_10_2 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_5_fx * d_mu_7_0_9 - screws.inside_joint_5_fy * d_mu_7_1_7)
-        + (d_mu_2_1_0_2 * screws.connection_joint_5_wy
-            - d_mu_2_0_0_2 * screws.connection_joint_5_wx
-            + (d_mu_6_0_17_2 * screws.connection_joint_5_vy
-                - d_mu_6_0_15_6 * screws.connection_joint_5_vx))
-        + (d_mu_10_0_20 * poses.com_x - d_mu_10_1_18 * poses.com_y);
-    d_mu[2][10] = d_mu_10_2 + 0.0;
-    let d_mu_11_2 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_6_fx * d_mu_7_0_9 - screws.inside_joint_6_fy * d_mu_7_1_7)
-        + (d_mu_2_1_0_2 * screws.connection_joint_6_wy
-            - d_mu_2_0_0_2 * screws.connection_joint_6_wx
-            + (d_mu_6_0_17_2 * screws.connection_joint_6_vy
-                - d_mu_6_0_15_6 * screws.connection_joint_6_vx))
-        + (d_mu_11_0_20 * poses.com_x - d_mu_11_1_18 * poses.com_y);
-    d_mu[2][11] = d_mu_11_2 + 0.0;
-    let d_mu_12_2 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * d_mu_6_0_15_0
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * d_mu_6_0_15_2
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * d_mu_6_0_17_4
-        + (screws.inside_joint_7_fx * d_mu_7_0_9 - screws.inside_joint_7_fy * d_mu_7_1_7)
-        + (d_mu_2_1_0_2 * screws.connection_joint_7_wy
-            - d_mu_2_0_0_2 * screws.connection_joint_7_wx
-            + (d_mu_6_0_17_2 * screws.connection_joint_7_vy
-                - d_mu_6_0_15_6 * screws.connection_joint_7_vx))
-        + (d_mu_12_0_20 * poses.com_x - d_mu_12_1_18 * poses.com_y);
-    d_mu[2][12] = d_mu_12_2 + 0.0;
+    let six_joint_1_mz = screws.inside_joint_1_mx * six_joint_1_fz_2
+        - screws.inside_joint_1_my * six_joint_1_fz_0
+        + (six_joint_1_mx_0 - six_joint_1_my_3) * six_joint_1_fy_4
+        - (screws.minus_inside_joint_1_fx * six_joint_2_mx_9
+            + screws.inside_joint_1_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_1_wy
+            - six_joint_1_mx_9 * screws.connection_joint_1_wx
+            + (six_joint_1_fy_2 * screws.connection_joint_1_vy
+                + six_joint_1_fz_6 * screws.minus_connection_joint_1_vx))
+        + (six_joint_1_fy * poses.com_x - six_joint_1_fx * poses.com_y);
+    d_mu[2][6] = six_joint_1_mz + 0.0;
+    let six_joint_2_mz = common_d_mu_and_7_more.three_joint_2_x_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_2_z_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_2_fx * six_joint_2_mx_9
+            - screws.inside_joint_2_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_2_wy
+            - six_joint_1_mx_9 * screws.connection_joint_2_wx
+            + (six_joint_1_fy_2 * screws.connection_joint_2_vy
+                - six_joint_1_fz_6 * screws.connection_joint_2_vx))
+        + (six_joint_2_fy * poses.com_x - six_joint_2_fx * poses.com_y);
+    d_mu[2][7] = six_joint_2_mz + 0.0;
+    let six_joint_3_mz = common_d_mu_and_7_more.three_joint_3_x_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_3_z_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_3_fx * six_joint_2_mx_9
+            - screws.inside_joint_3_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_3_wy
+            - six_joint_1_mx_9 * screws.connection_joint_3_wx
+            + (six_joint_1_fy_2 * screws.connection_joint_3_vy
+                - six_joint_1_fz_6 * screws.connection_joint_3_vx))
+        + (six_joint_3_fy * poses.com_x - six_joint_3_fx * poses.com_y);
+    d_mu[2][8] = six_joint_3_mz + 0.0;
+    let six_joint_4_mz = common_d_mu_and_7_more.three_joint_4_x_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * six_joint_1_fz_2
+        - common_d_mu_and_7_more.three_joint_4_z_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_4_fx * six_joint_2_mx_9
+            - screws.inside_joint_4_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_4_wy
+            - six_joint_1_mx_9 * screws.connection_joint_4_wx
+            + (six_joint_1_fy_2 * screws.connection_joint_4_vy
+                - six_joint_1_fz_6 * screws.connection_joint_4_vx))
+        + (six_joint_4_fy * poses.com_x - six_joint_4_fx * poses.com_y);
+    d_mu[2][9] = six_joint_4_mz + 0.0;
+    let six_joint_5_mz = common_d_mu_and_7_more.three_joint_5_x_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_5_z_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_5_fx * six_joint_2_mx_9
+            - screws.inside_joint_5_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_5_wy
+            - six_joint_1_mx_9 * screws.connection_joint_5_wx
+            + (six_joint_1_fy_2 * screws.connection_joint_5_vy
+                - six_joint_1_fz_6 * screws.connection_joint_5_vx))
+        + (six_joint_5_fy * poses.com_x - six_joint_5_fx * poses.com_y);
+    d_mu[2][10] = six_joint_5_mz + 0.0;
+    let six_joint_6_mz = common_d_mu_and_7_more.three_joint_6_x_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_6_z_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_6_fx * six_joint_2_mx_9
+            - screws.inside_joint_6_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_6_wy
+            - six_joint_1_mx_9 * screws.connection_joint_6_wx
+            + (six_joint_1_fy_2 * screws.connection_joint_6_vy
+                - six_joint_1_fz_6 * screws.connection_joint_6_vx))
+        + (six_joint_6_fy * poses.com_x - six_joint_6_fx * poses.com_y);
+    d_mu[2][11] = six_joint_6_mz + 0.0;
+    let six_joint_7_mz = common_d_mu_and_7_more.three_joint_7_x_1_0 * six_joint_1_fz_0
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * six_joint_1_fz_2
+        + common_d_mu_and_7_more.three_joint_7_z_1_0 * six_joint_1_fy_4
+        + (screws.inside_joint_7_fx * six_joint_2_mx_9
+            - screws.inside_joint_7_fy * six_joint_2_my_7)
+        + (six_joint_1_my_11 * screws.connection_joint_7_wy
+            - six_joint_1_mx_9 * screws.connection_joint_7_wx
+            + (six_joint_1_fy_2 * screws.connection_joint_7_vy
+                - six_joint_1_fz_6 * screws.connection_joint_7_vx))
+        + (six_joint_7_fy * poses.com_x - six_joint_7_fx * poses.com_y);
+    d_mu[2][12] = six_joint_7_mz + 0.0;
     // D_μ column 3
     d_mu[3][0] = d_mu_1_0_4 + 0.0;
     d_mu[3][1] = 0.0 - d_mu_1_1_3;
@@ -5577,13 +5643,13 @@ fn d_mu_itself(
     d_mu[3][3] = 0.0;
     d_mu[3][4] = 0.0 - d_mu_1_0_4_1_0;
     d_mu[3][5] = d_mu_1_0_4_0_0 + 0.0;
-    d_mu[3][6] = d_mu_6_1_15 + 0.0;
-    d_mu[3][7] = d_mu_7_1_18 + 0.0;
-    d_mu[3][8] = d_mu_8_1_18 + 0.0;
-    d_mu[3][9] = d_mu_9_1_18 + 0.0;
-    d_mu[3][10] = d_mu_10_1_18 + 0.0;
-    d_mu[3][11] = d_mu_11_1_18 + 0.0;
-    d_mu[3][12] = d_mu_12_1_18 + 0.0;
+    d_mu[3][6] = six_joint_1_fx + 0.0;
+    d_mu[3][7] = six_joint_2_fx + 0.0;
+    d_mu[3][8] = six_joint_3_fx + 0.0;
+    d_mu[3][9] = six_joint_4_fx + 0.0;
+    d_mu[3][10] = six_joint_5_fx + 0.0;
+    d_mu[3][11] = six_joint_6_fx + 0.0;
+    d_mu[3][12] = six_joint_7_fx + 0.0;
     // D_μ column 4
     d_mu[4][0] = 0.0 - d_mu_0_0_1;
     d_mu[4][1] = d_mu_0_1_4 + 0.0;
@@ -5591,13 +5657,13 @@ fn d_mu_itself(
     d_mu[4][3] = d_mu_1_0_4_1_0 + 0.0;
     d_mu[4][4] = 0.0;
     d_mu[4][5] = 0.0 - d_mu_0_0_3_0;
-    d_mu[4][6] = d_mu_6_0_17 + 0.0;
-    d_mu[4][7] = d_mu_7_0_20 + 0.0;
-    d_mu[4][8] = d_mu_8_0_20 + 0.0;
-    d_mu[4][9] = d_mu_9_0_20 + 0.0;
-    d_mu[4][10] = d_mu_10_0_20 + 0.0;
-    d_mu[4][11] = d_mu_11_0_20 + 0.0;
-    d_mu[4][12] = d_mu_12_0_20 + 0.0;
+    d_mu[4][6] = six_joint_1_fy + 0.0;
+    d_mu[4][7] = six_joint_2_fy + 0.0;
+    d_mu[4][8] = six_joint_3_fy + 0.0;
+    d_mu[4][9] = six_joint_4_fy + 0.0;
+    d_mu[4][10] = six_joint_5_fy + 0.0;
+    d_mu[4][11] = six_joint_6_fy + 0.0;
+    d_mu[4][12] = six_joint_7_fy + 0.0;
     // D_μ column 5
     d_mu[5][0] = 0.0 - d_mu_0_0_3;
     d_mu[5][1] = 0.0 - d_mu_0_1_2;
@@ -5605,20 +5671,20 @@ fn d_mu_itself(
     d_mu[5][3] = 0.0 - d_mu_1_0_4_0_0;
     d_mu[5][4] = d_mu_0_0_3_0 + 0.0;
     d_mu[5][5] = 0.0;
-    d_mu[5][6] = d_mu_6_0_15 + 0.0;
-    d_mu[5][7] = d_mu_7_0_18 + 0.0;
-    d_mu[5][8] = d_mu_8_0_18 + 0.0;
-    d_mu[5][9] = d_mu_9_0_18 + 0.0;
-    d_mu[5][10] = d_mu_10_0_18 + 0.0;
-    d_mu[5][11] = d_mu_11_0_18 + 0.0;
-    d_mu[5][12] = d_mu_12_0_18 + 0.0;
+    d_mu[5][6] = six_joint_1_fz + 0.0;
+    d_mu[5][7] = six_joint_2_fz + 0.0;
+    d_mu[5][8] = six_joint_3_fz + 0.0;
+    d_mu[5][9] = six_joint_4_fz + 0.0;
+    d_mu[5][10] = six_joint_5_fz + 0.0;
+    d_mu[5][11] = six_joint_6_fz + 0.0;
+    d_mu[5][12] = six_joint_7_fz + 0.0;
     // D_μ column joint_1
-    d_mu[6][0] = 0.0 - d_mu_6_0;
-    d_mu[6][1] = 0.0 - d_mu_6_1;
-    d_mu[6][2] = 0.0 - d_mu_6_2;
-    d_mu[6][3] = 0.0 - d_mu_6_1_15;
-    d_mu[6][4] = 0.0 - d_mu_6_0_17;
-    d_mu[6][5] = 0.0 - d_mu_6_0_15;
+    d_mu[6][0] = 0.0 - six_joint_1_mx;
+    d_mu[6][1] = 0.0 - six_joint_1_my;
+    d_mu[6][2] = 0.0 - six_joint_1_mz;
+    d_mu[6][3] = 0.0 - six_joint_1_fx;
+    d_mu[6][4] = 0.0 - six_joint_1_fy;
+    d_mu[6][5] = 0.0 - six_joint_1_fz;
     d_mu[6][6] = 0.0;
     d_mu[6][7] = common_d_mu_b2.d_mu_7_6 + 0.0;
     d_mu[6][8] = common_d_mu_b2.d_mu_8_6 + 0.0;
@@ -5627,12 +5693,12 @@ fn d_mu_itself(
     d_mu[6][11] = common_d_mu_b2.d_mu_11_6 + 0.0;
     d_mu[6][12] = common_d_mu_b2.d_mu_12_6 + 0.0;
     // D_μ column joint_2
-    d_mu[7][0] = 0.0 - d_mu_7_0;
-    d_mu[7][1] = 0.0 - d_mu_7_1;
-    d_mu[7][2] = 0.0 - d_mu_7_2;
-    d_mu[7][3] = 0.0 - d_mu_7_1_18;
-    d_mu[7][4] = 0.0 - d_mu_7_0_20;
-    d_mu[7][5] = 0.0 - d_mu_7_0_18;
+    d_mu[7][0] = 0.0 - six_joint_2_mx;
+    d_mu[7][1] = 0.0 - six_joint_2_my;
+    d_mu[7][2] = 0.0 - six_joint_2_mz;
+    d_mu[7][3] = 0.0 - six_joint_2_fx;
+    d_mu[7][4] = 0.0 - six_joint_2_fy;
+    d_mu[7][5] = 0.0 - six_joint_2_fz;
     d_mu[7][6] = 0.0 - common_d_mu_b2.d_mu_7_6;
     d_mu[7][7] = 0.0;
     d_mu[7][8] = common_d_mu_b2.d_mu_8_7 + 0.0;
@@ -5641,12 +5707,12 @@ fn d_mu_itself(
     d_mu[7][11] = common_d_mu_b2.d_mu_11_7 + 0.0;
     d_mu[7][12] = common_d_mu_b2.d_mu_12_7 + 0.0;
     // D_μ column joint_3
-    d_mu[8][0] = 0.0 - d_mu_8_0;
-    d_mu[8][1] = 0.0 - d_mu_8_1;
-    d_mu[8][2] = 0.0 - d_mu_8_2;
-    d_mu[8][3] = 0.0 - d_mu_8_1_18;
-    d_mu[8][4] = 0.0 - d_mu_8_0_20;
-    d_mu[8][5] = 0.0 - d_mu_8_0_18;
+    d_mu[8][0] = 0.0 - six_joint_3_mx;
+    d_mu[8][1] = 0.0 - six_joint_3_my;
+    d_mu[8][2] = 0.0 - six_joint_3_mz;
+    d_mu[8][3] = 0.0 - six_joint_3_fx;
+    d_mu[8][4] = 0.0 - six_joint_3_fy;
+    d_mu[8][5] = 0.0 - six_joint_3_fz;
     d_mu[8][6] = 0.0 - common_d_mu_b2.d_mu_8_6;
     d_mu[8][7] = 0.0 - common_d_mu_b2.d_mu_8_7;
     d_mu[8][8] = 0.0;
@@ -5655,12 +5721,12 @@ fn d_mu_itself(
     d_mu[8][11] = common_d_mu_b2.d_mu_11_8 + 0.0;
     d_mu[8][12] = common_d_mu_b2.d_mu_12_8 + 0.0;
     // D_μ column joint_4
-    d_mu[9][0] = 0.0 - d_mu_9_0;
-    d_mu[9][1] = 0.0 - d_mu_9_1;
-    d_mu[9][2] = 0.0 - d_mu_9_2;
-    d_mu[9][3] = 0.0 - d_mu_9_1_18;
-    d_mu[9][4] = 0.0 - d_mu_9_0_20;
-    d_mu[9][5] = 0.0 - d_mu_9_0_18;
+    d_mu[9][0] = 0.0 - six_joint_4_mx;
+    d_mu[9][1] = 0.0 - six_joint_4_my;
+    d_mu[9][2] = 0.0 - six_joint_4_mz;
+    d_mu[9][3] = 0.0 - six_joint_4_fx;
+    d_mu[9][4] = 0.0 - six_joint_4_fy;
+    d_mu[9][5] = 0.0 - six_joint_4_fz;
     d_mu[9][6] = 0.0 - common_d_mu_b2.d_mu_9_6;
     d_mu[9][7] = 0.0 - common_d_mu_b2.d_mu_9_7;
     d_mu[9][8] = 0.0 - common_d_mu_b2.d_mu_9_8;
@@ -5669,12 +5735,12 @@ fn d_mu_itself(
     d_mu[9][11] = common_d_mu_b2.d_mu_11_9 + 0.0;
     d_mu[9][12] = common_d_mu_b2.d_mu_12_9 + 0.0;
     // D_μ column joint_5
-    d_mu[10][0] = 0.0 - d_mu_10_0;
-    d_mu[10][1] = 0.0 - d_mu_10_1;
-    d_mu[10][2] = 0.0 - d_mu_10_2;
-    d_mu[10][3] = 0.0 - d_mu_10_1_18;
-    d_mu[10][4] = 0.0 - d_mu_10_0_20;
-    d_mu[10][5] = 0.0 - d_mu_10_0_18;
+    d_mu[10][0] = 0.0 - six_joint_5_mx;
+    d_mu[10][1] = 0.0 - six_joint_5_my;
+    d_mu[10][2] = 0.0 - six_joint_5_mz;
+    d_mu[10][3] = 0.0 - six_joint_5_fx;
+    d_mu[10][4] = 0.0 - six_joint_5_fy;
+    d_mu[10][5] = 0.0 - six_joint_5_fz;
     d_mu[10][6] = 0.0 - common_d_mu_b2.d_mu_10_6;
     d_mu[10][7] = 0.0 - common_d_mu_b2.d_mu_10_7;
     d_mu[10][8] = 0.0 - common_d_mu_b2.d_mu_10_8;
@@ -5683,12 +5749,12 @@ fn d_mu_itself(
     d_mu[10][11] = common_d_mu_b2.d_mu_11_10 + 0.0;
     d_mu[10][12] = common_d_mu_b2.d_mu_12_10 + 0.0;
     // D_μ column joint_6
-    d_mu[11][0] = 0.0 - d_mu_11_0;
-    d_mu[11][1] = 0.0 - d_mu_11_1;
-    d_mu[11][2] = 0.0 - d_mu_11_2;
-    d_mu[11][3] = 0.0 - d_mu_11_1_18;
-    d_mu[11][4] = 0.0 - d_mu_11_0_20;
-    d_mu[11][5] = 0.0 - d_mu_11_0_18;
+    d_mu[11][0] = 0.0 - six_joint_6_mx;
+    d_mu[11][1] = 0.0 - six_joint_6_my;
+    d_mu[11][2] = 0.0 - six_joint_6_mz;
+    d_mu[11][3] = 0.0 - six_joint_6_fx;
+    d_mu[11][4] = 0.0 - six_joint_6_fy;
+    d_mu[11][5] = 0.0 - six_joint_6_fz;
     d_mu[11][6] = 0.0 - common_d_mu_b2.d_mu_11_6;
     d_mu[11][7] = 0.0 - common_d_mu_b2.d_mu_11_7;
     d_mu[11][8] = 0.0 - common_d_mu_b2.d_mu_11_8;
@@ -5697,12 +5763,12 @@ fn d_mu_itself(
     d_mu[11][11] = 0.0;
     d_mu[11][12] = common_d_mu_b2.d_mu_12_11 + 0.0;
     // D_μ column joint_7
-    d_mu[12][0] = 0.0 - d_mu_12_0;
-    d_mu[12][1] = 0.0 - d_mu_12_1;
-    d_mu[12][2] = 0.0 - d_mu_12_2;
-    d_mu[12][3] = 0.0 - d_mu_12_1_18;
-    d_mu[12][4] = 0.0 - d_mu_12_0_20;
-    d_mu[12][5] = 0.0 - d_mu_12_0_18;
+    d_mu[12][0] = 0.0 - six_joint_7_mx;
+    d_mu[12][1] = 0.0 - six_joint_7_my;
+    d_mu[12][2] = 0.0 - six_joint_7_mz;
+    d_mu[12][3] = 0.0 - six_joint_7_fx;
+    d_mu[12][4] = 0.0 - six_joint_7_fy;
+    d_mu[12][5] = 0.0 - six_joint_7_fz;
     d_mu[12][6] = 0.0 - common_d_mu_b2.d_mu_12_6;
     d_mu[12][7] = 0.0 - common_d_mu_b2.d_mu_12_7;
     d_mu[12][8] = 0.0 - common_d_mu_b2.d_mu_12_8;
@@ -5798,21 +5864,20 @@ mod d_qdot_itself {
     use super::*;
     /// What only `d_qdot` computes.
     pub(super) struct DQdotItself {
-        pub(super) factor_outside_link_1_yz_0_2: f64,
-        pub(super) factor_outside_link_1_zy_0: f64,
-        pub(super) factor_outside_link_1_zx_3: f64,
-        pub(super) factor_outside_link_1_yz_0: f64,
-        pub(super) factor_outside_link_1_xz_3: f64,
-        pub(super) factor_outside_link_1_yy_2: f64,
-        pub(super) factor_outside_link_1_zz_1: f64,
-        pub(super) factor_outside_link_1_xx_3: f64,
-        pub(super) factor_outside_link_1_xx_0: f64,
-        pub(super) factor_outside_link_1_xx_1: f64,
         pub(super) factor_outside_link_1_xx: f64,
         pub(super) factor_outside_link_1_xy: f64,
         pub(super) factor_outside_link_1_xz_0: f64,
         pub(super) factor_outside_link_1_xz: f64,
         pub(super) factor_outside_link_1_yx: f64,
+        pub(super) factor_outside_link_1_yy: f64,
+        pub(super) factor_outside_link_1_yz_1: f64,
+        pub(super) factor_outside_link_1_yz: f64,
+        pub(super) factor_outside_link_1_zx: f64,
+        pub(super) factor_outside_link_1_zy: f64,
+        pub(super) factor_outside_link_1_zz_0: f64,
+        pub(super) factor_outside_link_1_zz: f64,
+        pub(super) factor_outside_link_1_px_2: f64,
+        pub(super) factor_outside_link_1_py_2: f64,
     }
     /// What only `d_qdot` computes.
     #[inline(never)]
@@ -5828,51 +5893,42 @@ mod d_qdot_itself {
         let d_qdot_0_0_1 = inertias.composite_link_1_xy + inertias.composite_link_1_xy;
         let d_qdot_0_0_0_1 = inertias.composite_link_1_hy * poses.minus_origin_base_x;
         let d_qdot_0_0_0 = d_qdot_0_0_0_1 + d_qdot_0_0_0_1;
-        let d_qdot_0_0_17_1_0 = (screws.inside_joint_2_fz * qd[1]
-            + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
-            + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
-            + screws.inside_joint_7_fz * qd[6]) * 0.5;
-        let d_qdot_0_0_17_0_0 = (screws.inside_joint_1_fy * qd[0]
-            + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
-            + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
-            + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6]) * 0.5;
+        let d_qdot_0_0_17_1_0 = velocities.minus_velocity_base_vz * 17.5 * 0.5;
+        let d_qdot_0_0_17_0_0 = velocities.minus_velocity_base_vy * 17.5 * 0.5;
         let d_qdot_0_0_17_1 = d_qdot_0_0_17_1_0 * poses.com_z;
         let d_qdot_0_0_17_0 = d_qdot_0_0_17_0_0 * poses.com_y;
         let d_qdot_0_0_17 = d_qdot_0_0_17_0 + d_qdot_0_0_17_1;
         // D_q\u{307} column 0
         d_qdot[0][0] = ((d_qdot_0_0_0 - d_qdot_0_0_1) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * 0.5
-            + d_qdot_0_0_17 + d_qdot_0_0_17 + 0.0;
+            + common_d_mu_and_7_more.three_joint_2_x_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_x_0_0_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_x_0_0_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_x_0_0_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_x_0_0_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_x_0_0_0 * qd[6]) * 0.5 + d_qdot_0_0_17
+            + d_qdot_0_0_17 + 0.0;
         let d_qdot_1_0_0 = ((inertias.composite_link_1_xx - inertias.composite_link_1_yy
             - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
-            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6]) * 0.5;
-        let d_qdot_1_0_1_0 = (screws.inside_joint_2_fx * qd[1]
-            - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
-            + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
-            + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6]) * 0.5;
+            - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * qd[6]) * 0.5;
+        let d_qdot_1_0_1_0 = velocities.velocity_base_vx * 17.5 * 0.5;
         let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.com_y;
         let d_qdot_1_0_2 = d_qdot_0_0_17_0_0 * poses.com_x;
-        d_qdot[0][1] = d_qdot_1_0_0 - d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
-        let d_qdot_2_0_0 = (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
+        d_qdot[0][1] = d_qdot_1_0_0 + d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
+        let d_qdot_2_0_0 = (common_d_mu_and_7_more.three_joint_2_x_1_0 * qd[1]
             - screws.inside_joint_1_my * qd[0]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6]) * 0.5;
+            + common_d_mu_and_7_more.three_joint_3_x_1_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_x_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_x_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_x_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_x_1_0 * qd[6]) * 0.5;
         let d_qdot_2_0_1 = d_qdot_1_0_1_0 * poses.com_z;
         let d_qdot_2_0_2 = d_qdot_0_0_17_1_0 * poses.com_x;
-        d_qdot[0][2] = d_qdot_2_0_0 - d_qdot_2_0_1 - d_qdot_2_0_2 + 0.0;
+        d_qdot[0][2] = d_qdot_2_0_0 + d_qdot_2_0_1 - d_qdot_2_0_2 + 0.0;
         d_qdot[0][3] = 0.0;
         d_qdot[0][4] = 0.0 - d_qdot_0_0_17_1_0;
         d_qdot[0][5] = d_qdot_0_0_17_0_0 + 0.0;
@@ -5884,32 +5940,32 @@ mod d_qdot_itself {
         d_qdot[0][11] = 0.0;
         d_qdot[0][12] = 0.0;
         // D_q\u{307} column 1
-        d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 - d_qdot_1_0_1 + 0.0;
+        d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 + d_qdot_1_0_1 + 0.0;
         let d_qdot_1_1_1_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
         let d_qdot_1_1_1 = d_qdot_1_1_1_1 + d_qdot_1_1_1_1;
         let d_qdot_1_1_17_0 = d_qdot_1_0_1_0 * poses.com_x;
-        let d_qdot_1_1_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_1;
+        let d_qdot_1_1_17 = d_qdot_1_1_17_0 - d_qdot_0_0_17_1;
         d_qdot[1][1] = ((d_qdot_0_0_1 - d_qdot_1_1_1) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * 0.5
-            + d_qdot_1_1_17 + d_qdot_1_1_17 + 0.0;
+            + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * qd[6]) * 0.5 - d_qdot_1_1_17
+            - d_qdot_1_1_17 + 0.0;
         let d_qdot_2_1_0 = (screws.inside_joint_1_mx * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6]) * 0.5;
+            + common_d_mu_and_7_more.three_joint_2_y_1_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_y_1_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_y_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_y_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_y_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_y_1_0 * qd[6]) * 0.5;
         let d_qdot_2_1_1 = d_qdot_0_0_17_0_0 * poses.com_z;
         let d_qdot_2_1_2 = d_qdot_0_0_17_1_0 * poses.com_y;
         d_qdot[1][2] = d_qdot_2_1_0 - d_qdot_2_1_1 - d_qdot_2_1_2 + 0.0;
         d_qdot[1][3] = d_qdot_0_0_17_1_0 + 0.0;
         d_qdot[1][4] = 0.0;
-        d_qdot[1][5] = 0.0 - d_qdot_1_0_1_0;
+        d_qdot[1][5] = d_qdot_1_0_1_0 + 0.0;
         d_qdot[1][6] = 0.0;
         d_qdot[1][7] = 0.0;
         d_qdot[1][8] = 0.0;
@@ -5918,19 +5974,19 @@ mod d_qdot_itself {
         d_qdot[1][11] = 0.0;
         d_qdot[1][12] = 0.0;
         // D_q\u{307} column 2
-        d_qdot[2][0] = d_qdot_2_0_0 - d_qdot_2_0_2 - d_qdot_2_0_1 + 0.0;
+        d_qdot[2][0] = d_qdot_2_0_0 - d_qdot_2_0_2 + d_qdot_2_0_1 + 0.0;
         d_qdot[2][1] = d_qdot_2_1_0 - d_qdot_2_1_2 - d_qdot_2_1_1 + 0.0;
-        let d_qdot_2_2_17 = d_qdot_1_1_17_0 + d_qdot_0_0_17_0;
+        let d_qdot_2_2_17 = d_qdot_1_1_17_0 - d_qdot_0_0_17_0;
         d_qdot[2][2] = ((d_qdot_0_0_0 - d_qdot_1_1_1) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
-            - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * 0.5
-            + d_qdot_2_2_17 + d_qdot_2_2_17 + 0.0;
+            + common_d_mu_and_7_more.three_joint_2_z_1_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_z_1_0 * qd[2]
+            - common_d_mu_and_7_more.three_joint_4_z_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_z_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_z_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_z_1_0 * qd[6]) * 0.5 - d_qdot_2_2_17
+            - d_qdot_2_2_17 + 0.0;
         d_qdot[2][3] = 0.0 - d_qdot_0_0_17_0_0;
-        d_qdot[2][4] = d_qdot_1_0_1_0 + 0.0;
+        d_qdot[2][4] = 0.0 - d_qdot_1_0_1_0;
         d_qdot[2][5] = 0.0;
         d_qdot[2][6] = 0.0;
         d_qdot[2][7] = 0.0;
@@ -5956,7 +6012,7 @@ mod d_qdot_itself {
         // D_q\u{307} column 4
         d_qdot[4][0] = 0.0 - d_qdot_0_0_17_1_0;
         d_qdot[4][1] = 0.0;
-        d_qdot[4][2] = d_qdot_1_0_1_0 + 0.0;
+        d_qdot[4][2] = 0.0 - d_qdot_1_0_1_0;
         d_qdot[4][3] = 0.0;
         d_qdot[4][4] = 0.0;
         d_qdot[4][5] = 0.0;
@@ -5969,7 +6025,7 @@ mod d_qdot_itself {
         d_qdot[4][12] = 0.0;
         // D_q\u{307} column 5
         d_qdot[5][0] = d_qdot_0_0_17_0_0 + 0.0;
-        d_qdot[5][1] = 0.0 - d_qdot_1_0_1_0;
+        d_qdot[5][1] = d_qdot_1_0_1_0 + 0.0;
         d_qdot[5][2] = 0.0;
         d_qdot[5][3] = 0.0;
         d_qdot[5][4] = 0.0;
@@ -6044,35 +6100,51 @@ mod d_qdot_itself {
             + velocities.minus_velocity_base_wz * inertias.inertia_base_yy
             - velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hx
             - factor_outside_link_1_xy_5;
+        let factor_outside_link_1_yy_1 = velocities.minus_velocity_base_wx
+            * inertias.minus_inertia_base_yz;
+        let factor_outside_link_1_yy = factor_outside_link_1_xx_1
+            - factor_outside_link_1_yy_1 - factor_outside_link_1_yy_2
+            + factor_outside_link_1_xx_3;
+        let factor_outside_link_1_yz_1 = velocities.minus_velocity_base_wx
+            * inertias.inertia_base_yy + factor_outside_link_1_yz_0_2;
+        let factor_outside_link_1_yz = factor_outside_link_1_yz_0
+            - (factor_outside_link_1_yz_1
+                + velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
+        let factor_outside_link_1_zx = factor_outside_link_1_xz_3
+            - (velocities.minus_velocity_base_wy * inertias.inertia_base_zz
+                + factor_outside_link_1_zx_3
+                + velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
+        let factor_outside_link_1_zy = factor_outside_link_1_zy_0
+            + velocities.minus_velocity_base_wx * inertias.inertia_base_zz
+            - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hy
+            - factor_outside_link_1_yz_0;
+        let factor_outside_link_1_zz_0 = factor_outside_link_1_yy_1
+            - factor_outside_link_1_xx_0;
+        let factor_outside_link_1_zz = factor_outside_link_1_zz_0
+            - factor_outside_link_1_zz_1 + factor_outside_link_1_xx_3;
+        let factor_outside_link_1_px_2 = velocities.minus_velocity_base_wy
+            * inertias.minus_inertia_base_hz;
+        let factor_outside_link_1_py_2 = velocities.minus_velocity_base_wx
+            * inertias.minus_inertia_base_hz;
         DQdotItself {
-            factor_outside_link_1_yz_0_2,
-            factor_outside_link_1_zy_0,
-            factor_outside_link_1_zx_3,
-            factor_outside_link_1_yz_0,
-            factor_outside_link_1_xz_3,
-            factor_outside_link_1_yy_2,
-            factor_outside_link_1_zz_1,
-            factor_outside_link_1_xx_3,
-            factor_outside_link_1_xx_0,
-            factor_outside_link_1_xx_1,
             factor_outside_link_1_xx,
             factor_outside_link_1_xy,
             factor_outside_link_1_xz_0,
             factor_outside_link_1_xz,
             factor_outside_link_1_yx,
+            factor_outside_link_1_yy,
+            factor_outside_link_1_yz_1,
+            factor_outside_link_1_yz,
+            factor_outside_link_1_zx,
+            factor_outside_link_1_zy,
+            factor_outside_link_1_zz_0,
+            factor_outside_link_1_zz,
+            factor_outside_link_1_px_2,
+            factor_outside_link_1_py_2,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromFactorOutsideLink1Yy1 {
-        pub(super) factor_outside_link_1_yy: f64,
-        pub(super) factor_outside_link_1_yz_1: f64,
-        pub(super) factor_outside_link_1_yz: f64,
-        pub(super) factor_outside_link_1_zx: f64,
-        pub(super) factor_outside_link_1_zy: f64,
-        pub(super) factor_outside_link_1_zz_0: f64,
-        pub(super) factor_outside_link_1_zz: f64,
-        pub(super) factor_outside_link_1_px_2: f64,
-        pub(super) factor_outside_link_1_py_2: f64,
+    pub(super) struct DQdotItselfFromFactorOutsideLink1Px {
         pub(super) factor_outside_link_1_px: f64,
         pub(super) factor_outside_link_1_py: f64,
         pub(super) factor_outside_link_1_pz: f64,
@@ -6103,61 +6175,31 @@ mod d_qdot_itself {
         pub(super) factor_link_3_zx_0: f64,
         pub(super) factor_link_3_zy_0: f64,
         pub(super) factor_link_3_zz_0: f64,
-        pub(super) factor_link_4_yz_0_5_4: f64,
-        pub(super) factor_link_4_yz_0_5_5: f64,
-        pub(super) factor_link_4_xz_0_5_5: f64,
-        pub(super) factor_link_4_yz_0_5: f64,
-        pub(super) factor_link_4_xz_0_5: f64,
-        pub(super) factor_link_4_xx_0_3_0: f64,
-        pub(super) factor_link_4_xx_0_3_2: f64,
-        pub(super) factor_link_4_xx_0_3: f64,
-        pub(super) factor_link_4_xx_0_0: f64,
-        pub(super) factor_link_4_xx_0_1: f64,
         pub(super) factor_link_4_xx_0: f64,
         pub(super) factor_link_4_xy_0: f64,
         pub(super) factor_link_4_xz_0: f64,
         pub(super) factor_link_4_yx_0: f64,
-        pub(super) factor_link_4_yy_0_1: f64,
+        pub(super) factor_link_4_yy_0: f64,
+        pub(super) factor_link_4_yz_0: f64,
+        pub(super) factor_link_4_zx_0: f64,
+        pub(super) factor_link_4_zy_0: f64,
+        pub(super) factor_link_4_zz_0: f64,
+        pub(super) factor_link_5_yz_0_5_1: f64,
+        pub(super) factor_link_5_yz_0_5_4: f64,
+        pub(super) factor_link_5_yz_0_5_5: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_factor_outside_link_1_yy_1(
+    pub(super) fn d_qdot_itself_from_factor_outside_link_1_px(
         inertias: &Inertias,
         velocities: &Velocities,
         d_qdot_itself: &DQdotItself,
-    ) -> DQdotItselfFromFactorOutsideLink1Yy1 {
-        let factor_outside_link_1_yy_1 = velocities.minus_velocity_base_wx
-            * inertias.minus_inertia_base_yz;
-        let factor_outside_link_1_yy = d_qdot_itself.factor_outside_link_1_xx_1
-            - factor_outside_link_1_yy_1 - d_qdot_itself.factor_outside_link_1_yy_2
-            + d_qdot_itself.factor_outside_link_1_xx_3;
-        let factor_outside_link_1_yz_1 = velocities.minus_velocity_base_wx
-            * inertias.inertia_base_yy + d_qdot_itself.factor_outside_link_1_yz_0_2;
-        let factor_outside_link_1_yz = d_qdot_itself.factor_outside_link_1_yz_0
-            - (factor_outside_link_1_yz_1
-                + velocities.minus_velocity_base_vy * inertias.minus_inertia_base_hz);
-        let factor_outside_link_1_zx = d_qdot_itself.factor_outside_link_1_xz_3
-            - (velocities.minus_velocity_base_wy * inertias.inertia_base_zz
-                + d_qdot_itself.factor_outside_link_1_zx_3
-                + velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hx);
-        let factor_outside_link_1_zy = d_qdot_itself.factor_outside_link_1_zy_0
-            + velocities.minus_velocity_base_wx * inertias.inertia_base_zz
-            - velocities.minus_velocity_base_vz * inertias.minus_inertia_base_hy
-            - d_qdot_itself.factor_outside_link_1_yz_0;
-        let factor_outside_link_1_zz_0 = factor_outside_link_1_yy_1
-            - d_qdot_itself.factor_outside_link_1_xx_0;
-        let factor_outside_link_1_zz = factor_outside_link_1_zz_0
-            - d_qdot_itself.factor_outside_link_1_zz_1
-            + d_qdot_itself.factor_outside_link_1_xx_3;
-        let factor_outside_link_1_px_2 = velocities.minus_velocity_base_wy
-            * inertias.minus_inertia_base_hz;
-        let factor_outside_link_1_py_2 = velocities.minus_velocity_base_wx
-            * inertias.minus_inertia_base_hz;
+    ) -> DQdotItselfFromFactorOutsideLink1Px {
         let factor_outside_link_1_px = velocities.velocity_base_vx * 3.5
-            + (factor_outside_link_1_px_2
+            + (d_qdot_itself.factor_outside_link_1_px_2
                 - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy);
         let factor_outside_link_1_py = velocities.minus_velocity_base_wz
-            * inertias.minus_inertia_base_hx - factor_outside_link_1_py_2
+            * inertias.minus_inertia_base_hx - d_qdot_itself.factor_outside_link_1_py_2
             - velocities.minus_velocity_base_vy * 3.5;
         let factor_outside_link_1_pz = velocities.minus_velocity_base_wx
             * inertias.minus_inertia_base_hy
@@ -6423,16 +6465,29 @@ mod d_qdot_itself {
             + factor_link_4_xy_0_5;
         let factor_link_4_yy_0_1 = velocities.velocity_link_4_wx
             * inertias.inertia_link_4_yz;
-        DQdotItselfFromFactorOutsideLink1Yy1 {
-            factor_outside_link_1_yy,
-            factor_outside_link_1_yz_1,
-            factor_outside_link_1_yz,
-            factor_outside_link_1_zx,
-            factor_outside_link_1_zy,
-            factor_outside_link_1_zz_0,
-            factor_outside_link_1_zz,
-            factor_outside_link_1_px_2,
-            factor_outside_link_1_py_2,
+        let factor_link_4_yy_0 = factor_link_4_xx_0_1 - factor_link_4_yy_0_1
+            - factor_link_4_xx_0_3_0 + factor_link_4_xx_0_3;
+        let factor_link_4_yz_0 = velocities.velocity_link_4_wx
+            * inertias.inertia_link_4_yy - factor_link_4_yz_0_5_4
+            - velocities.velocity_link_4_vy * inertias.inertia_link_4_hz
+            - factor_link_4_yz_0_5;
+        let factor_link_4_zx_0 = velocities.velocity_link_4_wy
+            * inertias.inertia_link_4_zz - factor_link_4_xz_0_5_5
+            + velocities.velocity_link_4_vz * inertias.minus_inertia_link_4_hx
+            - factor_link_4_xz_0_5;
+        let factor_link_4_zy_0 = factor_link_4_yz_0_5_5
+            - velocities.velocity_link_4_wx * inertias.inertia_link_4_zz
+            - velocities.velocity_link_4_vz * inertias.inertia_link_4_hy
+            + factor_link_4_yz_0_5;
+        let factor_link_4_zz_0 = factor_link_4_yy_0_1 - factor_link_4_xx_0_0
+            - factor_link_4_xx_0_3_2 + factor_link_4_xx_0_3;
+        let factor_link_5_yz_0_5_1 = (inertias.inertia_link_5_xx
+            + inertias.inertia_link_5_yy + inertias.inertia_link_5_zz) * 0.5;
+        let factor_link_5_yz_0_5_4 = inertias.inertia_link_5_xy
+            * velocities.velocity_link_5_wy;
+        let factor_link_5_yz_0_5_5 = inertias.inertia_link_5_xz
+            * velocities.velocity_link_5_wz;
+        DQdotItselfFromFactorOutsideLink1Px {
             factor_outside_link_1_px,
             factor_outside_link_1_py,
             factor_outside_link_1_pz,
@@ -6463,30 +6518,22 @@ mod d_qdot_itself {
             factor_link_3_zx_0,
             factor_link_3_zy_0,
             factor_link_3_zz_0,
-            factor_link_4_yz_0_5_4,
-            factor_link_4_yz_0_5_5,
-            factor_link_4_xz_0_5_5,
-            factor_link_4_yz_0_5,
-            factor_link_4_xz_0_5,
-            factor_link_4_xx_0_3_0,
-            factor_link_4_xx_0_3_2,
-            factor_link_4_xx_0_3,
-            factor_link_4_xx_0_0,
-            factor_link_4_xx_0_1,
             factor_link_4_xx_0,
             factor_link_4_xy_0,
             factor_link_4_xz_0,
             factor_link_4_yx_0,
-            factor_link_4_yy_0_1,
+            factor_link_4_yy_0,
+            factor_link_4_yz_0,
+            factor_link_4_zx_0,
+            factor_link_4_zy_0,
+            factor_link_4_zz_0,
+            factor_link_5_yz_0_5_1,
+            factor_link_5_yz_0_5_4,
+            factor_link_5_yz_0_5_5,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromFactorLink4Yy0 {
-        pub(super) factor_link_4_yy_0: f64,
-        pub(super) factor_link_4_yz_0: f64,
-        pub(super) factor_link_4_zx_0: f64,
-        pub(super) factor_link_4_zy_0: f64,
-        pub(super) factor_link_4_zz_0: f64,
+    pub(super) struct DQdotItselfFromFactorLink5Xz0_5_2 {
         pub(super) factor_link_5_xx_0: f64,
         pub(super) factor_link_5_xy_0: f64,
         pub(super) factor_link_5_xz_0: f64,
@@ -6559,59 +6606,35 @@ mod d_qdot_itself {
         pub(super) factor_link_2_xz: f64,
         pub(super) factor_link_2_yz: f64,
         pub(super) factor_link_2_zz: f64,
-        pub(super) factor_link_1_xx: f64,
         pub(super) factor_link_1_yx: f64,
         pub(super) factor_link_1_zx: f64,
         pub(super) factor_link_1_xy: f64,
-        pub(super) factor_link_1_yy: f64,
         pub(super) factor_link_1_zy: f64,
         pub(super) factor_link_1_xz: f64,
         pub(super) factor_link_1_yz: f64,
         pub(super) factor_link_1_zz: f64,
-        pub(super) wrench_base_mx_8: f64,
-        pub(super) wrench_base_my_6: f64,
-        pub(super) wrench_base_mx_6: f64,
-        pub(super) wrench_base_mx: f64,
+        pub(super) six_joint_1_mx_8: f64,
+        pub(super) six_joint_1_my_6: f64,
+        pub(super) six_joint_1_mx_6: f64,
+        pub(super) three_joint_1_x_0: f64,
+        pub(super) three_joint_1_y_2: f64,
+        pub(super) three_joint_1_z_4: f64,
+        pub(super) three_joint_1_x_7: f64,
+        pub(super) three_joint_1_y_9: f64,
+        pub(super) three_joint_1_z_13: f64,
+        pub(super) three_joint_1_x: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_factor_link_4_yy_0(
+    pub(super) fn d_qdot_itself_from_factor_link_5_xz_0_5_2(
         poses: &Poses,
         inertias: &Inertias,
+        screws: &Screws,
+        reactions: &Reactions,
         velocities: &Velocities,
-        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
-    ) -> DQdotItselfFromFactorLink4Yy0 {
-        let factor_link_4_yy_0 = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_4_xx_0_1
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yy_0_1
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3;
-        let factor_link_4_yz_0 = velocities.velocity_link_4_wx
-            * inertias.inertia_link_4_yy
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yz_0_5_4
-            - velocities.velocity_link_4_vy * inertias.inertia_link_4_hz
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yz_0_5;
-        let factor_link_4_zx_0 = velocities.velocity_link_4_wy
-            * inertias.inertia_link_4_zz
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xz_0_5_5
-            + velocities.velocity_link_4_vz * inertias.minus_inertia_link_4_hx
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xz_0_5;
-        let factor_link_4_zy_0 = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_4_yz_0_5_5
-            - velocities.velocity_link_4_wx * inertias.inertia_link_4_zz
-            - velocities.velocity_link_4_vz * inertias.inertia_link_4_hy
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_yz_0_5;
-        let factor_link_4_zz_0 = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_4_yy_0_1
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_0
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3_2
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_link_4_xx_0_3;
-        let factor_link_5_yz_0_5_1 = (inertias.inertia_link_5_xx
-            + inertias.inertia_link_5_yy + inertias.inertia_link_5_zz) * 0.5;
-        let factor_link_5_yz_0_5_4 = inertias.inertia_link_5_xy
-            * velocities.velocity_link_5_wy;
-        let factor_link_5_yz_0_5_5 = inertias.inertia_link_5_xz
-            * velocities.velocity_link_5_wz;
+        d_qdot_itself: &DQdotItself,
+        d_qdot_itself_from_factor_outside_link_1_px: &DQdotItselfFromFactorOutsideLink1Px,
+    ) -> DQdotItselfFromFactorLink5Xz0_5_2 {
         let factor_link_5_xz_0_5_2 = inertias.inertia_link_5_xy
             * velocities.velocity_link_5_wx;
         let factor_link_5_xz_0_5_5 = inertias.inertia_link_5_yz
@@ -6620,14 +6643,18 @@ mod d_qdot_itself {
             * velocities.velocity_link_5_wx;
         let factor_link_5_xy_0_5_3 = inertias.inertia_link_5_yz
             * velocities.velocity_link_5_wy;
-        let factor_link_5_yz_0_5 = velocities.velocity_link_5_wx * factor_link_5_yz_0_5_1
+        let factor_link_5_yz_0_5 = velocities.velocity_link_5_wx
+            * d_qdot_itself_from_factor_outside_link_1_px.factor_link_5_yz_0_5_1
             - (inertias.inertia_link_5_xx * velocities.velocity_link_5_wx
-                + factor_link_5_yz_0_5_4 + factor_link_5_yz_0_5_5);
-        let factor_link_5_xz_0_5 = velocities.velocity_link_5_wy * factor_link_5_yz_0_5_1
+                + d_qdot_itself_from_factor_outside_link_1_px.factor_link_5_yz_0_5_4
+                + d_qdot_itself_from_factor_outside_link_1_px.factor_link_5_yz_0_5_5);
+        let factor_link_5_xz_0_5 = velocities.velocity_link_5_wy
+            * d_qdot_itself_from_factor_outside_link_1_px.factor_link_5_yz_0_5_1
             - (factor_link_5_xz_0_5_2
                 + inertias.inertia_link_5_yy * velocities.velocity_link_5_wy
                 + factor_link_5_xz_0_5_5);
-        let factor_link_5_xy_0_5 = velocities.velocity_link_5_wz * factor_link_5_yz_0_5_1
+        let factor_link_5_xy_0_5 = velocities.velocity_link_5_wz
+            * d_qdot_itself_from_factor_outside_link_1_px.factor_link_5_yz_0_5_1
             - (factor_link_5_xy_0_5_2 + factor_link_5_xy_0_5_3
                 + inertias.inertia_link_5_zz * velocities.velocity_link_5_wz);
         let factor_link_5_xx_0_3_1 = inertias.minus_inertia_link_5_hx
@@ -6661,14 +6688,16 @@ mod d_qdot_itself {
         let factor_link_5_yy_0 = factor_link_5_xx_0_1 - factor_link_5_yy_0_1
             - factor_link_5_xx_0_3_0 + factor_link_5_xx_0_3;
         let factor_link_5_yz_0 = velocities.velocity_link_5_wx
-            * inertias.inertia_link_5_yy - factor_link_5_yz_0_5_4
+            * inertias.inertia_link_5_yy
+            - d_qdot_itself_from_factor_outside_link_1_px.factor_link_5_yz_0_5_4
             - velocities.velocity_link_5_vy * inertias.inertia_link_5_hz
             - factor_link_5_yz_0_5;
         let factor_link_5_zx_0 = velocities.velocity_link_5_wy
             * inertias.inertia_link_5_zz - factor_link_5_xz_0_5_5
             + velocities.velocity_link_5_vz * inertias.minus_inertia_link_5_hx
             - factor_link_5_xz_0_5;
-        let factor_link_5_zy_0 = factor_link_5_yz_0_5_5
+        let factor_link_5_zy_0 = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_5_yz_0_5_5
             - velocities.velocity_link_5_wx * inertias.inertia_link_5_zz
             - velocities.velocity_link_5_vz * inertias.inertia_link_5_hy
             + factor_link_5_yz_0_5;
@@ -6826,91 +6855,102 @@ mod d_qdot_itself {
         let factor_link_5_xz = factor_link_5_xz_0 + factor_link_6_xz;
         let factor_link_5_yz = factor_link_5_yz_0 + factor_link_6_yz;
         let factor_link_5_zz = factor_link_5_zz_0 + factor_link_6_zz;
-        let factor_link_4_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_4_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_xx_0 + factor_link_5_xx;
-        let factor_link_4_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_4_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_yx_0 + factor_link_5_yx;
-        let factor_link_4_zx = factor_link_4_zx_0 + factor_link_5_zx;
-        let factor_link_4_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_4_zx = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_4_zx_0 + factor_link_5_zx;
+        let factor_link_4_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_xy_0 + factor_link_5_xy;
-        let factor_link_4_yy = factor_link_4_yy_0 + factor_link_5_yy;
-        let factor_link_4_zy = factor_link_4_zy_0 + factor_link_5_zy;
-        let factor_link_4_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_4_yy = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_4_yy_0 + factor_link_5_yy;
+        let factor_link_4_zy = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_4_zy_0 + factor_link_5_zy;
+        let factor_link_4_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_xz_0 + factor_link_5_xz;
-        let factor_link_4_yz = factor_link_4_yz_0 + factor_link_5_yz;
-        let factor_link_4_zz = factor_link_4_zz_0 + factor_link_5_zz;
-        let factor_link_3_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_4_yz = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_4_yz_0 + factor_link_5_yz;
+        let factor_link_4_zz = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_4_zz_0 + factor_link_5_zz;
+        let factor_link_3_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_xx_0 + factor_link_4_xx;
-        let factor_link_3_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_yx_0 + factor_link_4_yx;
-        let factor_link_3_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_zx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_zx_0 + factor_link_4_zx;
-        let factor_link_3_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_xy_0 + factor_link_4_xy;
-        let factor_link_3_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_yy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_yy_0 + factor_link_4_yy;
-        let factor_link_3_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_zy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_zy_0 + factor_link_4_zy;
-        let factor_link_3_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_xz_0 + factor_link_4_xz;
-        let factor_link_3_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_yz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_yz_0 + factor_link_4_yz;
-        let factor_link_3_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_3_zz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_zz_0 + factor_link_4_zz;
-        let factor_link_2_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_xx_0 + factor_link_3_xx;
-        let factor_link_2_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_yx_0 + factor_link_3_yx;
-        let factor_link_2_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_zx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_zx_0 + factor_link_3_zx;
-        let factor_link_2_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_xy_0 + factor_link_3_xy;
-        let factor_link_2_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_yy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_yy_0 + factor_link_3_yy;
-        let factor_link_2_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_zy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_zy_0 + factor_link_3_zy;
-        let factor_link_2_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_xz_0 + factor_link_3_xz;
-        let factor_link_2_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_yz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_yz_0 + factor_link_3_yz;
-        let factor_link_2_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_2_zz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_zz_0 + factor_link_3_zz;
-        let factor_link_1_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_xx_0 + factor_link_2_xx;
-        let factor_link_1_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_yx_0 + factor_link_2_yx;
-        let factor_link_1_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_zx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_zx_0 + factor_link_2_zx;
-        let factor_link_1_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_xy_0 + factor_link_2_xy;
-        let factor_link_1_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_yy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_yy_0 + factor_link_2_yy;
-        let factor_link_1_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_zy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_zy_0 + factor_link_2_zy;
-        let factor_link_1_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_xz_0 + factor_link_2_xz;
-        let factor_link_1_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_yz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_yz_0 + factor_link_2_yz;
-        let factor_link_1_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_link_1_zz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_zz_0 + factor_link_2_zz;
-        let wrench_base_mx_8 = velocities.minus_velocity_base_wx
+        let six_joint_1_mx_8 = velocities.minus_velocity_base_wx
             * poses.minus_origin_base_x
             + velocities.minus_velocity_base_wy * poses.minus_origin_base_y;
-        let wrench_base_my_6 = velocities.velocity_link_1_vy
+        let six_joint_1_my_6 = velocities.velocity_link_1_vy
             - velocities.velocity_link_1_wz * poses.minus_origin_base_x;
-        let wrench_base_mx_6 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
+        let six_joint_1_mx_6 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
             + velocities.velocity_link_1_vx;
-        let wrench_base_mx = factor_link_1_xz
-            + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
-                - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
-                + (inertias.composite_link_1_hz * wrench_base_mx_6
-                    - inertias.composite_link_1_hy * wrench_base_mx_8));
-        DQdotItselfFromFactorLink4Yy0 {
-            factor_link_4_yy_0,
-            factor_link_4_yz_0,
-            factor_link_4_zx_0,
-            factor_link_4_zy_0,
-            factor_link_4_zz_0,
+        let three_joint_1_x_0 = d_qdot_itself.factor_outside_link_1_xx
+            * screws.connection_joint_1_wx;
+        let three_joint_1_y_2 = d_qdot_itself.factor_outside_link_1_yy
+            * screws.connection_joint_1_wy;
+        let three_joint_1_z_4 = d_qdot_itself.factor_outside_link_1_zz
+            * screws.connection_joint_1_wz;
+        let three_joint_1_x_7 = factor_link_1_xx * reactions.reaction_joint_1_wx;
+        let three_joint_1_y_9 = factor_link_1_yy * reactions.reaction_joint_1_wy;
+        let three_joint_1_z_13 = factor_link_1_zz * reactions.reaction_joint_1_wz;
+        let three_joint_1_x = three_joint_1_x_0
+            + d_qdot_itself.factor_outside_link_1_yx * screws.connection_joint_1_wy
+            + d_qdot_itself.factor_outside_link_1_zx * screws.connection_joint_1_wz
+            - d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_pz
+                * screws.connection_joint_1_vy
+            - (three_joint_1_x_7 + factor_link_1_yx * reactions.reaction_joint_1_wy
+                + factor_link_1_zx * reactions.reaction_joint_1_wz);
+        DQdotItselfFromFactorLink5Xz0_5_2 {
             factor_link_5_xx_0,
             factor_link_5_xy_0,
             factor_link_5_xz_0,
@@ -6983,23 +7023,27 @@ mod d_qdot_itself {
             factor_link_2_xz,
             factor_link_2_yz,
             factor_link_2_zz,
-            factor_link_1_xx,
             factor_link_1_yx,
             factor_link_1_zx,
             factor_link_1_xy,
-            factor_link_1_yy,
             factor_link_1_zy,
             factor_link_1_xz,
             factor_link_1_yz,
             factor_link_1_zz,
-            wrench_base_mx_8,
-            wrench_base_my_6,
-            wrench_base_mx_6,
-            wrench_base_mx,
+            six_joint_1_mx_8,
+            six_joint_1_my_6,
+            six_joint_1_mx_6,
+            three_joint_1_x_0,
+            three_joint_1_y_2,
+            three_joint_1_z_4,
+            three_joint_1_x_7,
+            three_joint_1_y_9,
+            three_joint_1_z_13,
+            three_joint_1_x,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromWrenchBaseMy {
+    pub(super) struct DQdotItselfFromThreeJoint1Y {
         pub(super) factor_link_1_px_0: f64,
         pub(super) factor_link_1_py_0: f64,
         pub(super) factor_link_1_pz_1: f64,
@@ -7036,102 +7080,87 @@ mod d_qdot_itself {
         pub(super) factor_link_2_px: f64,
         pub(super) factor_link_2_py: f64,
         pub(super) factor_link_2_pz: f64,
-        pub(super) wrench_outside_base_mx: f64,
-        pub(super) wrench_outside_base_my: f64,
-        pub(super) wrench_outside_base_mz: f64,
-        pub(super) wrench_outside_base_fx: f64,
-        pub(super) wrench_outside_base_fy: f64,
-        pub(super) wrench_outside_base_fz: f64,
-        pub(super) turn_joint_1_x: f64,
-        pub(super) turn_joint_1_y: f64,
-        pub(super) turn_joint_1_z: f64,
-        pub(super) three_joint_2_x_0: f64,
-        pub(super) three_joint_2_y_2: f64,
-        pub(super) three_joint_3_x_2: f64,
-        pub(super) three_joint_3_y_4: f64,
-        pub(super) three_joint_3_z_0: f64,
-        pub(super) three_joint_3_x: f64,
+        pub(super) six_more_joint_1_mx: f64,
+        pub(super) six_more_joint_1_my: f64,
+        pub(super) six_more_joint_1_mz: f64,
+        pub(super) six_more_joint_1_fx: f64,
+        pub(super) six_more_joint_1_fy: f64,
+        pub(super) six_more_joint_1_fz: f64,
+        pub(super) three_joint_1_y: f64,
+        pub(super) three_joint_1_z: f64,
+        pub(super) three_more_joint_2_x_0: f64,
+        pub(super) three_more_joint_2_y_2: f64,
+        pub(super) three_more_joint_3_x_2: f64,
+        pub(super) three_more_joint_3_y_4: f64,
+        pub(super) three_more_joint_3_z_0: f64,
+        pub(super) three_more_joint_3_x: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_wrench_base_my(
+    pub(super) fn d_qdot_itself_from_three_joint_1_y(
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
         reactions: &Reactions,
         velocities: &Velocities,
         d_qdot_itself: &DQdotItself,
-        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
+        d_qdot_itself_from_factor_outside_link_1_px: &DQdotItselfFromFactorOutsideLink1Px,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
         d_qdot: &mut [[f64; 13]; 13],
-    ) -> DQdotItselfFromWrenchBaseMy {
-        let wrench_base_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yz
+    ) -> DQdotItselfFromThreeJoint1Y {
+        let three_joint_1_y = d_qdot_itself.factor_outside_link_1_xy
+            * screws.connection_joint_1_wx
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_y_2
+            + d_qdot_itself.factor_outside_link_1_zy * screws.connection_joint_1_wz
+            - d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_pz
+                * screws.minus_connection_joint_1_vx
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_xy
+                * reactions.reaction_joint_1_wx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_y_9
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_zy
+                    * reactions.reaction_joint_1_wz);
+        let three_joint_1_z = d_qdot_itself.factor_outside_link_1_xz
+            * screws.connection_joint_1_wx
+            + d_qdot_itself.factor_outside_link_1_yz * screws.connection_joint_1_wy
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_z_4
+            + (d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_px
+                * screws.connection_joint_1_vy
+                + d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_py
+                    * screws.minus_connection_joint_1_vx)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_xz
+                * reactions.reaction_joint_1_wx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_yz
+                    * reactions.reaction_joint_1_wy
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_z_13);
+        let six_joint_1_mx = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_xz
+            + (inertias.composite_link_1_xy * velocities.minus_velocity_base_wx
+                - inertias.composite_link_1_xx * velocities.minus_velocity_base_wy
+                + (inertias.composite_link_1_hz
+                    * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_6
+                    - inertias.composite_link_1_hy
+                        * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_8));
+        let six_joint_1_my = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_yz
             + (inertias.composite_link_1_yy * velocities.minus_velocity_base_wx
                 - inertias.composite_link_1_xy * velocities.minus_velocity_base_wy
                 + (inertias.composite_link_1_hz
-                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6
+                    * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_my_6
                     + inertias.composite_link_1_hx
-                        * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8));
-        let wrench_base_mz = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zz
+                        * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_8));
+        let six_joint_1_mz = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_zz
             + (inertias.composite_link_1_yz * velocities.minus_velocity_base_wx
                 - inertias.composite_link_1_xz * velocities.minus_velocity_base_wy
                 - (inertias.composite_link_1_hx
-                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6
+                    * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_6
                     + inertias.composite_link_1_hy
-                        * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6));
-        let turn_joint_1_x_0 = d_qdot_itself.factor_outside_link_1_xx
-            * screws.connection_joint_1_wx;
-        let turn_joint_1_y_2 = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_outside_link_1_yy * screws.connection_joint_1_wy;
-        let turn_joint_1_z_4 = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_outside_link_1_zz * screws.connection_joint_1_wz;
-        let turn_joint_1_x_7 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xx
-            * reactions.reaction_joint_1_wx;
-        let turn_joint_1_y_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yy
-            * reactions.reaction_joint_1_wy;
-        let turn_joint_1_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zz
-            * reactions.reaction_joint_1_wz;
-        let turn_joint_1_x = turn_joint_1_x_0
-            + d_qdot_itself.factor_outside_link_1_yx * screws.connection_joint_1_wy
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zx
-                * screws.connection_joint_1_wz
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
-                * screws.connection_joint_1_vy
-            - (turn_joint_1_x_7
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yx
-                    * reactions.reaction_joint_1_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zx
-                    * reactions.reaction_joint_1_wz);
-        let turn_joint_1_y = d_qdot_itself.factor_outside_link_1_xy
-            * screws.connection_joint_1_wx + turn_joint_1_y_2
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zy
-                * screws.connection_joint_1_wz
-            - d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
-                * screws.minus_connection_joint_1_vx
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xy
-                * reactions.reaction_joint_1_wx + turn_joint_1_y_9
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zy
-                    * reactions.reaction_joint_1_wz);
-        let turn_joint_1_z = d_qdot_itself.factor_outside_link_1_xz
-            * screws.connection_joint_1_wx
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yz
-                * screws.connection_joint_1_wy + turn_joint_1_z_4
-            + (d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px
-                * screws.connection_joint_1_vy
-                + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py
-                    * screws.minus_connection_joint_1_vx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xz
-                * reactions.reaction_joint_1_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yz
-                    * reactions.reaction_joint_1_wy + turn_joint_1_z_13);
+                        * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_my_6));
         // D_q\u{307} column joint_1
-        d_qdot[6][6] = reactions.reaction_joint_1_wx
-            * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx
-            + reactions.reaction_joint_1_wy * wrench_base_my
-            + reactions.reaction_joint_1_wz * wrench_base_mz
-            + turn_joint_1_x * screws.connection_joint_1_wx
-            + turn_joint_1_y * screws.connection_joint_1_wy
-            + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
+        d_qdot[6][6] = reactions.reaction_joint_1_wx * six_joint_1_mx
+            + reactions.reaction_joint_1_wy * six_joint_1_my
+            + reactions.reaction_joint_1_wz * six_joint_1_mz
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x
+                * screws.connection_joint_1_wx
+            + three_joint_1_y * screws.connection_joint_1_wy
+            + three_joint_1_z * screws.connection_joint_1_wz + 0.0;
         let factor_link_1_px_0 = velocities.velocity_link_1_vx * 2.0
             - (velocities.minus_velocity_base_wy * inertias.inertia_link_1_hz
                 + velocities.velocity_link_1_wz * inertias.inertia_link_1_hy);
@@ -7213,116 +7242,115 @@ mod d_qdot_itself {
         let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
         let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
         let factor_link_1_pz = factor_link_2_pz - factor_link_1_pz_1;
-        let wrench_outside_base_mx = d_qdot_itself.factor_outside_link_1_xz
+        let six_more_joint_1_mx = d_qdot_itself.factor_outside_link_1_xz
             * screws.connection_joint_1_wz
             + (d_qdot_itself.factor_outside_link_1_xy * screws.connection_joint_1_wy
-                + turn_joint_1_x_0)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xz
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x_0)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_xz
                 * reactions.reaction_joint_1_wz
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_xy
-                    * reactions.reaction_joint_1_wy + turn_joint_1_x_7))
-            + (inertias.minus_inertia_base_hy
-                * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8
-                - inertias.minus_inertia_base_hz
-                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6
-                - d_qdot_itself.factor_outside_link_1_xz_0);
-        let wrench_outside_base_my = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_outside_link_1_yz * screws.connection_joint_1_wz
-            + (turn_joint_1_y_2
-                + d_qdot_itself.factor_outside_link_1_yx * screws.connection_joint_1_wx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yz
-                * reactions.reaction_joint_1_wz
-                + (turn_joint_1_y_9
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_yx
-                        * reactions.reaction_joint_1_wx))
-            + (d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yz_1
-                - (inertias.minus_inertia_base_hz
-                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6
-                    + inertias.minus_inertia_base_hx
-                        * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8));
-        let wrench_outside_base_mz = turn_joint_1_z_4
-            + (d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zy
-                * screws.connection_joint_1_wy
-                + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zx
-                    * screws.connection_joint_1_wx)
-            - (turn_joint_1_z_13
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zy
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_xy
                     * reactions.reaction_joint_1_wy
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_1_zx
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x_7))
+            + (inertias.minus_inertia_base_hy
+                * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_8
+                - inertias.minus_inertia_base_hz
+                    * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_6
+                - d_qdot_itself.factor_outside_link_1_xz_0);
+        let six_more_joint_1_my = d_qdot_itself.factor_outside_link_1_yz
+            * screws.connection_joint_1_wz
+            + (d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_y_2
+                + d_qdot_itself.factor_outside_link_1_yx * screws.connection_joint_1_wx)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_yz
+                * reactions.reaction_joint_1_wz
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_y_9
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_yx
+                        * reactions.reaction_joint_1_wx))
+            + (d_qdot_itself.factor_outside_link_1_yz_1
+                - (inertias.minus_inertia_base_hz
+                    * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_my_6
+                    + inertias.minus_inertia_base_hx
+                        * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_8));
+        let six_more_joint_1_mz = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .three_joint_1_z_4
+            + (d_qdot_itself.factor_outside_link_1_zy * screws.connection_joint_1_wy
+                + d_qdot_itself.factor_outside_link_1_zx * screws.connection_joint_1_wx)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_z_13
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_zy
+                    * reactions.reaction_joint_1_wy
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_1_zx
                         * reactions.reaction_joint_1_wx))
             + (inertias.minus_inertia_base_hx
-                * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6
+                * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_6
                 + inertias.minus_inertia_base_hy
-                    * d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6
-                - d_qdot_itself_from_factor_outside_link_1_yy_1
-                    .factor_outside_link_1_zz_0);
-        let wrench_outside_base_fx = screws.connection_joint_1_wy
-            * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
+                    * d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_my_6
+                - d_qdot_itself.factor_outside_link_1_zz_0);
+        let six_more_joint_1_fx = screws.connection_joint_1_wy
+            * d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_pz
             - screws.connection_joint_1_wz
-                * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py
+                * d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_py
             - (reactions.reaction_joint_1_wy * factor_link_1_pz
                 - reactions.reaction_joint_1_wz * factor_link_1_py)
-            + (d_qdot_itself_from_factor_link_4_yy_0.wrench_base_my_6 * 3.5
-                - d_qdot_itself_from_factor_outside_link_1_yy_1
-                    .factor_outside_link_1_py_2);
-        let wrench_outside_base_fy = screws.connection_joint_1_wz
-            * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px
+            + (d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_my_6 * 3.5
+                - d_qdot_itself.factor_outside_link_1_py_2);
+        let six_more_joint_1_fy = screws.connection_joint_1_wz
+            * d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_px
             - screws.connection_joint_1_wx
-                * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_pz
+                * d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_pz
             - (reactions.reaction_joint_1_wz * factor_link_1_px
                 - reactions.reaction_joint_1_wx * factor_link_1_pz)
-            - (d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_6 * 3.5
-                + d_qdot_itself_from_factor_outside_link_1_yy_1
-                    .factor_outside_link_1_px_2);
-        let wrench_outside_base_fz = screws.connection_joint_1_wx
-            * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_6 * 3.5
+                + d_qdot_itself.factor_outside_link_1_px_2);
+        let six_more_joint_1_fz = screws.connection_joint_1_wx
+            * d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_py
             - screws.connection_joint_1_wy
-                * d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px
+                * d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_px
             - (reactions.reaction_joint_1_wx * factor_link_1_py
                 - reactions.reaction_joint_1_wy * factor_link_1_px)
             + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hy
                 + velocities.minus_velocity_base_wx * inertias.minus_inertia_base_hx
-                - d_qdot_itself_from_factor_link_4_yy_0.wrench_base_mx_8 * 3.5);
-        let three_joint_2_x_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xx
-            * poses.sin_joint_1;
-        let three_joint_2_y_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yy
-            * poses.cos_joint_1;
-        let three_joint_2_x = three_joint_2_x_0
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx * poses.cos_joint_1
+                - d_qdot_itself_from_factor_link_5_xz_0_5_2.six_joint_1_mx_8 * 3.5);
+        let three_more_joint_2_x_0 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_2_xx * poses.sin_joint_1;
+        let three_more_joint_2_y_2 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_2_yy * poses.cos_joint_1;
+        let three_more_joint_2_x = three_more_joint_2_x_0
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_yx
+                * poses.cos_joint_1
             + (factor_link_2_py * screws.screw_joint_2_vz
                 - factor_link_2_pz * screws.screw_joint_2_vy);
-        let three_joint_2_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy
-            * poses.sin_joint_1 - three_joint_2_y_2
+        let three_more_joint_2_y = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_2_xy * poses.sin_joint_1 - three_more_joint_2_y_2
             + (factor_link_2_pz * screws.screw_joint_2_vx
                 - factor_link_2_px * screws.screw_joint_2_vz);
-        let three_joint_2_z = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xz
-            * poses.sin_joint_1
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yz * poses.cos_joint_1
+        let three_more_joint_2_z = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_2_xz * poses.sin_joint_1
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_yz
+                * poses.cos_joint_1
             + (factor_link_2_px * screws.screw_joint_2_vy
                 - factor_link_2_py * screws.screw_joint_2_vx);
-        d_qdot[6][7] = wrench_outside_base_mx * screws.connection_joint_2_wx
-            + wrench_outside_base_my * screws.connection_joint_2_wy
-            + wrench_outside_base_mz * screws.connection_joint_2_wz
-            + wrench_outside_base_fx * screws.connection_joint_2_vx
-            + wrench_outside_base_fy * screws.connection_joint_2_vy
-            + wrench_outside_base_fz * screws.connection_joint_2_vz
-            + reactions.reaction_joint_1_wx * three_joint_2_x
-            + reactions.reaction_joint_1_wy * three_joint_2_y
-            + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
-        let three_joint_3_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xx
-            * poses.minus_rotation_link_2_xy;
-        let three_joint_3_y_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yy
-            * poses.minus_rotation_link_2_yy;
-        let three_joint_3_z_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zz
-            * poses.cos_joint_2;
-        let three_joint_3_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
-            * poses.cos_joint_2
-            - (three_joint_3_x_2
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+        d_qdot[6][7] = six_more_joint_1_mx * screws.connection_joint_2_wx
+            + six_more_joint_1_my * screws.connection_joint_2_wy
+            + six_more_joint_1_mz * screws.connection_joint_2_wz
+            + six_more_joint_1_fx * screws.connection_joint_2_vx
+            + six_more_joint_1_fy * screws.connection_joint_2_vy
+            + six_more_joint_1_fz * screws.connection_joint_2_vz
+            + reactions.reaction_joint_1_wx * three_more_joint_2_x
+            + reactions.reaction_joint_1_wy * three_more_joint_2_y
+            + reactions.reaction_joint_1_wz * three_more_joint_2_z + 0.0;
+        let three_more_joint_3_x_2 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_xx * poses.minus_rotation_link_2_xy;
+        let three_more_joint_3_y_4 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_yy * poses.minus_rotation_link_2_yy;
+        let three_more_joint_3_z_0 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_zz * poses.cos_joint_2;
+        let three_more_joint_3_x = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_zx * poses.cos_joint_2
+            - (three_more_joint_3_x_2
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yx
                     * poses.minus_rotation_link_2_yy)
             + (factor_link_3_py * screws.screw_joint_3_vz
                 - factor_link_3_pz * screws.screw_joint_3_vy);
-        DQdotItselfFromWrenchBaseMy {
+        DQdotItselfFromThreeJoint1Y {
             factor_link_1_px_0,
             factor_link_1_py_0,
             factor_link_1_pz_1,
@@ -7359,25 +7387,24 @@ mod d_qdot_itself {
             factor_link_2_px,
             factor_link_2_py,
             factor_link_2_pz,
-            wrench_outside_base_mx,
-            wrench_outside_base_my,
-            wrench_outside_base_mz,
-            wrench_outside_base_fx,
-            wrench_outside_base_fy,
-            wrench_outside_base_fz,
-            turn_joint_1_x,
-            turn_joint_1_y,
-            turn_joint_1_z,
-            three_joint_2_x_0,
-            three_joint_2_y_2,
-            three_joint_3_x_2,
-            three_joint_3_y_4,
-            three_joint_3_z_0,
-            three_joint_3_x,
+            six_more_joint_1_mx,
+            six_more_joint_1_my,
+            six_more_joint_1_mz,
+            six_more_joint_1_fx,
+            six_more_joint_1_fy,
+            six_more_joint_1_fz,
+            three_joint_1_y,
+            three_joint_1_z,
+            three_more_joint_2_x_0,
+            three_more_joint_2_y_2,
+            three_more_joint_3_x_2,
+            three_more_joint_3_y_4,
+            three_more_joint_3_z_0,
+            three_more_joint_3_x,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromThreeJoint3Y {
+    pub(super) struct DQdotItselfFromThreeMoreJoint3Y {
         pub(super) factor_outside_link_2_xx: f64,
         pub(super) factor_outside_link_2_yx: f64,
         pub(super) factor_outside_link_2_zx: f64,
@@ -7390,278 +7417,285 @@ mod d_qdot_itself {
         pub(super) factor_outside_link_2_px: f64,
         pub(super) factor_outside_link_2_py: f64,
         pub(super) factor_outside_link_2_pz: f64,
-        pub(super) wrench_link_1_mx_4: f64,
-        pub(super) wrench_link_1_mx_6: f64,
-        pub(super) wrench_link_1_mx_8: f64,
-        pub(super) wrench_link_1_my_10: f64,
-        pub(super) wrench_link_1_mx_12: f64,
-        pub(super) wrench_link_1_mx_10: f64,
-        pub(super) wrench_link_1_mx: f64,
-        pub(super) wrench_link_1_my: f64,
-        pub(super) wrench_link_1_mz: f64,
-        pub(super) wrench_link_1_fx: f64,
-        pub(super) three_joint_3_y: f64,
-        pub(super) three_joint_3_z: f64,
-        pub(super) three_joint_4_x_2: f64,
-        pub(super) three_joint_4_y_0: f64,
-        pub(super) three_joint_4_z_4: f64,
-        pub(super) three_joint_4_x: f64,
-        pub(super) three_joint_4_y: f64,
-        pub(super) three_joint_4_z: f64,
-        pub(super) three_joint_5_x_2: f64,
-        pub(super) three_joint_5_y_4: f64,
-        pub(super) three_joint_5_z_0: f64,
-        pub(super) three_joint_5_x: f64,
-        pub(super) three_joint_5_y: f64,
-        pub(super) three_joint_5_z: f64,
-        pub(super) three_joint_6_x_0: f64,
-        pub(super) three_joint_6_y_2: f64,
-        pub(super) three_joint_6_z_4: f64,
-        pub(super) three_joint_6_x: f64,
-        pub(super) three_joint_6_y: f64,
-        pub(super) three_joint_6_z: f64,
-        pub(super) three_joint_7_x_2: f64,
-        pub(super) three_joint_7_y_4: f64,
-        pub(super) three_joint_7_z_0: f64,
-        pub(super) three_joint_7_x: f64,
-        pub(super) three_joint_7_y: f64,
-        pub(super) three_joint_7_z: f64,
+        pub(super) six_joint_2_mx_4: f64,
+        pub(super) six_joint_2_mx_6: f64,
+        pub(super) six_joint_2_mx_8: f64,
+        pub(super) six_joint_2_my_10: f64,
+        pub(super) six_joint_2_mx_12: f64,
+        pub(super) six_joint_2_mx_10: f64,
+        pub(super) three_joint_2_x_0: f64,
+        pub(super) three_joint_2_y_2: f64,
+        pub(super) three_joint_2_z_4: f64,
+        pub(super) three_joint_2_x_9: f64,
+        pub(super) three_joint_2_y_11: f64,
+        pub(super) three_joint_2_z_13: f64,
+        pub(super) three_joint_2_x: f64,
+        pub(super) six_joint_2_mx: f64,
+        pub(super) six_joint_2_my: f64,
+        pub(super) six_joint_2_mz: f64,
+        pub(super) three_more_joint_3_y: f64,
+        pub(super) three_more_joint_3_z: f64,
+        pub(super) three_more_joint_4_x_2: f64,
+        pub(super) three_more_joint_4_y_0: f64,
+        pub(super) three_more_joint_4_z_4: f64,
+        pub(super) three_more_joint_4_x: f64,
+        pub(super) three_more_joint_4_y: f64,
+        pub(super) three_more_joint_4_z: f64,
+        pub(super) three_more_joint_5_x_2: f64,
+        pub(super) three_more_joint_5_y_4: f64,
+        pub(super) three_more_joint_5_z_0: f64,
+        pub(super) three_more_joint_5_x: f64,
+        pub(super) three_more_joint_5_y: f64,
+        pub(super) three_more_joint_5_z: f64,
+        pub(super) three_more_joint_6_x_0: f64,
+        pub(super) three_more_joint_6_y_2: f64,
+        pub(super) three_more_joint_6_z_4: f64,
+        pub(super) three_more_joint_6_x: f64,
+        pub(super) three_more_joint_6_y: f64,
+        pub(super) three_more_joint_6_z: f64,
+        pub(super) three_more_joint_7_x_2: f64,
+        pub(super) three_more_joint_7_y_4: f64,
+        pub(super) three_more_joint_7_z_0: f64,
+        pub(super) three_more_joint_7_x: f64,
+        pub(super) three_more_joint_7_y: f64,
+        pub(super) three_more_joint_7_z: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_three_joint_3_y(
+    pub(super) fn d_qdot_itself_from_three_more_joint_3_y(
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
         reactions: &Reactions,
         velocities: &Velocities,
         d_qdot_itself: &DQdotItself,
-        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
+        d_qdot_itself_from_factor_outside_link_1_px: &DQdotItselfFromFactorOutsideLink1Px,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
         d_qdot: &mut [[f64; 13]; 13],
-    ) -> DQdotItselfFromThreeJoint3Y {
-        let three_joint_3_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
-            * poses.cos_joint_2
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
+    ) -> DQdotItselfFromThreeMoreJoint3Y {
+        let three_more_joint_3_y = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_zy * poses.cos_joint_2
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xy
                 * poses.minus_rotation_link_2_xy
-                + d_qdot_itself_from_wrench_base_my.three_joint_3_y_4)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                + d_qdot_itself_from_three_joint_1_y.three_more_joint_3_y_4)
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_3_pz
                 * screws.screw_joint_3_vx
-                - d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                - d_qdot_itself_from_three_joint_1_y.factor_link_3_px
                     * screws.screw_joint_3_vz);
-        let three_joint_3_z = d_qdot_itself_from_wrench_base_my.three_joint_3_z_0
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+        let three_more_joint_3_z = d_qdot_itself_from_three_joint_1_y
+            .three_more_joint_3_z_0
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xz
                 * poses.minus_rotation_link_2_xy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yz
                     * poses.minus_rotation_link_2_yy)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_3_px
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_3_px
                 * screws.screw_joint_3_vy
-                - d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                - d_qdot_itself_from_three_joint_1_y.factor_link_3_py
                     * screws.screw_joint_3_vx);
         // D_q\u{307} column joint_1
-        d_qdot[6][8] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+        d_qdot[6][8] = d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mx
             * screws.connection_joint_3_wx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_my
                 * screws.connection_joint_3_wy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mz
                 * screws.connection_joint_3_wz
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fx
                 * screws.connection_joint_3_vx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fy
                 * screws.connection_joint_3_vy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fz
                 * screws.connection_joint_3_vz
             + reactions.reaction_joint_1_wx
-                * d_qdot_itself_from_wrench_base_my.three_joint_3_x
-            + reactions.reaction_joint_1_wy * three_joint_3_y
-            + reactions.reaction_joint_1_wz * three_joint_3_z + 0.0;
-        let three_joint_4_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xx
-            * poses.minus_rotation_link_3_xy;
-        let three_joint_4_y_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yy
-            * poses.rotation_link_3_yy;
-        let three_joint_4_z_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zz
-            * poses.minus_rotation_link_3_zy;
-        let three_joint_4_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
-            * poses.rotation_link_3_yy - three_joint_4_x_2
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+                * d_qdot_itself_from_three_joint_1_y.three_more_joint_3_x
+            + reactions.reaction_joint_1_wy * three_more_joint_3_y
+            + reactions.reaction_joint_1_wz * three_more_joint_3_z + 0.0;
+        let three_more_joint_4_x_2 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_xx * poses.minus_rotation_link_3_xy;
+        let three_more_joint_4_y_0 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_yy * poses.rotation_link_3_yy;
+        let three_more_joint_4_z_4 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_zz * poses.minus_rotation_link_3_zy;
+        let three_more_joint_4_x = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_yx * poses.rotation_link_3_yy - three_more_joint_4_x_2
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zx
                 * poses.minus_rotation_link_3_zy
-            + (d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_4_pz
                 * screws.minus_screw_joint_4_vy
-                - d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                - d_qdot_itself_from_three_joint_1_y.factor_link_4_py
                     * screws.minus_screw_joint_4_vz);
-        let three_joint_4_y = three_joint_4_y_0
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
+        let three_more_joint_4_y = three_more_joint_4_y_0
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xy
                 * poses.minus_rotation_link_3_xy
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zy
                 * poses.minus_rotation_link_3_zy
-            + (d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_4_pz
                 * screws.screw_joint_4_vx
-                + d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                + d_qdot_itself_from_three_joint_1_y.factor_link_4_px
                     * screws.minus_screw_joint_4_vz);
-        let three_joint_4_z = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
-            * poses.rotation_link_3_yy
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
-                * poses.minus_rotation_link_3_xy - three_joint_4_z_4
-            - (d_qdot_itself_from_wrench_base_my.factor_link_4_px
+        let three_more_joint_4_z = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_yz * poses.rotation_link_3_yy
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xz
+                * poses.minus_rotation_link_3_xy - three_more_joint_4_z_4
+            - (d_qdot_itself_from_three_joint_1_y.factor_link_4_px
                 * screws.minus_screw_joint_4_vy
-                + d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                + d_qdot_itself_from_three_joint_1_y.factor_link_4_py
                     * screws.screw_joint_4_vx);
-        d_qdot[6][9] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+        d_qdot[6][9] = d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mx
             * screws.connection_joint_4_wx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_my
                 * screws.connection_joint_4_wy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mz
                 * screws.connection_joint_4_wz
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fx
                 * screws.connection_joint_4_vx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fy
                 * screws.connection_joint_4_vy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fz
                 * screws.connection_joint_4_vz
-            + reactions.reaction_joint_1_wx * three_joint_4_x
-            + reactions.reaction_joint_1_wy * three_joint_4_y
-            + reactions.reaction_joint_1_wz * three_joint_4_z + 0.0;
-        let three_joint_5_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xx
-            * poses.rotation_link_4_xy;
-        let three_joint_5_y_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yy
-            * poses.rotation_link_4_yy;
-        let three_joint_5_z_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zz
-            * poses.rotation_link_5_zz;
-        let three_joint_5_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
-            * poses.rotation_link_5_zz
-            - (three_joint_5_x_2
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+            + reactions.reaction_joint_1_wx * three_more_joint_4_x
+            + reactions.reaction_joint_1_wy * three_more_joint_4_y
+            + reactions.reaction_joint_1_wz * three_more_joint_4_z + 0.0;
+        let three_more_joint_5_x_2 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_xx * poses.rotation_link_4_xy;
+        let three_more_joint_5_y_4 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_yy * poses.rotation_link_4_yy;
+        let three_more_joint_5_z_0 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_zz * poses.rotation_link_5_zz;
+        let three_more_joint_5_x = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_zx * poses.rotation_link_5_zz
+            - (three_more_joint_5_x_2
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yx
                     * poses.rotation_link_4_yy)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_5_py
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_5_py
                 * screws.screw_joint_5_vz
-                - d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                - d_qdot_itself_from_three_joint_1_y.factor_link_5_pz
                     * screws.screw_joint_5_vy);
-        let three_joint_5_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
-            * poses.rotation_link_5_zz
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
-                * poses.rotation_link_4_xy + three_joint_5_y_4)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+        let three_more_joint_5_y = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_zy * poses.rotation_link_5_zz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xy
+                * poses.rotation_link_4_xy + three_more_joint_5_y_4)
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_5_pz
                 * screws.screw_joint_5_vx
-                - d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                - d_qdot_itself_from_three_joint_1_y.factor_link_5_px
                     * screws.screw_joint_5_vz);
-        let three_joint_5_z = three_joint_5_z_0
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+        let three_more_joint_5_z = three_more_joint_5_z_0
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xz
                 * poses.rotation_link_4_xy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yz
                     * poses.rotation_link_4_yy)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_5_px
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_5_px
                 * screws.screw_joint_5_vy
-                - d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                - d_qdot_itself_from_three_joint_1_y.factor_link_5_py
                     * screws.screw_joint_5_vx);
-        d_qdot[6][10] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+        d_qdot[6][10] = d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mx
             * screws.connection_joint_5_wx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_my
                 * screws.connection_joint_5_wy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mz
                 * screws.connection_joint_5_wz
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fx
                 * screws.connection_joint_5_vx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fy
                 * screws.connection_joint_5_vy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fz
                 * screws.connection_joint_5_vz
-            + reactions.reaction_joint_1_wx * three_joint_5_x
-            + reactions.reaction_joint_1_wy * three_joint_5_y
-            + reactions.reaction_joint_1_wz * three_joint_5_z + 0.0;
-        let three_joint_6_x_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xx
-            * poses.rotation_link_6_xz;
-        let three_joint_6_y_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yy
-            * poses.rotation_link_5_yy;
-        let three_joint_6_z_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zz
-            * poses.rotation_link_6_zz;
-        let three_joint_6_x = three_joint_6_x_0
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+            + reactions.reaction_joint_1_wx * three_more_joint_5_x
+            + reactions.reaction_joint_1_wy * three_more_joint_5_y
+            + reactions.reaction_joint_1_wz * three_more_joint_5_z + 0.0;
+        let three_more_joint_6_x_0 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_xx * poses.rotation_link_6_xz;
+        let three_more_joint_6_y_2 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_yy * poses.rotation_link_5_yy;
+        let three_more_joint_6_z_4 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_zz * poses.rotation_link_6_zz;
+        let three_more_joint_6_x = three_more_joint_6_x_0
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yx
                 * poses.rotation_link_5_yy
-            + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zx
                 * poses.rotation_link_6_zz
-            + (d_qdot_itself_from_wrench_base_my.factor_link_6_py
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_6_py
                 * screws.screw_joint_6_vz
-                - d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                - d_qdot_itself_from_three_joint_1_y.factor_link_6_pz
                     * screws.screw_joint_6_vy);
-        let three_joint_6_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
-            * poses.rotation_link_6_xz - three_joint_6_y_2
-            + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+        let three_more_joint_6_y = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_xy * poses.rotation_link_6_xz - three_more_joint_6_y_2
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zy
                 * poses.rotation_link_6_zz
-            + (d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_6_pz
                 * screws.screw_joint_6_vx
-                - d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                - d_qdot_itself_from_three_joint_1_y.factor_link_6_px
                     * screws.screw_joint_6_vz);
-        let three_joint_6_z = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
-            * poses.rotation_link_6_xz
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
-                * poses.rotation_link_5_yy + three_joint_6_z_4
-            + (d_qdot_itself_from_wrench_base_my.factor_link_6_px
+        let three_more_joint_6_z = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_xz * poses.rotation_link_6_xz
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yz
+                * poses.rotation_link_5_yy + three_more_joint_6_z_4
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_6_px
                 * screws.screw_joint_6_vy
-                - d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                - d_qdot_itself_from_three_joint_1_y.factor_link_6_py
                     * screws.screw_joint_6_vx);
-        d_qdot[6][11] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+        d_qdot[6][11] = d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mx
             * screws.connection_joint_6_wx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_my
                 * screws.connection_joint_6_wy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mz
                 * screws.connection_joint_6_wz
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fx
                 * screws.connection_joint_6_vx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fy
                 * screws.connection_joint_6_vy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fz
                 * screws.connection_joint_6_vz
-            + reactions.reaction_joint_1_wx * three_joint_6_x
-            + reactions.reaction_joint_1_wy * three_joint_6_y
-            + reactions.reaction_joint_1_wz * three_joint_6_z + 0.0;
-        let three_joint_7_x_2 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xx
-            * poses.minus_rotation_link_6_xy;
-        let three_joint_7_y_4 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yy
-            * poses.minus_rotation_link_6_yy;
-        let three_joint_7_z_0 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zz
-            * poses.rotation_link_6_zy;
-        let three_joint_7_x = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zx
-            * poses.rotation_link_6_zy
-            - (three_joint_7_x_2
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yx
+            + reactions.reaction_joint_1_wx * three_more_joint_6_x
+            + reactions.reaction_joint_1_wy * three_more_joint_6_y
+            + reactions.reaction_joint_1_wz * three_more_joint_6_z + 0.0;
+        let three_more_joint_7_x_2 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_7_xx * poses.minus_rotation_link_6_xy;
+        let three_more_joint_7_y_4 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_7_yy * poses.minus_rotation_link_6_yy;
+        let three_more_joint_7_z_0 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_7_zz * poses.rotation_link_6_zy;
+        let three_more_joint_7_x = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_7_zx * poses.rotation_link_6_zy
+            - (three_more_joint_7_x_2
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_yx
                     * poses.minus_rotation_link_6_yy)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_7_py
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_7_py
                 * screws.screw_joint_7_vz
-                - d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                - d_qdot_itself_from_three_joint_1_y.factor_link_7_pz
                     * screws.screw_joint_7_vy);
-        let three_joint_7_y = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zy
-            * poses.rotation_link_6_zy
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xy
-                * poses.minus_rotation_link_6_xy + three_joint_7_y_4)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+        let three_more_joint_7_y = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_7_zy * poses.rotation_link_6_zy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_xy
+                * poses.minus_rotation_link_6_xy + three_more_joint_7_y_4)
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_7_pz
                 * screws.screw_joint_7_vx
-                - d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                - d_qdot_itself_from_three_joint_1_y.factor_link_7_px
                     * screws.screw_joint_7_vz);
-        let three_joint_7_z = three_joint_7_z_0
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xz
+        let three_more_joint_7_z = three_more_joint_7_z_0
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_xz
                 * poses.minus_rotation_link_6_xy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yz
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_yz
                     * poses.minus_rotation_link_6_yy)
-            + (d_qdot_itself_from_wrench_base_my.factor_link_7_px
+            + (d_qdot_itself_from_three_joint_1_y.factor_link_7_px
                 * screws.screw_joint_7_vy
-                - d_qdot_itself_from_wrench_base_my.factor_link_7_py
+                - d_qdot_itself_from_three_joint_1_y.factor_link_7_py
                     * screws.screw_joint_7_vx);
-        d_qdot[6][12] = d_qdot_itself_from_wrench_base_my.wrench_outside_base_mx
+        d_qdot[6][12] = d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mx
             * screws.connection_joint_7_wx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_my
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_my
                 * screws.connection_joint_7_wy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_mz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_mz
                 * screws.connection_joint_7_wz
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fx
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fx
                 * screws.connection_joint_7_vx
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fy
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fy
                 * screws.connection_joint_7_vy
-            + d_qdot_itself_from_wrench_base_my.wrench_outside_base_fz
+            + d_qdot_itself_from_three_joint_1_y.six_more_joint_1_fz
                 * screws.connection_joint_7_vz
-            + reactions.reaction_joint_1_wx * three_joint_7_x
-            + reactions.reaction_joint_1_wy * three_joint_7_y
-            + reactions.reaction_joint_1_wz * three_joint_7_z + 0.0;
+            + reactions.reaction_joint_1_wx * three_more_joint_7_x
+            + reactions.reaction_joint_1_wy * three_more_joint_7_y
+            + reactions.reaction_joint_1_wz * three_more_joint_7_z + 0.0;
         // D_q\u{307} column joint_2
         d_qdot[7][0] = 0.0;
         d_qdot[7][1] = 0.0;
@@ -7669,88 +7703,105 @@ mod d_qdot_itself {
         d_qdot[7][3] = 0.0;
         d_qdot[7][4] = 0.0;
         d_qdot[7][5] = 0.0;
-        let wrench_link_1_mx_4 = velocities.velocity_link_1_wz * poses.cos_joint_1;
-        let wrench_link_1_mx_6 = velocities.velocity_link_1_wz * poses.sin_joint_1;
-        let wrench_link_1_mx_8 = velocities.minus_velocity_link_2_wy * poses.sin_joint_1
+        let six_joint_2_mx_4 = velocities.velocity_link_1_wz * poses.cos_joint_1;
+        let six_joint_2_mx_6 = velocities.velocity_link_1_wz * poses.sin_joint_1;
+        let six_joint_2_mx_8 = velocities.minus_velocity_link_2_wy * poses.sin_joint_1
             - velocities.velocity_link_2_wx * poses.cos_joint_1;
-        let wrench_link_1_my_10 = velocities.velocity_link_2_vz * poses.cos_joint_1
+        let six_joint_2_my_10 = velocities.velocity_link_2_vz * poses.cos_joint_1
             - (velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vz
                 + velocities.velocity_link_1_wz * screws.screw_joint_2_vy);
-        let wrench_link_1_mx_12 = velocities.velocity_link_1_wz * screws.screw_joint_2_vx
+        let six_joint_2_mx_12 = velocities.velocity_link_1_wz * screws.screw_joint_2_vx
             - velocities.velocity_link_2_wx * screws.screw_joint_2_vz
             + velocities.velocity_link_2_vz * poses.sin_joint_1;
-        let wrench_link_1_mx_10 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
+        let six_joint_2_mx_10 = velocities.velocity_link_2_wx * screws.screw_joint_2_vy
             + velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vx
             - (velocities.velocity_link_2_vx * poses.cos_joint_1
                 + velocities.velocity_link_2_vy * poses.sin_joint_1);
-        let wrench_link_1_mx = d_qdot_itself_from_wrench_base_my.three_joint_2_x_0
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy * poses.cos_joint_1
-            + (inertias.composite_link_2_xx * wrench_link_1_mx_4
-                + inertias.composite_link_2_xy * wrench_link_1_mx_6
-                + inertias.composite_link_2_xz * wrench_link_1_mx_8
-                + (inertias.composite_link_2_hy * wrench_link_1_mx_10
-                    - inertias.composite_link_2_hz * wrench_link_1_mx_12));
-        let wrench_link_1_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx
-            * poses.sin_joint_1 - d_qdot_itself_from_wrench_base_my.three_joint_2_y_2
-            + (inertias.composite_link_2_xy * wrench_link_1_mx_4
-                + inertias.composite_link_2_yy * wrench_link_1_mx_6
-                + inertias.composite_link_2_yz * wrench_link_1_mx_8
-                + (inertias.composite_link_2_hz * wrench_link_1_my_10
-                    - inertias.composite_link_2_hx * wrench_link_1_mx_10));
-        let wrench_link_1_mz = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zx
+        let six_joint_2_mx = d_qdot_itself_from_three_joint_1_y.three_more_joint_2_x_0
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_xy
+                * poses.cos_joint_1
+            + (inertias.composite_link_2_xx * six_joint_2_mx_4
+                + inertias.composite_link_2_xy * six_joint_2_mx_6
+                + inertias.composite_link_2_xz * six_joint_2_mx_8
+                + (inertias.composite_link_2_hy * six_joint_2_mx_10
+                    - inertias.composite_link_2_hz * six_joint_2_mx_12));
+        let six_joint_2_my = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_yx
             * poses.sin_joint_1
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zy * poses.cos_joint_1
-            + (inertias.composite_link_2_xz * wrench_link_1_mx_4
-                + inertias.composite_link_2_yz * wrench_link_1_mx_6
-                + inertias.composite_link_2_zz * wrench_link_1_mx_8
-                + (inertias.composite_link_2_hx * wrench_link_1_mx_12
-                    - inertias.composite_link_2_hy * wrench_link_1_my_10));
-        d_qdot[7][6] = reactions.reaction_joint_1_wx * wrench_link_1_mx
-            + reactions.reaction_joint_1_wy * wrench_link_1_my
-            + reactions.reaction_joint_1_wz * wrench_link_1_mz
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+            - d_qdot_itself_from_three_joint_1_y.three_more_joint_2_y_2
+            + (inertias.composite_link_2_xy * six_joint_2_mx_4
+                + inertias.composite_link_2_yy * six_joint_2_mx_6
+                + inertias.composite_link_2_yz * six_joint_2_mx_8
+                + (inertias.composite_link_2_hz * six_joint_2_my_10
+                    - inertias.composite_link_2_hx * six_joint_2_mx_10));
+        let six_joint_2_mz = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_zx
+            * poses.sin_joint_1
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_zy
+                * poses.cos_joint_1
+            + (inertias.composite_link_2_xz * six_joint_2_mx_4
+                + inertias.composite_link_2_yz * six_joint_2_mx_6
+                + inertias.composite_link_2_zz * six_joint_2_mx_8
+                + (inertias.composite_link_2_hx * six_joint_2_mx_12
+                    - inertias.composite_link_2_hy * six_joint_2_my_10));
+        d_qdot[7][6] = reactions.reaction_joint_1_wx * six_joint_2_mx
+            + reactions.reaction_joint_1_wy * six_joint_2_my
+            + reactions.reaction_joint_1_wz * six_joint_2_mz
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x
                 * screws.connection_joint_2_wx
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_y
                 * screws.connection_joint_2_wy
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_z
                 * screws.connection_joint_2_wz + 0.0;
-        let factor_outside_link_2_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_2_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_xx_0 + d_qdot_itself.factor_outside_link_1_xx;
-        let factor_outside_link_2_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_2_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_yx_0 + d_qdot_itself.factor_outside_link_1_yx;
-        let factor_outside_link_2_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_1_zx_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zx;
-        let factor_outside_link_2_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_2_zx = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_1_zx_0 + d_qdot_itself.factor_outside_link_1_zx;
+        let factor_outside_link_2_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_xy_0 + d_qdot_itself.factor_outside_link_1_xy;
-        let factor_outside_link_2_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_1_yy_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yy;
-        let factor_outside_link_2_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_1_zy_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zy;
-        let factor_outside_link_2_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_2_yy = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_1_yy_0 + d_qdot_itself.factor_outside_link_1_yy;
+        let factor_outside_link_2_zy = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_1_zy_0 + d_qdot_itself.factor_outside_link_1_zy;
+        let factor_outside_link_2_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_1_xz_0 + d_qdot_itself.factor_outside_link_1_xz;
-        let factor_outside_link_2_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_1_yz_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_yz;
-        let factor_outside_link_2_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
-            .factor_link_1_zz_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_zz;
-        let factor_outside_link_2_px = d_qdot_itself_from_wrench_base_my
+        let factor_outside_link_2_yz = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_1_yz_0 + d_qdot_itself.factor_outside_link_1_yz;
+        let factor_outside_link_2_zz = d_qdot_itself_from_factor_outside_link_1_px
+            .factor_link_1_zz_0 + d_qdot_itself.factor_outside_link_1_zz;
+        let factor_outside_link_2_px = d_qdot_itself_from_three_joint_1_y
             .factor_link_1_px_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_px;
-        let factor_outside_link_2_py = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_px;
+        let factor_outside_link_2_py = d_qdot_itself_from_three_joint_1_y
             .factor_link_1_py_0
-            + d_qdot_itself_from_factor_outside_link_1_yy_1.factor_outside_link_1_py;
-        let factor_outside_link_2_pz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_factor_outside_link_1_px.factor_outside_link_1_py;
+        let factor_outside_link_2_pz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_outside_link_1_pz
-            - d_qdot_itself_from_wrench_base_my.factor_link_1_pz_1;
-        let wrench_link_1_fx = wrench_link_1_my_10 * 12.0
-            + (wrench_link_1_mx_6 * inertias.composite_link_2_hz
-                - wrench_link_1_mx_8 * inertias.composite_link_2_hy)
-            - poses.cos_joint_1 * d_qdot_itself_from_wrench_base_my.factor_link_2_pz;
-        DQdotItselfFromThreeJoint3Y {
+            - d_qdot_itself_from_three_joint_1_y.factor_link_1_pz_1;
+        let three_joint_2_x_0 = factor_outside_link_2_xx * screws.connection_joint_2_wx;
+        let three_joint_2_y_2 = factor_outside_link_2_yy * screws.connection_joint_2_wy;
+        let three_joint_2_z_4 = factor_outside_link_2_zz * screws.connection_joint_2_wz;
+        let three_joint_2_x_9 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_2_xx * reactions.reaction_joint_2_wx;
+        let three_joint_2_y_11 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_2_yy * reactions.reaction_joint_2_wy;
+        let three_joint_2_z_13 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_2_zz * reactions.reaction_joint_2_wz;
+        let three_joint_2_x = three_joint_2_x_0
+            + factor_outside_link_2_yx * screws.connection_joint_2_wy
+            + factor_outside_link_2_zx * screws.connection_joint_2_wz
+            + (factor_outside_link_2_py * screws.connection_joint_2_vz
+                - factor_outside_link_2_pz * screws.connection_joint_2_vy)
+            - (three_joint_2_x_9
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_yx
+                    * reactions.reaction_joint_2_wy
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_zx
+                    * reactions.reaction_joint_2_wz
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_2_py
+                    * reactions.reaction_joint_2_vz
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_2_pz
+                        * reactions.reaction_joint_2_vy));
+        DQdotItselfFromThreeMoreJoint3Y {
             factor_outside_link_2_xx,
             factor_outside_link_2_yx,
             factor_outside_link_2_zx,
@@ -7763,319 +7814,308 @@ mod d_qdot_itself {
             factor_outside_link_2_px,
             factor_outside_link_2_py,
             factor_outside_link_2_pz,
-            wrench_link_1_mx_4,
-            wrench_link_1_mx_6,
-            wrench_link_1_mx_8,
-            wrench_link_1_my_10,
-            wrench_link_1_mx_12,
-            wrench_link_1_mx_10,
-            wrench_link_1_mx,
-            wrench_link_1_my,
-            wrench_link_1_mz,
-            wrench_link_1_fx,
-            three_joint_3_y,
-            three_joint_3_z,
-            three_joint_4_x_2,
-            three_joint_4_y_0,
-            three_joint_4_z_4,
-            three_joint_4_x,
-            three_joint_4_y,
-            three_joint_4_z,
-            three_joint_5_x_2,
-            three_joint_5_y_4,
-            three_joint_5_z_0,
-            three_joint_5_x,
-            three_joint_5_y,
-            three_joint_5_z,
-            three_joint_6_x_0,
-            three_joint_6_y_2,
-            three_joint_6_z_4,
-            three_joint_6_x,
-            three_joint_6_y,
-            three_joint_6_z,
-            three_joint_7_x_2,
-            three_joint_7_y_4,
-            three_joint_7_z_0,
-            three_joint_7_x,
-            three_joint_7_y,
-            three_joint_7_z,
+            six_joint_2_mx_4,
+            six_joint_2_mx_6,
+            six_joint_2_mx_8,
+            six_joint_2_my_10,
+            six_joint_2_mx_12,
+            six_joint_2_mx_10,
+            three_joint_2_x_0,
+            three_joint_2_y_2,
+            three_joint_2_z_4,
+            three_joint_2_x_9,
+            three_joint_2_y_11,
+            three_joint_2_z_13,
+            three_joint_2_x,
+            six_joint_2_mx,
+            six_joint_2_my,
+            six_joint_2_mz,
+            three_more_joint_3_y,
+            three_more_joint_3_z,
+            three_more_joint_4_x_2,
+            three_more_joint_4_y_0,
+            three_more_joint_4_z_4,
+            three_more_joint_4_x,
+            three_more_joint_4_y,
+            three_more_joint_4_z,
+            three_more_joint_5_x_2,
+            three_more_joint_5_y_4,
+            three_more_joint_5_z_0,
+            three_more_joint_5_x,
+            three_more_joint_5_y,
+            three_more_joint_5_z,
+            three_more_joint_6_x_0,
+            three_more_joint_6_y_2,
+            three_more_joint_6_z_4,
+            three_more_joint_6_x,
+            three_more_joint_6_y,
+            three_more_joint_6_z,
+            three_more_joint_7_x_2,
+            three_more_joint_7_y_4,
+            three_more_joint_7_z_0,
+            three_more_joint_7_x,
+            three_more_joint_7_y,
+            three_more_joint_7_z,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromWrenchLink1Fy {
-        pub(super) turn_joint_2_x: f64,
-        pub(super) turn_joint_2_y: f64,
-        pub(super) turn_joint_2_z: f64,
-        pub(super) wrench_link_2_mx_6: f64,
-        pub(super) wrench_link_2_mx_8: f64,
-        pub(super) wrench_link_2_mx_10: f64,
-        pub(super) wrench_link_2_my_12: f64,
-        pub(super) wrench_link_2_mx_14: f64,
-        pub(super) wrench_link_2_mx_12: f64,
-        pub(super) wrench_link_2_mx: f64,
+    pub(super) struct DQdotItselfFromThreeJoint2Y {
+        pub(super) three_joint_2_y: f64,
+        pub(super) three_joint_2_z: f64,
+        pub(super) six_joint_3_mx_6: f64,
+        pub(super) six_joint_3_mx_8: f64,
+        pub(super) six_joint_3_mx_10: f64,
+        pub(super) six_joint_3_my_12: f64,
+        pub(super) six_joint_3_mx_14: f64,
+        pub(super) six_joint_3_mx_12: f64,
+        pub(super) six_joint_3_mx: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_wrench_link_1_fy(
+    pub(super) fn d_qdot_itself_from_three_joint_2_y(
         poses: &Poses,
         inertias: &Inertias,
         complements: &Complements,
         screws: &Screws,
         reactions: &Reactions,
         velocities: &Velocities,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
-        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
+        d_qdot_itself_from_three_more_joint_3_y: &DQdotItselfFromThreeMoreJoint3Y,
         d_qdot: &mut [[f64; 13]; 13],
-    ) -> DQdotItselfFromWrenchLink1Fy {
-        let wrench_link_1_fy = d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12
-            * 12.0
-            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
-                * inertias.composite_link_2_hx
-                - d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
-                    * inertias.composite_link_2_hz)
-            - poses.sin_joint_1 * d_qdot_itself_from_wrench_base_my.factor_link_2_pz;
-        let wrench_link_1_fz = poses.sin_joint_1
-            * d_qdot_itself_from_wrench_base_my.factor_link_2_py
-            + poses.cos_joint_1 * d_qdot_itself_from_wrench_base_my.factor_link_2_px
-            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10 * 12.0
-                + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
-                    * inertias.composite_link_2_hy
-                    - d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
-                        * inertias.composite_link_2_hx));
-        let turn_joint_2_x_0 = d_qdot_itself_from_three_joint_3_y
-            .factor_outside_link_2_xx * screws.connection_joint_2_wx;
-        let turn_joint_2_y_2 = d_qdot_itself_from_three_joint_3_y
-            .factor_outside_link_2_yy * screws.connection_joint_2_wy;
-        let turn_joint_2_z_4 = d_qdot_itself_from_three_joint_3_y
-            .factor_outside_link_2_zz * screws.connection_joint_2_wz;
-        let turn_joint_2_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xx
-            * reactions.reaction_joint_2_wx;
-        let turn_joint_2_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yy
-            * reactions.reaction_joint_2_wy;
-        let turn_joint_2_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zz
-            * reactions.reaction_joint_2_wz;
-        let turn_joint_2_x = turn_joint_2_x_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yx
-                * screws.connection_joint_2_wy
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zx
+    ) -> DQdotItselfFromThreeJoint2Y {
+        let three_joint_2_y = d_qdot_itself_from_three_more_joint_3_y
+            .factor_outside_link_2_xy * screws.connection_joint_2_wx
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_y_2
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_zy
                 * screws.connection_joint_2_wz
-            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
-                * screws.connection_joint_2_vz
-                - d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
-                    * screws.connection_joint_2_vy)
-            - (turn_joint_2_x_9
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx
-                    * reactions.reaction_joint_2_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zx
-                    * reactions.reaction_joint_2_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_2_py
-                    * reactions.reaction_joint_2_vz
-                    - d_qdot_itself_from_wrench_base_my.factor_link_2_pz
-                        * reactions.reaction_joint_2_vy));
-        let turn_joint_2_y = d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xy
-            * screws.connection_joint_2_wx + turn_joint_2_y_2
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zy
-                * screws.connection_joint_2_wz
-            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
+            + (d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_pz
                 * screws.connection_joint_2_vx
-                - d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
+                - d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_px
                     * screws.connection_joint_2_vz)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy
-                * reactions.reaction_joint_2_wx + turn_joint_2_y_11
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zy
-                    * reactions.reaction_joint_2_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_2_pz
-                    * reactions.reaction_joint_2_vx
-                    - d_qdot_itself_from_wrench_base_my.factor_link_2_px
-                        * reactions.reaction_joint_2_vz));
-        let turn_joint_2_z = d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xz
-            * screws.connection_joint_2_wx
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yz
-                * screws.connection_joint_2_wy + turn_joint_2_z_4
-            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
-                * screws.connection_joint_2_vy
-                - d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
-                    * screws.connection_joint_2_vx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_xy
                 * reactions.reaction_joint_2_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yz
-                    * reactions.reaction_joint_2_wy + turn_joint_2_z_13
-                + (d_qdot_itself_from_wrench_base_my.factor_link_2_px
+                + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_y_11
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_zy
+                    * reactions.reaction_joint_2_wz
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_2_pz
+                    * reactions.reaction_joint_2_vx
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_2_px
+                        * reactions.reaction_joint_2_vz));
+        let three_joint_2_z = d_qdot_itself_from_three_more_joint_3_y
+            .factor_outside_link_2_xz * screws.connection_joint_2_wx
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_yz
+                * screws.connection_joint_2_wy
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_z_4
+            + (d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_px
+                * screws.connection_joint_2_vy
+                - d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_py
+                    * screws.connection_joint_2_vx)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_xz
+                * reactions.reaction_joint_2_wx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_yz
+                    * reactions.reaction_joint_2_wy
+                + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_z_13
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_2_px
                     * reactions.reaction_joint_2_vy
-                    - d_qdot_itself_from_wrench_base_my.factor_link_2_py
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_2_py
                         * reactions.reaction_joint_2_vx));
+        let six_joint_2_fx = d_qdot_itself_from_three_more_joint_3_y.six_joint_2_my_10
+            * 12.0
+            + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_6
+                * inertias.composite_link_2_hz
+                - d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_8
+                    * inertias.composite_link_2_hy)
+            - poses.cos_joint_1 * d_qdot_itself_from_three_joint_1_y.factor_link_2_pz;
+        let six_joint_2_fy = d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_12
+            * 12.0
+            + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_8
+                * inertias.composite_link_2_hx
+                - d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_4
+                    * inertias.composite_link_2_hz)
+            - poses.sin_joint_1 * d_qdot_itself_from_three_joint_1_y.factor_link_2_pz;
+        let six_joint_2_fz = poses.sin_joint_1
+            * d_qdot_itself_from_three_joint_1_y.factor_link_2_py
+            + poses.cos_joint_1 * d_qdot_itself_from_three_joint_1_y.factor_link_2_px
+            + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_10 * 12.0
+                + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_4
+                    * inertias.composite_link_2_hy
+                    - d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_6
+                        * inertias.composite_link_2_hx));
         // D_q\u{307} column joint_2
         d_qdot[7][7] = reactions.reaction_joint_2_wx
-            * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx
+            * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx
             + reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_my
+                * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_my
             + reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mz
-            + reactions.reaction_joint_2_vx
-                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_fx
-            + reactions.reaction_joint_2_vy * wrench_link_1_fy
-            + reactions.reaction_joint_2_vz * wrench_link_1_fz
-            + turn_joint_2_x * screws.connection_joint_2_wx
-            + turn_joint_2_y * screws.connection_joint_2_wy
-            + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
-        let wrench_outside_link_1_mx = d_qdot_itself_from_three_joint_3_y
+                * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mz
+            + reactions.reaction_joint_2_vx * six_joint_2_fx
+            + reactions.reaction_joint_2_vy * six_joint_2_fy
+            + reactions.reaction_joint_2_vz * six_joint_2_fz
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x
+                * screws.connection_joint_2_wx
+            + three_joint_2_y * screws.connection_joint_2_wy
+            + three_joint_2_z * screws.connection_joint_2_wz + 0.0;
+        let six_more_joint_2_mx = d_qdot_itself_from_three_more_joint_3_y
             .factor_outside_link_2_xz * screws.connection_joint_2_wz
-            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xy
-                * screws.connection_joint_2_wy + turn_joint_2_x_0)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xz
+            + (d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_xy
+                * screws.connection_joint_2_wy
+                + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x_0)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_xz
                 * reactions.reaction_joint_2_wz
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_xy
-                    * reactions.reaction_joint_2_wy + turn_joint_2_x_9))
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_xy
+                    * reactions.reaction_joint_2_wy
+                    + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x_9))
             + (complements.complement_link_2_xx
-                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_4
                 + complements.complement_link_2_xy
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_6
                 + complements.complement_link_2_xz
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_8
                 + (complements.complement_link_2_hy
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_10
                     - complements.complement_link_2_hz
-                        * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12));
-        let wrench_outside_link_1_my = d_qdot_itself_from_three_joint_3_y
+                        * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_12));
+        let six_more_joint_2_my = d_qdot_itself_from_three_more_joint_3_y
             .factor_outside_link_2_yz * screws.connection_joint_2_wz
-            + (turn_joint_2_y_2
-                + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yx
+            + (d_qdot_itself_from_three_more_joint_3_y.three_joint_2_y_2
+                + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_yx
                     * screws.connection_joint_2_wx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_yz
                 * reactions.reaction_joint_2_wz
-                + (turn_joint_2_y_11
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_yx
+                + (d_qdot_itself_from_three_more_joint_3_y.three_joint_2_y_11
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_yx
                         * reactions.reaction_joint_2_wx))
             + (complements.complement_link_2_xy
-                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_4
                 + complements.complement_link_2_yy
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_6
                 - complements.minus_complement_link_2_yz
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_8
                 + (complements.complement_link_2_hz
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_my_10
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_my_10
                     + complements.minus_complement_link_2_hx
-                        * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10));
-        let wrench_outside_link_1_mz = turn_joint_2_z_4
-            + (d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zy
+                        * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_10));
+        let six_more_joint_2_mz = d_qdot_itself_from_three_more_joint_3_y
+            .three_joint_2_z_4
+            + (d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_zy
                 * screws.connection_joint_2_wy
-                + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zx
+                + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_zx
                     * screws.connection_joint_2_wx)
-            - (turn_joint_2_z_13
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zy
+            - (d_qdot_itself_from_three_more_joint_3_y.three_joint_2_z_13
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_zy
                     * reactions.reaction_joint_2_wy
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_2_zx
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_2_zx
                         * reactions.reaction_joint_2_wx))
             + (complements.complement_link_2_xz
-                * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_4
                 - complements.minus_complement_link_2_yz
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_6
                 + complements.complement_link_2_zz
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_8
                 - (complements.minus_complement_link_2_hx
-                    * d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12
+                    * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_12
                     + complements.complement_link_2_hy
-                        * d_qdot_itself_from_three_joint_3_y.wrench_link_1_my_10));
-        let wrench_outside_link_1_fx = screws.connection_joint_2_wy
-            * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
+                        * d_qdot_itself_from_three_more_joint_3_y.six_joint_2_my_10));
+        let six_more_joint_2_fx = screws.connection_joint_2_wy
+            * d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_pz
             - screws.connection_joint_2_wz
-                * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
+                * d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_py
             - (reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_wrench_base_my.factor_link_2_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_2_pz
                 - reactions.reaction_joint_2_wz
-                    * d_qdot_itself_from_wrench_base_my.factor_link_2_py)
-            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_my_10 * 5.5
-                + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_2_py)
+            + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_my_10 * 5.5
+                + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_6
                     * complements.complement_link_2_hz
-                    - d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                    - d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_8
                         * complements.complement_link_2_hy));
-        let wrench_outside_link_1_fy = screws.connection_joint_2_wz
-            * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
+        let six_more_joint_2_fy = screws.connection_joint_2_wz
+            * d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_px
             - screws.connection_joint_2_wx
-                * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz
+                * d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_pz
             - (reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_wrench_base_my.factor_link_2_px
+                * d_qdot_itself_from_three_joint_1_y.factor_link_2_px
                 - reactions.reaction_joint_2_wx
-                    * d_qdot_itself_from_wrench_base_my.factor_link_2_pz)
-            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_12 * 5.5
-                - (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_8
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_2_pz)
+            + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_12 * 5.5
+                - (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_8
                     * complements.minus_complement_link_2_hx
-                    + d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                    + d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_4
                         * complements.complement_link_2_hz));
-        let wrench_outside_link_1_fz = screws.connection_joint_2_wx
-            * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py
+        let six_more_joint_2_fz = screws.connection_joint_2_wx
+            * d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_py
             - screws.connection_joint_2_wy
-                * d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px
+                * d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_px
             - (reactions.reaction_joint_2_wx
-                * d_qdot_itself_from_wrench_base_my.factor_link_2_py
+                * d_qdot_itself_from_three_joint_1_y.factor_link_2_py
                 - reactions.reaction_joint_2_wy
-                    * d_qdot_itself_from_wrench_base_my.factor_link_2_px)
-            + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_10 * 5.5
-                + (d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_4
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_2_px)
+            + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_10 * 5.5
+                + (d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_4
                     * complements.complement_link_2_hy
-                    + d_qdot_itself_from_three_joint_3_y.wrench_link_1_mx_6
+                    + d_qdot_itself_from_three_more_joint_3_y.six_joint_2_mx_6
                         * complements.minus_complement_link_2_hx));
-        d_qdot[7][8] = wrench_outside_link_1_mx * screws.connection_joint_3_wx
-            + wrench_outside_link_1_my * screws.connection_joint_3_wy
-            + wrench_outside_link_1_mz * screws.connection_joint_3_wz
-            + wrench_outside_link_1_fx * screws.connection_joint_3_vx
-            + wrench_outside_link_1_fy * screws.connection_joint_3_vy
-            + wrench_outside_link_1_fz * screws.connection_joint_3_vz
+        d_qdot[7][8] = six_more_joint_2_mx * screws.connection_joint_3_wx
+            + six_more_joint_2_my * screws.connection_joint_3_wy
+            + six_more_joint_2_mz * screws.connection_joint_3_wz
+            + six_more_joint_2_fx * screws.connection_joint_3_vx
+            + six_more_joint_2_fy * screws.connection_joint_3_vy
+            + six_more_joint_2_fz * screws.connection_joint_3_vz
             + reactions.reaction_joint_2_wx
-                * d_qdot_itself_from_wrench_base_my.three_joint_3_x
+                * d_qdot_itself_from_three_joint_1_y.three_more_joint_3_x
             + reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_3_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_3_y
             + reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_3_z + 0.0;
-        d_qdot[7][9] = wrench_outside_link_1_mx * screws.connection_joint_4_wx
-            + wrench_outside_link_1_my * screws.connection_joint_4_wy
-            + wrench_outside_link_1_mz * screws.connection_joint_4_wz
-            + wrench_outside_link_1_fx * screws.connection_joint_4_vx
-            + wrench_outside_link_1_fy * screws.connection_joint_4_vy
-            + wrench_outside_link_1_fz * screws.connection_joint_4_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_3_z + 0.0;
+        d_qdot[7][9] = six_more_joint_2_mx * screws.connection_joint_4_wx
+            + six_more_joint_2_my * screws.connection_joint_4_wy
+            + six_more_joint_2_mz * screws.connection_joint_4_wz
+            + six_more_joint_2_fx * screws.connection_joint_4_vx
+            + six_more_joint_2_fy * screws.connection_joint_4_vy
+            + six_more_joint_2_fz * screws.connection_joint_4_vz
             + reactions.reaction_joint_2_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_4_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_x
             + reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_4_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_y
             + reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_4_z + 0.0;
-        d_qdot[7][10] = wrench_outside_link_1_mx * screws.connection_joint_5_wx
-            + wrench_outside_link_1_my * screws.connection_joint_5_wy
-            + wrench_outside_link_1_mz * screws.connection_joint_5_wz
-            + wrench_outside_link_1_fx * screws.connection_joint_5_vx
-            + wrench_outside_link_1_fy * screws.connection_joint_5_vy
-            + wrench_outside_link_1_fz * screws.connection_joint_5_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_z + 0.0;
+        d_qdot[7][10] = six_more_joint_2_mx * screws.connection_joint_5_wx
+            + six_more_joint_2_my * screws.connection_joint_5_wy
+            + six_more_joint_2_mz * screws.connection_joint_5_wz
+            + six_more_joint_2_fx * screws.connection_joint_5_vx
+            + six_more_joint_2_fy * screws.connection_joint_5_vy
+            + six_more_joint_2_fz * screws.connection_joint_5_vz
             + reactions.reaction_joint_2_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_x
             + reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_y
             + reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_z + 0.0;
-        d_qdot[7][11] = wrench_outside_link_1_mx * screws.connection_joint_6_wx
-            + wrench_outside_link_1_my * screws.connection_joint_6_wy
-            + wrench_outside_link_1_mz * screws.connection_joint_6_wz
-            + wrench_outside_link_1_fx * screws.connection_joint_6_vx
-            + wrench_outside_link_1_fy * screws.connection_joint_6_vy
-            + wrench_outside_link_1_fz * screws.connection_joint_6_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_z + 0.0;
+        d_qdot[7][11] = six_more_joint_2_mx * screws.connection_joint_6_wx
+            + six_more_joint_2_my * screws.connection_joint_6_wy
+            + six_more_joint_2_mz * screws.connection_joint_6_wz
+            + six_more_joint_2_fx * screws.connection_joint_6_vx
+            + six_more_joint_2_fy * screws.connection_joint_6_vy
+            + six_more_joint_2_fz * screws.connection_joint_6_vz
             + reactions.reaction_joint_2_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_x
             + reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_y
             + reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
-        d_qdot[7][12] = wrench_outside_link_1_mx * screws.connection_joint_7_wx
-            + wrench_outside_link_1_my * screws.connection_joint_7_wy
-            + wrench_outside_link_1_mz * screws.connection_joint_7_wz
-            + wrench_outside_link_1_fx * screws.connection_joint_7_vx
-            + wrench_outside_link_1_fy * screws.connection_joint_7_vy
-            + wrench_outside_link_1_fz * screws.connection_joint_7_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_z + 0.0;
+        d_qdot[7][12] = six_more_joint_2_mx * screws.connection_joint_7_wx
+            + six_more_joint_2_my * screws.connection_joint_7_wy
+            + six_more_joint_2_mz * screws.connection_joint_7_wz
+            + six_more_joint_2_fx * screws.connection_joint_7_vx
+            + six_more_joint_2_fy * screws.connection_joint_7_vy
+            + six_more_joint_2_fz * screws.connection_joint_7_vz
             + reactions.reaction_joint_2_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_x
             + reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_y
             + reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_z + 0.0;
         // D_q\u{307} column joint_3
         d_qdot[8][0] = 0.0;
         d_qdot[8][1] = 0.0;
@@ -8083,52 +8123,51 @@ mod d_qdot_itself {
         d_qdot[8][3] = 0.0;
         d_qdot[8][4] = 0.0;
         d_qdot[8][5] = 0.0;
-        let wrench_link_2_mx_6 = velocities.velocity_link_3_wz
+        let six_joint_3_mx_6 = velocities.velocity_link_3_wz
             * poses.minus_rotation_link_2_yy
             - velocities.minus_velocity_link_3_wy * poses.cos_joint_2;
-        let wrench_link_2_mx_8 = velocities.velocity_link_3_wz
+        let six_joint_3_mx_8 = velocities.velocity_link_3_wz
             * poses.minus_rotation_link_2_xy
             + velocities.velocity_link_3_wx * poses.cos_joint_2;
-        let wrench_link_2_mx_10 = velocities.velocity_link_3_wx
+        let six_joint_3_mx_10 = velocities.velocity_link_3_wx
             * poses.minus_rotation_link_2_yy
             + velocities.minus_velocity_link_3_wy * poses.minus_rotation_link_2_xy;
-        let wrench_link_2_my_12 = velocities.velocity_link_3_vy * poses.cos_joint_2
+        let six_joint_3_my_12 = velocities.velocity_link_3_vy * poses.cos_joint_2
             + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy
             - (velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vz
                 + velocities.velocity_link_3_wz * screws.screw_joint_3_vy);
-        let wrench_link_2_mx_14 = velocities.velocity_link_3_wz * screws.screw_joint_3_vx
+        let six_joint_3_mx_14 = velocities.velocity_link_3_wz * screws.screw_joint_3_vx
             - velocities.velocity_link_3_wx * screws.screw_joint_3_vz
             - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
                 + velocities.velocity_link_3_vx * poses.cos_joint_2);
-        let wrench_link_2_mx_12 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
+        let six_joint_3_mx_12 = velocities.velocity_link_3_wx * screws.screw_joint_3_vy
             + velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vx
             + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
                 - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy);
-        let wrench_link_2_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+        let six_joint_3_mx = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xz
             * poses.cos_joint_2
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xy
                 * poses.minus_rotation_link_2_yy
-                + d_qdot_itself_from_wrench_base_my.three_joint_3_x_2)
-            + (inertias.composite_link_3_xx * wrench_link_2_mx_6
-                - inertias.composite_link_3_xy * wrench_link_2_mx_8
-                - inertias.composite_link_3_xz * wrench_link_2_mx_10
-                + (inertias.composite_link_3_hy * wrench_link_2_mx_12
-                    - inertias.composite_link_3_hz * wrench_link_2_mx_14));
-        DQdotItselfFromWrenchLink1Fy {
-            turn_joint_2_x,
-            turn_joint_2_y,
-            turn_joint_2_z,
-            wrench_link_2_mx_6,
-            wrench_link_2_mx_8,
-            wrench_link_2_mx_10,
-            wrench_link_2_my_12,
-            wrench_link_2_mx_14,
-            wrench_link_2_mx_12,
-            wrench_link_2_mx,
+                + d_qdot_itself_from_three_joint_1_y.three_more_joint_3_x_2)
+            + (inertias.composite_link_3_xx * six_joint_3_mx_6
+                - inertias.composite_link_3_xy * six_joint_3_mx_8
+                - inertias.composite_link_3_xz * six_joint_3_mx_10
+                + (inertias.composite_link_3_hy * six_joint_3_mx_12
+                    - inertias.composite_link_3_hz * six_joint_3_mx_14));
+        DQdotItselfFromThreeJoint2Y {
+            three_joint_2_y,
+            three_joint_2_z,
+            six_joint_3_mx_6,
+            six_joint_3_mx_8,
+            six_joint_3_mx_10,
+            six_joint_3_my_12,
+            six_joint_3_mx_14,
+            six_joint_3_mx_12,
+            six_joint_3_mx,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromWrenchLink2My {
+    pub(super) struct DQdotItselfFromSixJoint3My {
         pub(super) factor_outside_link_3_xx: f64,
         pub(super) factor_outside_link_3_yx: f64,
         pub(super) factor_outside_link_3_zx: f64,
@@ -8141,340 +8180,334 @@ mod d_qdot_itself {
         pub(super) factor_outside_link_3_px: f64,
         pub(super) factor_outside_link_3_py: f64,
         pub(super) factor_outside_link_3_pz: f64,
-        pub(super) turn_joint_3_x: f64,
-        pub(super) turn_joint_3_y: f64,
-        pub(super) turn_joint_3_z: f64,
+        pub(super) three_joint_3_x: f64,
+        pub(super) three_joint_3_y: f64,
+        pub(super) three_joint_3_z: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_wrench_link_2_my(
+    pub(super) fn d_qdot_itself_from_six_joint_3_my(
         poses: &Poses,
         inertias: &Inertias,
         complements: &Complements,
         screws: &Screws,
         reactions: &Reactions,
-        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
-        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
-        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
+        d_qdot_itself_from_factor_outside_link_1_px: &DQdotItselfFromFactorOutsideLink1Px,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
+        d_qdot_itself_from_three_more_joint_3_y: &DQdotItselfFromThreeMoreJoint3Y,
+        d_qdot_itself_from_three_joint_2_y: &DQdotItselfFromThreeJoint2Y,
         d_qdot: &mut [[f64; 13]; 13],
-    ) -> DQdotItselfFromWrenchLink2My {
-        let wrench_link_2_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
+    ) -> DQdotItselfFromSixJoint3My {
+        let six_joint_3_my = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yz
             * poses.cos_joint_2
-            - (d_qdot_itself_from_wrench_base_my.three_joint_3_y_4
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+            - (d_qdot_itself_from_three_joint_1_y.three_more_joint_3_y_4
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yx
                     * poses.minus_rotation_link_2_xy)
             + (inertias.composite_link_3_xy
-                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                 - inertias.composite_link_3_yy
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                 - inertias.composite_link_3_yz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                 + (inertias.composite_link_3_hz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_my_12
                     - inertias.composite_link_3_hx
-                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12));
-        let wrench_link_2_mz = d_qdot_itself_from_wrench_base_my.three_joint_3_z_0
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
+                        * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_12));
+        let six_joint_3_mz = d_qdot_itself_from_three_joint_1_y.three_more_joint_3_z_0
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_zy
                 * poses.minus_rotation_link_2_yy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_zx
                     * poses.minus_rotation_link_2_xy)
             + (inertias.composite_link_3_xz
-                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                 - inertias.composite_link_3_yz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                 - inertias.composite_link_3_zz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                 + (inertias.composite_link_3_hx
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_14
                     - inertias.composite_link_3_hy
-                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12));
+                        * d_qdot_itself_from_three_joint_2_y.six_joint_3_my_12));
         // D_q\u{307} column joint_3
         d_qdot[8][6] = reactions.reaction_joint_1_wx
-            * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx
-            + reactions.reaction_joint_1_wy * wrench_link_2_my
-            + reactions.reaction_joint_1_wz * wrench_link_2_mz
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+            * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx
+            + reactions.reaction_joint_1_wy * six_joint_3_my
+            + reactions.reaction_joint_1_wz * six_joint_3_mz
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x
                 * screws.connection_joint_3_wx
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_y
                 * screws.connection_joint_3_wy
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_z
                 * screws.connection_joint_3_wz + 0.0;
-        let wrench_link_2_fx = d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12
-            * 10.0
-            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+        let six_joint_3_fx = d_qdot_itself_from_three_joint_2_y.six_joint_3_my_12 * 10.0
+            + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                 * inertias.composite_link_3_hy
-                - d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                - d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                     * inertias.composite_link_3_hz)
             - (poses.minus_rotation_link_2_yy
-                * d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_3_pz
                 + poses.cos_joint_2
-                    * d_qdot_itself_from_wrench_base_my.factor_link_3_py);
-        let wrench_link_2_fy = poses.cos_joint_2
-            * d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_3_py);
+        let six_joint_3_fy = poses.cos_joint_2
+            * d_qdot_itself_from_three_joint_1_y.factor_link_3_px
             + poses.minus_rotation_link_2_xy
-                * d_qdot_itself_from_wrench_base_my.factor_link_3_pz
-            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14 * 10.0
-                - (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                * d_qdot_itself_from_three_joint_1_y.factor_link_3_pz
+            + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_14 * 10.0
+                - (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                     * inertias.composite_link_3_hx
-                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                    + d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                         * inertias.composite_link_3_hz));
-        let wrench_link_2_fz = poses.minus_rotation_link_2_yy
-            * d_qdot_itself_from_wrench_base_my.factor_link_3_px
+        let six_joint_3_fz = poses.minus_rotation_link_2_yy
+            * d_qdot_itself_from_three_joint_1_y.factor_link_3_px
             - poses.minus_rotation_link_2_xy
-                * d_qdot_itself_from_wrench_base_my.factor_link_3_py
-            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12 * 10.0
-                + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                * d_qdot_itself_from_three_joint_1_y.factor_link_3_py
+            + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_12 * 10.0
+                + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                     * inertias.composite_link_3_hy
-                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    + d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                         * inertias.composite_link_3_hx));
         d_qdot[8][7] = reactions.reaction_joint_2_wx
-            * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx
-            + reactions.reaction_joint_2_wy * wrench_link_2_my
-            + reactions.reaction_joint_2_wz * wrench_link_2_mz
-            + reactions.reaction_joint_2_vx * wrench_link_2_fx
-            + reactions.reaction_joint_2_vy * wrench_link_2_fy
-            + reactions.reaction_joint_2_vz * wrench_link_2_fz
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+            * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx
+            + reactions.reaction_joint_2_wy * six_joint_3_my
+            + reactions.reaction_joint_2_wz * six_joint_3_mz
+            + reactions.reaction_joint_2_vx * six_joint_3_fx
+            + reactions.reaction_joint_2_vy * six_joint_3_fy
+            + reactions.reaction_joint_2_vz * six_joint_3_fz
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x
                 * screws.connection_joint_3_wx
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_y
                 * screws.connection_joint_3_wy
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_z
                 * screws.connection_joint_3_wz + 0.0;
-        let factor_outside_link_3_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_3_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_xx_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xx;
-        let factor_outside_link_3_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_xx;
+        let factor_outside_link_3_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_yx_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yx;
-        let factor_outside_link_3_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_yx;
+        let factor_outside_link_3_zx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_zx_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zx;
-        let factor_outside_link_3_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_zx;
+        let factor_outside_link_3_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_xy_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xy;
-        let factor_outside_link_3_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_xy;
+        let factor_outside_link_3_yy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_yy_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yy;
-        let factor_outside_link_3_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_yy;
+        let factor_outside_link_3_zy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_zy_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zy;
-        let factor_outside_link_3_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_zy;
+        let factor_outside_link_3_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_xz_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_xz;
-        let factor_outside_link_3_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_xz;
+        let factor_outside_link_3_yz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_yz_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_yz;
-        let factor_outside_link_3_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_yz;
+        let factor_outside_link_3_zz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_2_zz_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_zz;
-        let factor_outside_link_3_px = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_zz;
+        let factor_outside_link_3_px = d_qdot_itself_from_three_joint_1_y
             .factor_link_2_px_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_px;
-        let factor_outside_link_3_py = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_px;
+        let factor_outside_link_3_py = d_qdot_itself_from_three_joint_1_y
             .factor_link_2_py_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_py;
-        let factor_outside_link_3_pz = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_py;
+        let factor_outside_link_3_pz = d_qdot_itself_from_three_joint_1_y
             .factor_link_2_pz_0
-            + d_qdot_itself_from_three_joint_3_y.factor_outside_link_2_pz;
-        let turn_joint_3_x_0 = factor_outside_link_3_xx * screws.connection_joint_3_wx;
-        let turn_joint_3_y_2 = factor_outside_link_3_yy * screws.connection_joint_3_wy;
-        let turn_joint_3_z_4 = factor_outside_link_3_zz * screws.connection_joint_3_wz;
-        let turn_joint_3_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xx
-            * reactions.reaction_joint_3_wx;
-        let turn_joint_3_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yy
-            * reactions.reaction_joint_3_wy;
-        let turn_joint_3_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zz
-            * reactions.reaction_joint_3_wz;
-        let turn_joint_3_x = turn_joint_3_x_0
+            + d_qdot_itself_from_three_more_joint_3_y.factor_outside_link_2_pz;
+        let three_joint_3_x_0 = factor_outside_link_3_xx * screws.connection_joint_3_wx;
+        let three_joint_3_y_2 = factor_outside_link_3_yy * screws.connection_joint_3_wy;
+        let three_joint_3_z_4 = factor_outside_link_3_zz * screws.connection_joint_3_wz;
+        let three_joint_3_x_9 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_xx * reactions.reaction_joint_3_wx;
+        let three_joint_3_y_11 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_yy * reactions.reaction_joint_3_wy;
+        let three_joint_3_z_13 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_3_zz * reactions.reaction_joint_3_wz;
+        let three_joint_3_x = three_joint_3_x_0
             + factor_outside_link_3_yx * screws.connection_joint_3_wy
             + factor_outside_link_3_zx * screws.connection_joint_3_wz
             + (factor_outside_link_3_py * screws.connection_joint_3_vz
                 - factor_outside_link_3_pz * screws.connection_joint_3_vy)
-            - (turn_joint_3_x_9
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+            - (three_joint_3_x_9
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yx
                     * reactions.reaction_joint_3_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_zx
                     * reactions.reaction_joint_3_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_3_py
                     * reactions.reaction_joint_3_vz
-                    - d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_3_pz
                         * reactions.reaction_joint_3_vy));
-        let turn_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
-            + turn_joint_3_y_2 + factor_outside_link_3_zy * screws.connection_joint_3_wz
+        let three_joint_3_y = factor_outside_link_3_xy * screws.connection_joint_3_wx
+            + three_joint_3_y_2 + factor_outside_link_3_zy * screws.connection_joint_3_wz
             + (factor_outside_link_3_pz * screws.connection_joint_3_vx
                 - factor_outside_link_3_px * screws.connection_joint_3_vz)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
-                * reactions.reaction_joint_3_wx + turn_joint_3_y_11
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xy
+                * reactions.reaction_joint_3_wx + three_joint_3_y_11
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_zy
                     * reactions.reaction_joint_3_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_3_pz
                     * reactions.reaction_joint_3_vx
-                    - d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_3_px
                         * reactions.reaction_joint_3_vz));
-        let turn_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
-            + factor_outside_link_3_yz * screws.connection_joint_3_wy + turn_joint_3_z_4
+        let three_joint_3_z = factor_outside_link_3_xz * screws.connection_joint_3_wx
+            + factor_outside_link_3_yz * screws.connection_joint_3_wy + three_joint_3_z_4
             + (factor_outside_link_3_px * screws.connection_joint_3_vy
                 - factor_outside_link_3_py * screws.connection_joint_3_vx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xz
                 * reactions.reaction_joint_3_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
-                    * reactions.reaction_joint_3_wy + turn_joint_3_z_13
-                + (d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yz
+                    * reactions.reaction_joint_3_wy + three_joint_3_z_13
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_3_px
                     * reactions.reaction_joint_3_vy
-                    - d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_3_py
                         * reactions.reaction_joint_3_vx));
         d_qdot[8][8] = reactions.reaction_joint_3_wx
-            * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx
-            + reactions.reaction_joint_3_wy * wrench_link_2_my
-            + reactions.reaction_joint_3_wz * wrench_link_2_mz
-            + reactions.reaction_joint_3_vx * wrench_link_2_fx
-            + reactions.reaction_joint_3_vy * wrench_link_2_fy
-            + reactions.reaction_joint_3_vz * wrench_link_2_fz
-            + turn_joint_3_x * screws.connection_joint_3_wx
-            + turn_joint_3_y * screws.connection_joint_3_wy
-            + turn_joint_3_z * screws.connection_joint_3_wz + 0.0;
-        let wrench_outside_link_2_mx = factor_outside_link_3_xz
-            * screws.connection_joint_3_wz
+            * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx
+            + reactions.reaction_joint_3_wy * six_joint_3_my
+            + reactions.reaction_joint_3_wz * six_joint_3_mz
+            + reactions.reaction_joint_3_vx * six_joint_3_fx
+            + reactions.reaction_joint_3_vy * six_joint_3_fy
+            + reactions.reaction_joint_3_vz * six_joint_3_fz
+            + three_joint_3_x * screws.connection_joint_3_wx
+            + three_joint_3_y * screws.connection_joint_3_wy
+            + three_joint_3_z * screws.connection_joint_3_wz + 0.0;
+        let six_more_joint_3_mx = factor_outside_link_3_xz * screws.connection_joint_3_wz
             + (factor_outside_link_3_xy * screws.connection_joint_3_wy
-                + turn_joint_3_x_0)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xz
+                + three_joint_3_x_0)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xz
                 * reactions.reaction_joint_3_wz
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_xy
-                    * reactions.reaction_joint_3_wy + turn_joint_3_x_9))
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_xy
+                    * reactions.reaction_joint_3_wy + three_joint_3_x_9))
             + (complements.complement_link_3_xx
-                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                 - complements.complement_link_3_xy
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                 - complements.complement_link_3_xz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                 + (complements.complement_link_3_hy
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_12
                     - complements.complement_link_3_hz
-                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14));
-        let wrench_outside_link_2_my = factor_outside_link_3_yz
-            * screws.connection_joint_3_wz
-            + (turn_joint_3_y_2
+                        * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_14));
+        let six_more_joint_3_my = factor_outside_link_3_yz * screws.connection_joint_3_wz
+            + (three_joint_3_y_2
                 + factor_outside_link_3_yx * screws.connection_joint_3_wx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yz
                 * reactions.reaction_joint_3_wz
-                + (turn_joint_3_y_11
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_yx
+                + (three_joint_3_y_11
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_yx
                         * reactions.reaction_joint_3_wx))
             + (complements.complement_link_3_xy
-                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                 - complements.complement_link_3_yy
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                 - complements.complement_link_3_yz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                 + (complements.complement_link_3_hz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_my_12
                     - complements.complement_link_3_hx
-                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12));
-        let wrench_outside_link_2_mz = turn_joint_3_z_4
+                        * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_12));
+        let six_more_joint_3_mz = three_joint_3_z_4
             + (factor_outside_link_3_zy * screws.connection_joint_3_wy
                 + factor_outside_link_3_zx * screws.connection_joint_3_wx)
-            - (turn_joint_3_z_13
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zy
+            - (three_joint_3_z_13
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_zy
                     * reactions.reaction_joint_3_wy
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_3_zx
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_3_zx
                         * reactions.reaction_joint_3_wx))
             + (complements.complement_link_3_xz
-                * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                 - complements.complement_link_3_yz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                 - complements.complement_link_3_zz
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                 + (complements.complement_link_3_hx
-                    * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14
+                    * d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_14
                     - complements.complement_link_3_hy
-                        * d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12));
-        let wrench_outside_link_2_fx = screws.connection_joint_3_wy
-            * factor_outside_link_3_pz
+                        * d_qdot_itself_from_three_joint_2_y.six_joint_3_my_12));
+        let six_more_joint_3_fx = screws.connection_joint_3_wy * factor_outside_link_3_pz
             - screws.connection_joint_3_wz * factor_outside_link_3_py
             - (reactions.reaction_joint_3_wy
-                * d_qdot_itself_from_wrench_base_my.factor_link_3_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_3_pz
                 - reactions.reaction_joint_3_wz
-                    * d_qdot_itself_from_wrench_base_my.factor_link_3_py)
-            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_my_12 * 7.5
-                + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_3_py)
+            + (d_qdot_itself_from_three_joint_2_y.six_joint_3_my_12 * 7.5
+                + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                     * complements.complement_link_3_hy
-                    - d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    - d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                         * complements.complement_link_3_hz));
-        let wrench_outside_link_2_fy = screws.connection_joint_3_wz
-            * factor_outside_link_3_px
+        let six_more_joint_3_fy = screws.connection_joint_3_wz * factor_outside_link_3_px
             - screws.connection_joint_3_wx * factor_outside_link_3_pz
             - (reactions.reaction_joint_3_wz
-                * d_qdot_itself_from_wrench_base_my.factor_link_3_px
+                * d_qdot_itself_from_three_joint_1_y.factor_link_3_px
                 - reactions.reaction_joint_3_wx
-                    * d_qdot_itself_from_wrench_base_my.factor_link_3_pz)
-            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_14 * 7.5
-                - (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_10
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_3_pz)
+            + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_14 * 7.5
+                - (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_10
                     * complements.complement_link_3_hx
-                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                    + d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                         * complements.complement_link_3_hz));
-        let wrench_outside_link_2_fz = screws.connection_joint_3_wx
-            * factor_outside_link_3_py
+        let six_more_joint_3_fz = screws.connection_joint_3_wx * factor_outside_link_3_py
             - screws.connection_joint_3_wy * factor_outside_link_3_px
             - (reactions.reaction_joint_3_wx
-                * d_qdot_itself_from_wrench_base_my.factor_link_3_py
+                * d_qdot_itself_from_three_joint_1_y.factor_link_3_py
                 - reactions.reaction_joint_3_wy
-                    * d_qdot_itself_from_wrench_base_my.factor_link_3_px)
-            + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_12 * 7.5
-                + (d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_6
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_3_px)
+            + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_12 * 7.5
+                + (d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_6
                     * complements.complement_link_3_hy
-                    + d_qdot_itself_from_wrench_link_1_fy.wrench_link_2_mx_8
+                    + d_qdot_itself_from_three_joint_2_y.six_joint_3_mx_8
                         * complements.complement_link_3_hx));
-        d_qdot[8][9] = wrench_outside_link_2_mx * screws.connection_joint_4_wx
-            + wrench_outside_link_2_my * screws.connection_joint_4_wy
-            + wrench_outside_link_2_mz * screws.connection_joint_4_wz
-            + wrench_outside_link_2_fx * screws.connection_joint_4_vx
-            + wrench_outside_link_2_fy * screws.connection_joint_4_vy
-            + wrench_outside_link_2_fz * screws.connection_joint_4_vz
+        d_qdot[8][9] = six_more_joint_3_mx * screws.connection_joint_4_wx
+            + six_more_joint_3_my * screws.connection_joint_4_wy
+            + six_more_joint_3_mz * screws.connection_joint_4_wz
+            + six_more_joint_3_fx * screws.connection_joint_4_vx
+            + six_more_joint_3_fy * screws.connection_joint_4_vy
+            + six_more_joint_3_fz * screws.connection_joint_4_vz
             + reactions.reaction_joint_3_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_4_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_x
             + reactions.reaction_joint_3_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_4_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_y
             + reactions.reaction_joint_3_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_4_z + 0.0;
-        d_qdot[8][10] = wrench_outside_link_2_mx * screws.connection_joint_5_wx
-            + wrench_outside_link_2_my * screws.connection_joint_5_wy
-            + wrench_outside_link_2_mz * screws.connection_joint_5_wz
-            + wrench_outside_link_2_fx * screws.connection_joint_5_vx
-            + wrench_outside_link_2_fy * screws.connection_joint_5_vy
-            + wrench_outside_link_2_fz * screws.connection_joint_5_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_z + 0.0;
+        d_qdot[8][10] = six_more_joint_3_mx * screws.connection_joint_5_wx
+            + six_more_joint_3_my * screws.connection_joint_5_wy
+            + six_more_joint_3_mz * screws.connection_joint_5_wz
+            + six_more_joint_3_fx * screws.connection_joint_5_vx
+            + six_more_joint_3_fy * screws.connection_joint_5_vy
+            + six_more_joint_3_fz * screws.connection_joint_5_vz
             + reactions.reaction_joint_3_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_x
             + reactions.reaction_joint_3_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_y
             + reactions.reaction_joint_3_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_z + 0.0;
-        d_qdot[8][11] = wrench_outside_link_2_mx * screws.connection_joint_6_wx
-            + wrench_outside_link_2_my * screws.connection_joint_6_wy
-            + wrench_outside_link_2_mz * screws.connection_joint_6_wz
-            + wrench_outside_link_2_fx * screws.connection_joint_6_vx
-            + wrench_outside_link_2_fy * screws.connection_joint_6_vy
-            + wrench_outside_link_2_fz * screws.connection_joint_6_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_z + 0.0;
+        d_qdot[8][11] = six_more_joint_3_mx * screws.connection_joint_6_wx
+            + six_more_joint_3_my * screws.connection_joint_6_wy
+            + six_more_joint_3_mz * screws.connection_joint_6_wz
+            + six_more_joint_3_fx * screws.connection_joint_6_vx
+            + six_more_joint_3_fy * screws.connection_joint_6_vy
+            + six_more_joint_3_fz * screws.connection_joint_6_vz
             + reactions.reaction_joint_3_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_x
             + reactions.reaction_joint_3_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_y
             + reactions.reaction_joint_3_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
-        d_qdot[8][12] = wrench_outside_link_2_mx * screws.connection_joint_7_wx
-            + wrench_outside_link_2_my * screws.connection_joint_7_wy
-            + wrench_outside_link_2_mz * screws.connection_joint_7_wz
-            + wrench_outside_link_2_fx * screws.connection_joint_7_vx
-            + wrench_outside_link_2_fy * screws.connection_joint_7_vy
-            + wrench_outside_link_2_fz * screws.connection_joint_7_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_z + 0.0;
+        d_qdot[8][12] = six_more_joint_3_mx * screws.connection_joint_7_wx
+            + six_more_joint_3_my * screws.connection_joint_7_wy
+            + six_more_joint_3_mz * screws.connection_joint_7_wz
+            + six_more_joint_3_fx * screws.connection_joint_7_vx
+            + six_more_joint_3_fy * screws.connection_joint_7_vy
+            + six_more_joint_3_fz * screws.connection_joint_7_vz
             + reactions.reaction_joint_3_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_x
             + reactions.reaction_joint_3_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_y
             + reactions.reaction_joint_3_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
-        DQdotItselfFromWrenchLink2My {
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_z + 0.0;
+        DQdotItselfFromSixJoint3My {
             factor_outside_link_3_xx,
             factor_outside_link_3_yx,
             factor_outside_link_3_zx,
@@ -8487,9 +8520,9 @@ mod d_qdot_itself {
             factor_outside_link_3_px,
             factor_outside_link_3_py,
             factor_outside_link_3_pz,
-            turn_joint_3_x,
-            turn_joint_3_y,
-            turn_joint_3_z,
+            three_joint_3_x,
+            three_joint_3_y,
+            three_joint_3_z,
         }
     }
     /// What only `d_qdot` computes. Continued.
@@ -8506,20 +8539,20 @@ mod d_qdot_itself {
         pub(super) factor_outside_link_4_px: f64,
         pub(super) factor_outside_link_4_py: f64,
         pub(super) factor_outside_link_4_pz: f64,
-        pub(super) wrench_link_3_mx_8: f64,
-        pub(super) wrench_link_3_mx_6: f64,
-        pub(super) wrench_link_3_mx_10: f64,
-        pub(super) wrench_link_3_my_12: f64,
-        pub(super) wrench_link_3_mx_14: f64,
-        pub(super) wrench_link_3_mx_12: f64,
-        pub(super) turn_joint_4_y_2: f64,
-        pub(super) turn_joint_4_z_4: f64,
-        pub(super) turn_joint_4_y_11: f64,
-        pub(super) turn_joint_4_z_13: f64,
-        pub(super) wrench_outside_link_3_mx: f64,
-        pub(super) turn_joint_4_x: f64,
-        pub(super) turn_joint_4_y: f64,
-        pub(super) turn_joint_4_z: f64,
+        pub(super) six_joint_4_mx_8: f64,
+        pub(super) six_joint_4_mx_6: f64,
+        pub(super) six_joint_4_mx_10: f64,
+        pub(super) six_joint_4_my_12: f64,
+        pub(super) six_joint_4_mx_14: f64,
+        pub(super) six_joint_4_mx_12: f64,
+        pub(super) three_joint_4_y_2: f64,
+        pub(super) three_joint_4_z_4: f64,
+        pub(super) three_joint_4_y_11: f64,
+        pub(super) three_joint_4_z_13: f64,
+        pub(super) six_more_joint_4_mx: f64,
+        pub(super) three_joint_4_x: f64,
+        pub(super) three_joint_4_y: f64,
+        pub(super) three_joint_4_z: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
@@ -8530,12 +8563,12 @@ mod d_qdot_itself {
         screws: &Screws,
         reactions: &Reactions,
         velocities: &Velocities,
-        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
-        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
-        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
-        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot_itself_from_factor_outside_link_1_px: &DQdotItselfFromFactorOutsideLink1Px,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
+        d_qdot_itself_from_three_more_joint_3_y: &DQdotItselfFromThreeMoreJoint3Y,
+        d_qdot_itself_from_three_joint_2_y: &DQdotItselfFromThreeJoint2Y,
+        d_qdot_itself_from_six_joint_3_my: &DQdotItselfFromSixJoint3My,
         d_qdot: &mut [[f64; 13]; 13],
     ) -> DQdotItselfFromDQdot0_9 {
         // D_q\u{307} column joint_4
@@ -8545,218 +8578,216 @@ mod d_qdot_itself {
         d_qdot[9][3] = 0.0;
         d_qdot[9][4] = 0.0;
         d_qdot[9][5] = 0.0;
-        let wrench_link_3_mx_8 = velocities.velocity_link_4_wy
+        let six_joint_4_mx_8 = velocities.velocity_link_4_wy
             * poses.minus_rotation_link_3_zy
             + velocities.velocity_link_4_wz * poses.rotation_link_3_yy;
-        let wrench_link_3_mx_6 = velocities.velocity_link_4_wx
+        let six_joint_4_mx_6 = velocities.velocity_link_4_wx
             * poses.minus_rotation_link_3_zy
             - velocities.velocity_link_4_wz * poses.minus_rotation_link_3_xy;
-        let wrench_link_3_mx_10 = velocities.velocity_link_4_wx
-            * poses.rotation_link_3_yy
+        let six_joint_4_mx_10 = velocities.velocity_link_4_wx * poses.rotation_link_3_yy
             + velocities.velocity_link_4_wy * poses.minus_rotation_link_3_xy;
-        let wrench_link_3_my_12 = velocities.velocity_link_4_wz
+        let six_joint_4_my_12 = velocities.velocity_link_4_wz
             * screws.minus_screw_joint_4_vy
             - velocities.velocity_link_4_wy * screws.minus_screw_joint_4_vz
             - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
                 + velocities.velocity_link_4_vz * poses.rotation_link_3_yy);
-        let wrench_link_3_mx_14 = velocities.velocity_link_4_wz * screws.screw_joint_4_vx
+        let six_joint_4_mx_14 = velocities.velocity_link_4_wz * screws.screw_joint_4_vx
             + velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vz
             + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
                 - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy);
-        let wrench_link_3_mx_12 = velocities.velocity_link_4_vx
-            * poses.rotation_link_3_yy
+        let six_joint_4_mx_12 = velocities.velocity_link_4_vx * poses.rotation_link_3_yy
             + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
             - (velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vy
                 + velocities.velocity_link_4_wy * screws.screw_joint_4_vx);
-        let wrench_link_3_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
+        let six_joint_4_mx = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xy
             * poses.rotation_link_3_yy
-            - d_qdot_itself_from_three_joint_3_y.three_joint_4_x_2
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
+            - d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_x_2
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xz
                 * poses.minus_rotation_link_3_zy
-            + (inertias.composite_link_4_xy * wrench_link_3_mx_6
-                - inertias.composite_link_4_xx * wrench_link_3_mx_8
-                + inertias.composite_link_4_xz * wrench_link_3_mx_10
-                + (inertias.composite_link_4_hy * wrench_link_3_mx_12
-                    - inertias.composite_link_4_hz * wrench_link_3_mx_14));
-        let wrench_link_3_my = d_qdot_itself_from_three_joint_3_y.three_joint_4_y_0
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
+            + (inertias.composite_link_4_xy * six_joint_4_mx_6
+                - inertias.composite_link_4_xx * six_joint_4_mx_8
+                + inertias.composite_link_4_xz * six_joint_4_mx_10
+                + (inertias.composite_link_4_hy * six_joint_4_mx_12
+                    - inertias.composite_link_4_hz * six_joint_4_mx_14));
+        let six_joint_4_my = d_qdot_itself_from_three_more_joint_3_y
+            .three_more_joint_4_y_0
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_yx
                 * poses.minus_rotation_link_3_xy
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_yz
                 * poses.minus_rotation_link_3_zy
-            + (inertias.composite_link_4_yy * wrench_link_3_mx_6
-                - inertias.composite_link_4_xy * wrench_link_3_mx_8
-                + inertias.composite_link_4_yz * wrench_link_3_mx_10
-                + (inertias.composite_link_4_hz * wrench_link_3_my_12
-                    + inertias.minus_composite_link_4_hx * wrench_link_3_mx_12));
-        let wrench_link_3_mz = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+            + (inertias.composite_link_4_yy * six_joint_4_mx_6
+                - inertias.composite_link_4_xy * six_joint_4_mx_8
+                + inertias.composite_link_4_yz * six_joint_4_mx_10
+                + (inertias.composite_link_4_hz * six_joint_4_my_12
+                    + inertias.minus_composite_link_4_hx * six_joint_4_mx_12));
+        let six_joint_4_mz = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zy
             * poses.rotation_link_3_yy
-            - d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+            - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zx
                 * poses.minus_rotation_link_3_xy
-            - d_qdot_itself_from_three_joint_3_y.three_joint_4_z_4
-            + (inertias.composite_link_4_yz * wrench_link_3_mx_6
-                - inertias.composite_link_4_xz * wrench_link_3_mx_8
-                + inertias.composite_link_4_zz * wrench_link_3_mx_10
-                - (inertias.minus_composite_link_4_hx * wrench_link_3_mx_14
-                    + inertias.composite_link_4_hy * wrench_link_3_my_12));
-        d_qdot[9][6] = reactions.reaction_joint_1_wx * wrench_link_3_mx
-            + reactions.reaction_joint_1_wy * wrench_link_3_my
-            + reactions.reaction_joint_1_wz * wrench_link_3_mz
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+            - d_qdot_itself_from_three_more_joint_3_y.three_more_joint_4_z_4
+            + (inertias.composite_link_4_yz * six_joint_4_mx_6
+                - inertias.composite_link_4_xz * six_joint_4_mx_8
+                + inertias.composite_link_4_zz * six_joint_4_mx_10
+                - (inertias.minus_composite_link_4_hx * six_joint_4_mx_14
+                    + inertias.composite_link_4_hy * six_joint_4_my_12));
+        d_qdot[9][6] = reactions.reaction_joint_1_wx * six_joint_4_mx
+            + reactions.reaction_joint_1_wy * six_joint_4_my
+            + reactions.reaction_joint_1_wz * six_joint_4_mz
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x
                 * screws.connection_joint_4_wx
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_y
                 * screws.connection_joint_4_wy
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_z
                 * screws.connection_joint_4_wz + 0.0;
-        let wrench_link_3_fx = poses.rotation_link_3_yy
-            * d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+        let six_joint_4_fx = poses.rotation_link_3_yy
+            * d_qdot_itself_from_three_joint_1_y.factor_link_4_pz
             + poses.minus_rotation_link_3_zy
-                * d_qdot_itself_from_wrench_base_my.factor_link_4_py
-            + (wrench_link_3_my_12 * 8.0
-                + (wrench_link_3_mx_6 * inertias.composite_link_4_hz
-                    - wrench_link_3_mx_10 * inertias.composite_link_4_hy));
-        let wrench_link_3_fy = poses.minus_rotation_link_3_xy
-            * d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_4_py
+            + (six_joint_4_my_12 * 8.0
+                + (six_joint_4_mx_6 * inertias.composite_link_4_hz
+                    - six_joint_4_mx_10 * inertias.composite_link_4_hy));
+        let six_joint_4_fy = poses.minus_rotation_link_3_xy
+            * d_qdot_itself_from_three_joint_1_y.factor_link_4_pz
             - poses.minus_rotation_link_3_zy
-                * d_qdot_itself_from_wrench_base_my.factor_link_4_px
-            + (wrench_link_3_mx_14 * 8.0
-                + (wrench_link_3_mx_8 * inertias.composite_link_4_hz
-                    - wrench_link_3_mx_10 * inertias.minus_composite_link_4_hx));
-        let wrench_link_3_fz = wrench_link_3_mx_12 * 8.0
-            + (wrench_link_3_mx_6 * inertias.minus_composite_link_4_hx
-                - wrench_link_3_mx_8 * inertias.composite_link_4_hy)
+                * d_qdot_itself_from_three_joint_1_y.factor_link_4_px
+            + (six_joint_4_mx_14 * 8.0
+                + (six_joint_4_mx_8 * inertias.composite_link_4_hz
+                    - six_joint_4_mx_10 * inertias.minus_composite_link_4_hx));
+        let six_joint_4_fz = six_joint_4_mx_12 * 8.0
+            + (six_joint_4_mx_6 * inertias.minus_composite_link_4_hx
+                - six_joint_4_mx_8 * inertias.composite_link_4_hy)
             - (poses.minus_rotation_link_3_xy
-                * d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                * d_qdot_itself_from_three_joint_1_y.factor_link_4_py
                 + poses.rotation_link_3_yy
-                    * d_qdot_itself_from_wrench_base_my.factor_link_4_px);
-        d_qdot[9][7] = reactions.reaction_joint_2_wx * wrench_link_3_mx
-            + reactions.reaction_joint_2_wy * wrench_link_3_my
-            + reactions.reaction_joint_2_wz * wrench_link_3_mz
-            + reactions.reaction_joint_2_vx * wrench_link_3_fx
-            + reactions.reaction_joint_2_vy * wrench_link_3_fy
-            + reactions.reaction_joint_2_vz * wrench_link_3_fz
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_4_px);
+        d_qdot[9][7] = reactions.reaction_joint_2_wx * six_joint_4_mx
+            + reactions.reaction_joint_2_wy * six_joint_4_my
+            + reactions.reaction_joint_2_wz * six_joint_4_mz
+            + reactions.reaction_joint_2_vx * six_joint_4_fx
+            + reactions.reaction_joint_2_vy * six_joint_4_fy
+            + reactions.reaction_joint_2_vz * six_joint_4_fz
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x
                 * screws.connection_joint_4_wx
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_y
                 * screws.connection_joint_4_wy
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_z
                 * screws.connection_joint_4_wz + 0.0;
-        d_qdot[9][8] = reactions.reaction_joint_3_wx * wrench_link_3_mx
-            + reactions.reaction_joint_3_wy * wrench_link_3_my
-            + reactions.reaction_joint_3_wz * wrench_link_3_mz
-            + reactions.reaction_joint_3_vx * wrench_link_3_fx
-            + reactions.reaction_joint_3_vy * wrench_link_3_fy
-            + reactions.reaction_joint_3_vz * wrench_link_3_fz
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+        d_qdot[9][8] = reactions.reaction_joint_3_wx * six_joint_4_mx
+            + reactions.reaction_joint_3_wy * six_joint_4_my
+            + reactions.reaction_joint_3_wz * six_joint_4_mz
+            + reactions.reaction_joint_3_vx * six_joint_4_fx
+            + reactions.reaction_joint_3_vy * six_joint_4_fy
+            + reactions.reaction_joint_3_vz * six_joint_4_fz
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_x
                 * screws.connection_joint_4_wx
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_y
                 * screws.connection_joint_4_wy
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_z
                 * screws.connection_joint_4_wz + 0.0;
-        let factor_outside_link_4_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_4_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_xx_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_xx;
-        let factor_outside_link_4_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_xx;
+        let factor_outside_link_4_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_yx_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_yx;
-        let factor_outside_link_4_zx = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_yx;
+        let factor_outside_link_4_zx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_zx_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_zx;
-        let factor_outside_link_4_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_zx;
+        let factor_outside_link_4_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_xy_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_xy;
-        let factor_outside_link_4_yy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_xy;
+        let factor_outside_link_4_yy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_yy_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_yy;
-        let factor_outside_link_4_zy = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_yy;
+        let factor_outside_link_4_zy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_zy_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_zy;
-        let factor_outside_link_4_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_zy;
+        let factor_outside_link_4_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_xz_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_xz;
-        let factor_outside_link_4_yz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_xz;
+        let factor_outside_link_4_yz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_yz_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_yz;
-        let factor_outside_link_4_zz = d_qdot_itself_from_factor_outside_link_1_yy_1
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_yz;
+        let factor_outside_link_4_zz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_3_zz_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_zz;
-        let factor_outside_link_4_px = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_zz;
+        let factor_outside_link_4_px = d_qdot_itself_from_three_joint_1_y
             .factor_link_3_px_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_px;
-        let factor_outside_link_4_py = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_px;
+        let factor_outside_link_4_py = d_qdot_itself_from_three_joint_1_y
             .factor_link_3_py_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_py;
-        let factor_outside_link_4_pz = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_py;
+        let factor_outside_link_4_pz = d_qdot_itself_from_three_joint_1_y
             .factor_link_3_pz_0
-            + d_qdot_itself_from_wrench_link_2_my.factor_outside_link_3_pz;
-        let turn_joint_4_x_0 = factor_outside_link_4_xx * screws.connection_joint_4_wx;
-        let turn_joint_4_y_2 = factor_outside_link_4_yy * screws.connection_joint_4_wy;
-        let turn_joint_4_z_4 = factor_outside_link_4_zz * screws.connection_joint_4_wz;
-        let turn_joint_4_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xx
-            * reactions.reaction_joint_4_wx;
-        let turn_joint_4_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yy
-            * reactions.reaction_joint_4_wy;
-        let turn_joint_4_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zz
-            * reactions.reaction_joint_4_wz;
-        let turn_joint_4_x = turn_joint_4_x_0
+            + d_qdot_itself_from_six_joint_3_my.factor_outside_link_3_pz;
+        let three_joint_4_x_0 = factor_outside_link_4_xx * screws.connection_joint_4_wx;
+        let three_joint_4_y_2 = factor_outside_link_4_yy * screws.connection_joint_4_wy;
+        let three_joint_4_z_4 = factor_outside_link_4_zz * screws.connection_joint_4_wz;
+        let three_joint_4_x_9 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_xx * reactions.reaction_joint_4_wx;
+        let three_joint_4_y_11 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_yy * reactions.reaction_joint_4_wy;
+        let three_joint_4_z_13 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_4_zz * reactions.reaction_joint_4_wz;
+        let three_joint_4_x = three_joint_4_x_0
             + factor_outside_link_4_yx * screws.connection_joint_4_wy
             + factor_outside_link_4_zx * screws.connection_joint_4_wz
             + (factor_outside_link_4_py * screws.connection_joint_4_vz
                 - factor_outside_link_4_pz * screws.connection_joint_4_vy)
-            - (turn_joint_4_x_9
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
+            - (three_joint_4_x_9
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_yx
                     * reactions.reaction_joint_4_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zx
                     * reactions.reaction_joint_4_wz
-                - (d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                - (d_qdot_itself_from_three_joint_1_y.factor_link_4_py
                     * reactions.minus_reaction_joint_4_vz
-                    + d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                    + d_qdot_itself_from_three_joint_1_y.factor_link_4_pz
                         * reactions.reaction_joint_4_vy));
-        let turn_joint_4_y = factor_outside_link_4_xy * screws.connection_joint_4_wx
-            + turn_joint_4_y_2 + factor_outside_link_4_zy * screws.connection_joint_4_wz
+        let three_joint_4_y = factor_outside_link_4_xy * screws.connection_joint_4_wx
+            + three_joint_4_y_2 + factor_outside_link_4_zy * screws.connection_joint_4_wz
             + (factor_outside_link_4_pz * screws.connection_joint_4_vx
                 - factor_outside_link_4_px * screws.connection_joint_4_vz)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
-                * reactions.reaction_joint_4_wx + turn_joint_4_y_11
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xy
+                * reactions.reaction_joint_4_wx + three_joint_4_y_11
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zy
                     * reactions.reaction_joint_4_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_4_pz
                     * reactions.reaction_joint_4_vx
-                    + d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                    + d_qdot_itself_from_three_joint_1_y.factor_link_4_px
                         * reactions.minus_reaction_joint_4_vz));
-        let turn_joint_4_z = factor_outside_link_4_xz * screws.connection_joint_4_wx
-            + factor_outside_link_4_yz * screws.connection_joint_4_wy + turn_joint_4_z_4
+        let three_joint_4_z = factor_outside_link_4_xz * screws.connection_joint_4_wx
+            + factor_outside_link_4_yz * screws.connection_joint_4_wy + three_joint_4_z_4
             + (factor_outside_link_4_px * screws.connection_joint_4_vy
                 - factor_outside_link_4_py * screws.connection_joint_4_vx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xz
                 * reactions.reaction_joint_4_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
-                    * reactions.reaction_joint_4_wy + turn_joint_4_z_13
-                + (d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_yz
+                    * reactions.reaction_joint_4_wy + three_joint_4_z_13
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_4_px
                     * reactions.reaction_joint_4_vy
-                    - d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_4_py
                         * reactions.reaction_joint_4_vx));
-        d_qdot[9][9] = reactions.reaction_joint_4_wx * wrench_link_3_mx
-            + reactions.reaction_joint_4_wy * wrench_link_3_my
-            + reactions.reaction_joint_4_wz * wrench_link_3_mz
-            + reactions.reaction_joint_4_vx * wrench_link_3_fx
-            + reactions.reaction_joint_4_vy * wrench_link_3_fy
-            - reactions.minus_reaction_joint_4_vz * wrench_link_3_fz
-            + turn_joint_4_x * screws.connection_joint_4_wx
-            + turn_joint_4_y * screws.connection_joint_4_wy
-            + turn_joint_4_z * screws.connection_joint_4_wz + 0.0;
-        let wrench_outside_link_3_mx = factor_outside_link_4_xz
-            * screws.connection_joint_4_wz
+        d_qdot[9][9] = reactions.reaction_joint_4_wx * six_joint_4_mx
+            + reactions.reaction_joint_4_wy * six_joint_4_my
+            + reactions.reaction_joint_4_wz * six_joint_4_mz
+            + reactions.reaction_joint_4_vx * six_joint_4_fx
+            + reactions.reaction_joint_4_vy * six_joint_4_fy
+            - reactions.minus_reaction_joint_4_vz * six_joint_4_fz
+            + three_joint_4_x * screws.connection_joint_4_wx
+            + three_joint_4_y * screws.connection_joint_4_wy
+            + three_joint_4_z * screws.connection_joint_4_wz + 0.0;
+        let six_more_joint_4_mx = factor_outside_link_4_xz * screws.connection_joint_4_wz
             + (factor_outside_link_4_xy * screws.connection_joint_4_wy
-                + turn_joint_4_x_0)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xz
+                + three_joint_4_x_0)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xz
                 * reactions.reaction_joint_4_wz
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_xy
-                    * reactions.reaction_joint_4_wy + turn_joint_4_x_9))
-            + (complements.complement_link_4_xy * wrench_link_3_mx_6
-                - complements.complement_link_4_xx * wrench_link_3_mx_8
-                + complements.complement_link_4_xz * wrench_link_3_mx_10
-                + (complements.complement_link_4_hy * wrench_link_3_mx_12
-                    - complements.complement_link_4_hz * wrench_link_3_mx_14));
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_xy
+                    * reactions.reaction_joint_4_wy + three_joint_4_x_9))
+            + (complements.complement_link_4_xy * six_joint_4_mx_6
+                - complements.complement_link_4_xx * six_joint_4_mx_8
+                + complements.complement_link_4_xz * six_joint_4_mx_10
+                + (complements.complement_link_4_hy * six_joint_4_mx_12
+                    - complements.complement_link_4_hz * six_joint_4_mx_14));
         DQdotItselfFromDQdot0_9 {
             factor_outside_link_4_xx,
             factor_outside_link_4_yx,
@@ -8770,24 +8801,24 @@ mod d_qdot_itself {
             factor_outside_link_4_px,
             factor_outside_link_4_py,
             factor_outside_link_4_pz,
-            wrench_link_3_mx_8,
-            wrench_link_3_mx_6,
-            wrench_link_3_mx_10,
-            wrench_link_3_my_12,
-            wrench_link_3_mx_14,
-            wrench_link_3_mx_12,
-            turn_joint_4_y_2,
-            turn_joint_4_z_4,
-            turn_joint_4_y_11,
-            turn_joint_4_z_13,
-            wrench_outside_link_3_mx,
-            turn_joint_4_x,
-            turn_joint_4_y,
-            turn_joint_4_z,
+            six_joint_4_mx_8,
+            six_joint_4_mx_6,
+            six_joint_4_mx_10,
+            six_joint_4_my_12,
+            six_joint_4_mx_14,
+            six_joint_4_mx_12,
+            three_joint_4_y_2,
+            three_joint_4_z_4,
+            three_joint_4_y_11,
+            three_joint_4_z_13,
+            six_more_joint_4_mx,
+            three_joint_4_x,
+            three_joint_4_y,
+            three_joint_4_z,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromWrenchOutsideLink3My {
+    pub(super) struct DQdotItselfFromSixMoreJoint4My {
         pub(super) factor_outside_link_5_xx: f64,
         pub(super) factor_outside_link_5_yx: f64,
         pub(super) factor_outside_link_5_zx: f64,
@@ -8800,159 +8831,159 @@ mod d_qdot_itself {
         pub(super) factor_outside_link_5_px: f64,
         pub(super) factor_outside_link_5_py: f64,
         pub(super) factor_outside_link_5_pz: f64,
-        pub(super) wrench_link_4_mx_6: f64,
-        pub(super) wrench_link_4_mx_8: f64,
-        pub(super) wrench_link_4_mx_10: f64,
-        pub(super) wrench_link_4_my_12: f64,
-        pub(super) wrench_link_4_mx_14: f64,
-        pub(super) wrench_link_4_mx_12: f64,
-        pub(super) turn_joint_5_x_0: f64,
-        pub(super) turn_joint_5_y_2: f64,
-        pub(super) turn_joint_5_z_4: f64,
-        pub(super) turn_joint_5_x_9: f64,
-        pub(super) turn_joint_5_y_11: f64,
-        pub(super) turn_joint_5_z_13: f64,
-        pub(super) turn_joint_5_x: f64,
-        pub(super) turn_joint_5_y: f64,
-        pub(super) turn_joint_5_z: f64,
+        pub(super) six_joint_5_mx_6: f64,
+        pub(super) six_joint_5_mx_8: f64,
+        pub(super) six_joint_5_mx_10: f64,
+        pub(super) six_joint_5_my_12: f64,
+        pub(super) six_joint_5_mx_14: f64,
+        pub(super) six_joint_5_mx_12: f64,
+        pub(super) three_joint_5_x_0: f64,
+        pub(super) three_joint_5_y_2: f64,
+        pub(super) three_joint_5_z_4: f64,
+        pub(super) three_joint_5_x_9: f64,
+        pub(super) three_joint_5_y_11: f64,
+        pub(super) three_joint_5_z_13: f64,
+        pub(super) three_joint_5_x: f64,
+        pub(super) three_joint_5_y: f64,
+        pub(super) three_joint_5_z: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_wrench_outside_link_3_my(
+    pub(super) fn d_qdot_itself_from_six_more_joint_4_my(
         poses: &Poses,
         inertias: &Inertias,
         complements: &Complements,
         screws: &Screws,
         reactions: &Reactions,
         velocities: &Velocities,
-        d_qdot_itself_from_factor_outside_link_1_yy_1: &DQdotItselfFromFactorOutsideLink1Yy1,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
-        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
-        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
-        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot_itself_from_factor_outside_link_1_px: &DQdotItselfFromFactorOutsideLink1Px,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
+        d_qdot_itself_from_three_more_joint_3_y: &DQdotItselfFromThreeMoreJoint3Y,
+        d_qdot_itself_from_three_joint_2_y: &DQdotItselfFromThreeJoint2Y,
+        d_qdot_itself_from_six_joint_3_my: &DQdotItselfFromSixJoint3My,
         d_qdot_itself_from_d_qdot_0_9: &DQdotItselfFromDQdot0_9,
         d_qdot: &mut [[f64; 13]; 13],
-    ) -> DQdotItselfFromWrenchOutsideLink3My {
-        let wrench_outside_link_3_my = d_qdot_itself_from_d_qdot_0_9
-            .factor_outside_link_4_yz * screws.connection_joint_4_wz
-            + (d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y_2
+    ) -> DQdotItselfFromSixMoreJoint4My {
+        let six_more_joint_4_my = d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yz
+            * screws.connection_joint_4_wz
+            + (d_qdot_itself_from_d_qdot_0_9.three_joint_4_y_2
                 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yx
                     * screws.connection_joint_4_wx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_yz
                 * reactions.reaction_joint_4_wz
-                + (d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y_11
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_yx
+                + (d_qdot_itself_from_d_qdot_0_9.three_joint_4_y_11
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_yx
                         * reactions.reaction_joint_4_wx))
             + (complements.complement_link_4_yy
-                * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_6
                 - complements.complement_link_4_xy
-                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                    * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_8
                 + complements.complement_link_4_yz
-                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                    * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_10
                 + (complements.complement_link_4_hz
-                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_my_12
+                    * d_qdot_itself_from_d_qdot_0_9.six_joint_4_my_12
                     - complements.complement_link_4_hx
-                        * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_12));
-        let wrench_outside_link_3_mz = d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z_4
+                        * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_12));
+        let six_more_joint_4_mz = d_qdot_itself_from_d_qdot_0_9.three_joint_4_z_4
             + (d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zy
                 * screws.connection_joint_4_wy
                 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zx
                     * screws.connection_joint_4_wx)
-            - (d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z_13
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zy
+            - (d_qdot_itself_from_d_qdot_0_9.three_joint_4_z_13
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zy
                     * reactions.reaction_joint_4_wy
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_4_zx
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_4_zx
                         * reactions.reaction_joint_4_wx))
             + (complements.complement_link_4_yz
-                * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_6
                 - complements.complement_link_4_xz
-                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                    * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_8
                 + complements.complement_link_4_zz
-                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                    * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_10
                 + (complements.complement_link_4_hx
-                    * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_14
+                    * d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_14
                     - complements.complement_link_4_hy
-                        * d_qdot_itself_from_d_qdot_0_9.wrench_link_3_my_12));
-        let wrench_outside_link_3_fx = screws.connection_joint_4_wy
+                        * d_qdot_itself_from_d_qdot_0_9.six_joint_4_my_12));
+        let six_more_joint_4_fx = screws.connection_joint_4_wy
             * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_pz
             - screws.connection_joint_4_wz
                 * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_py
             - (reactions.reaction_joint_4_wy
-                * d_qdot_itself_from_wrench_base_my.factor_link_4_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_4_pz
                 - reactions.reaction_joint_4_wz
-                    * d_qdot_itself_from_wrench_base_my.factor_link_4_py)
-            + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_my_12 * 9.5
-                + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_4_py)
+            + (d_qdot_itself_from_d_qdot_0_9.six_joint_4_my_12 * 9.5
+                + (d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_6
                     * complements.complement_link_4_hz
-                    - d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                    - d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_10
                         * complements.complement_link_4_hy));
-        let wrench_outside_link_3_fy = screws.connection_joint_4_wz
+        let six_more_joint_4_fy = screws.connection_joint_4_wz
             * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_px
             - screws.connection_joint_4_wx
                 * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_pz
             - (reactions.reaction_joint_4_wz
-                * d_qdot_itself_from_wrench_base_my.factor_link_4_px
+                * d_qdot_itself_from_three_joint_1_y.factor_link_4_px
                 - reactions.reaction_joint_4_wx
-                    * d_qdot_itself_from_wrench_base_my.factor_link_4_pz)
-            + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_14 * 9.5
-                + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_10
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_4_pz)
+            + (d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_14 * 9.5
+                + (d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_10
                     * complements.complement_link_4_hx
-                    + d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                    + d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_8
                         * complements.complement_link_4_hz));
-        let wrench_outside_link_3_fz = screws.connection_joint_4_wx
+        let six_more_joint_4_fz = screws.connection_joint_4_wx
             * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_py
             - screws.connection_joint_4_wy
                 * d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_px
             - (reactions.reaction_joint_4_wx
-                * d_qdot_itself_from_wrench_base_my.factor_link_4_py
+                * d_qdot_itself_from_three_joint_1_y.factor_link_4_py
                 - reactions.reaction_joint_4_wy
-                    * d_qdot_itself_from_wrench_base_my.factor_link_4_px)
-            + (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_12 * 9.5
-                - (d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_8
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_4_px)
+            + (d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_12 * 9.5
+                - (d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_8
                     * complements.complement_link_4_hy
-                    + d_qdot_itself_from_d_qdot_0_9.wrench_link_3_mx_6
+                    + d_qdot_itself_from_d_qdot_0_9.six_joint_4_mx_6
                         * complements.complement_link_4_hx));
         // D_q\u{307} column joint_4
-        d_qdot[9][10] = d_qdot_itself_from_d_qdot_0_9.wrench_outside_link_3_mx
+        d_qdot[9][10] = d_qdot_itself_from_d_qdot_0_9.six_more_joint_4_mx
             * screws.connection_joint_5_wx
-            + wrench_outside_link_3_my * screws.connection_joint_5_wy
-            + wrench_outside_link_3_mz * screws.connection_joint_5_wz
-            + wrench_outside_link_3_fx * screws.connection_joint_5_vx
-            + wrench_outside_link_3_fy * screws.connection_joint_5_vy
-            + wrench_outside_link_3_fz * screws.connection_joint_5_vz
+            + six_more_joint_4_my * screws.connection_joint_5_wy
+            + six_more_joint_4_mz * screws.connection_joint_5_wz
+            + six_more_joint_4_fx * screws.connection_joint_5_vx
+            + six_more_joint_4_fy * screws.connection_joint_5_vy
+            + six_more_joint_4_fz * screws.connection_joint_5_vz
             + reactions.reaction_joint_4_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_x
             + reactions.reaction_joint_4_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_y
             + reactions.reaction_joint_4_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_5_z + 0.0;
-        d_qdot[9][11] = d_qdot_itself_from_d_qdot_0_9.wrench_outside_link_3_mx
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_z + 0.0;
+        d_qdot[9][11] = d_qdot_itself_from_d_qdot_0_9.six_more_joint_4_mx
             * screws.connection_joint_6_wx
-            + wrench_outside_link_3_my * screws.connection_joint_6_wy
-            + wrench_outside_link_3_mz * screws.connection_joint_6_wz
-            + wrench_outside_link_3_fx * screws.connection_joint_6_vx
-            + wrench_outside_link_3_fy * screws.connection_joint_6_vy
-            + wrench_outside_link_3_fz * screws.connection_joint_6_vz
+            + six_more_joint_4_my * screws.connection_joint_6_wy
+            + six_more_joint_4_mz * screws.connection_joint_6_wz
+            + six_more_joint_4_fx * screws.connection_joint_6_vx
+            + six_more_joint_4_fy * screws.connection_joint_6_vy
+            + six_more_joint_4_fz * screws.connection_joint_6_vz
             + reactions.reaction_joint_4_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_x
             + reactions.reaction_joint_4_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_y
             + reactions.reaction_joint_4_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
-        d_qdot[9][12] = d_qdot_itself_from_d_qdot_0_9.wrench_outside_link_3_mx
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_z + 0.0;
+        d_qdot[9][12] = d_qdot_itself_from_d_qdot_0_9.six_more_joint_4_mx
             * screws.connection_joint_7_wx
-            + wrench_outside_link_3_my * screws.connection_joint_7_wy
-            + wrench_outside_link_3_mz * screws.connection_joint_7_wz
-            + wrench_outside_link_3_fx * screws.connection_joint_7_vx
-            + wrench_outside_link_3_fy * screws.connection_joint_7_vy
-            + wrench_outside_link_3_fz * screws.connection_joint_7_vz
+            + six_more_joint_4_my * screws.connection_joint_7_wy
+            + six_more_joint_4_mz * screws.connection_joint_7_wz
+            + six_more_joint_4_fx * screws.connection_joint_7_vx
+            + six_more_joint_4_fy * screws.connection_joint_7_vy
+            + six_more_joint_4_fz * screws.connection_joint_7_vz
             + reactions.reaction_joint_4_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_x
             + reactions.reaction_joint_4_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_y
             + reactions.reaction_joint_4_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_z + 0.0;
         // D_q\u{307} column joint_5
         d_qdot[10][0] = 0.0;
         d_qdot[10][1] = 0.0;
@@ -8960,200 +8991,202 @@ mod d_qdot_itself {
         d_qdot[10][3] = 0.0;
         d_qdot[10][4] = 0.0;
         d_qdot[10][5] = 0.0;
-        let wrench_link_4_mx_6 = velocities.velocity_link_5_wy * poses.rotation_link_5_zz
+        let six_joint_5_mx_6 = velocities.velocity_link_5_wy * poses.rotation_link_5_zz
             + velocities.velocity_link_5_wz * poses.rotation_link_4_yy;
-        let wrench_link_4_mx_8 = velocities.velocity_link_5_wz * poses.rotation_link_4_xy
+        let six_joint_5_mx_8 = velocities.velocity_link_5_wz * poses.rotation_link_4_xy
             + velocities.velocity_link_5_wx * poses.rotation_link_5_zz;
-        let wrench_link_4_mx_10 = velocities.velocity_link_5_wy
-            * poses.rotation_link_4_xy
+        let six_joint_5_mx_10 = velocities.velocity_link_5_wy * poses.rotation_link_4_xy
             - velocities.velocity_link_5_wx * poses.rotation_link_4_yy;
-        let wrench_link_4_my_12 = velocities.velocity_link_5_wy * screws.screw_joint_5_vz
+        let six_joint_5_my_12 = velocities.velocity_link_5_wy * screws.screw_joint_5_vz
             - velocities.velocity_link_5_wz * screws.screw_joint_5_vy
             + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
                 + velocities.velocity_link_5_vz * poses.rotation_link_4_yy);
-        let wrench_link_4_mx_14 = velocities.velocity_link_5_wz * screws.screw_joint_5_vx
+        let six_joint_5_mx_14 = velocities.velocity_link_5_wz * screws.screw_joint_5_vx
             - velocities.velocity_link_5_wx * screws.screw_joint_5_vz
             - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
                 + velocities.velocity_link_5_vx * poses.rotation_link_5_zz);
-        let wrench_link_4_mx_12 = velocities.velocity_link_5_wx * screws.screw_joint_5_vy
+        let six_joint_5_mx_12 = velocities.velocity_link_5_wx * screws.screw_joint_5_vy
             - velocities.velocity_link_5_wy * screws.screw_joint_5_vx
             + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
                 - velocities.velocity_link_5_vx * poses.rotation_link_4_yy);
-        let wrench_link_4_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+        let six_joint_5_mx = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xz
             * poses.rotation_link_5_zz
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xy
                 * poses.rotation_link_4_yy
-                + d_qdot_itself_from_three_joint_3_y.three_joint_5_x_2)
-            + (inertias.composite_link_5_xx * wrench_link_4_mx_6
-                - inertias.composite_link_5_xy * wrench_link_4_mx_8
-                + inertias.composite_link_5_xz * wrench_link_4_mx_10
-                + (inertias.composite_link_5_hy * wrench_link_4_mx_12
-                    - inertias.composite_link_5_hz * wrench_link_4_mx_14));
-        let wrench_link_4_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
+                + d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_x_2)
+            + (inertias.composite_link_5_xx * six_joint_5_mx_6
+                - inertias.composite_link_5_xy * six_joint_5_mx_8
+                + inertias.composite_link_5_xz * six_joint_5_mx_10
+                + (inertias.composite_link_5_hy * six_joint_5_mx_12
+                    - inertias.composite_link_5_hz * six_joint_5_mx_14));
+        let six_joint_5_my = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yz
             * poses.rotation_link_5_zz
-            - (d_qdot_itself_from_three_joint_3_y.three_joint_5_y_4
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+            - (d_qdot_itself_from_three_more_joint_3_y.three_more_joint_5_y_4
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yx
                     * poses.rotation_link_4_xy)
-            + (inertias.composite_link_5_xy * wrench_link_4_mx_6
-                - inertias.composite_link_5_yy * wrench_link_4_mx_8
-                + inertias.composite_link_5_yz * wrench_link_4_mx_10
-                + (inertias.composite_link_5_hz * wrench_link_4_my_12
-                    + inertias.minus_composite_link_5_hx * wrench_link_4_mx_12));
-        let wrench_link_4_mz = d_qdot_itself_from_three_joint_3_y.three_joint_5_z_0
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
+            + (inertias.composite_link_5_xy * six_joint_5_mx_6
+                - inertias.composite_link_5_yy * six_joint_5_mx_8
+                + inertias.composite_link_5_yz * six_joint_5_mx_10
+                + (inertias.composite_link_5_hz * six_joint_5_my_12
+                    + inertias.minus_composite_link_5_hx * six_joint_5_mx_12));
+        let six_joint_5_mz = d_qdot_itself_from_three_more_joint_3_y
+            .three_more_joint_5_z_0
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_zy
                 * poses.rotation_link_4_yy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_zx
                     * poses.rotation_link_4_xy)
-            + (inertias.composite_link_5_xz * wrench_link_4_mx_6
-                - inertias.composite_link_5_yz * wrench_link_4_mx_8
-                + inertias.composite_link_5_zz * wrench_link_4_mx_10
-                - (inertias.minus_composite_link_5_hx * wrench_link_4_mx_14
-                    + inertias.composite_link_5_hy * wrench_link_4_my_12));
-        d_qdot[10][6] = reactions.reaction_joint_1_wx * wrench_link_4_mx
-            + reactions.reaction_joint_1_wy * wrench_link_4_my
-            + reactions.reaction_joint_1_wz * wrench_link_4_mz
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+            + (inertias.composite_link_5_xz * six_joint_5_mx_6
+                - inertias.composite_link_5_yz * six_joint_5_mx_8
+                + inertias.composite_link_5_zz * six_joint_5_mx_10
+                - (inertias.minus_composite_link_5_hx * six_joint_5_mx_14
+                    + inertias.composite_link_5_hy * six_joint_5_my_12));
+        d_qdot[10][6] = reactions.reaction_joint_1_wx * six_joint_5_mx
+            + reactions.reaction_joint_1_wy * six_joint_5_my
+            + reactions.reaction_joint_1_wz * six_joint_5_mz
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x
                 * screws.connection_joint_5_wx
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_y
                 * screws.connection_joint_5_wy
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_z
                 * screws.connection_joint_5_wz + 0.0;
-        let wrench_link_4_fx = wrench_link_4_my_12 * 6.0
-            - (wrench_link_4_mx_8 * inertias.composite_link_5_hz
-                + wrench_link_4_mx_10 * inertias.composite_link_5_hy)
+        let six_joint_5_fx = six_joint_5_my_12 * 6.0
+            - (six_joint_5_mx_8 * inertias.composite_link_5_hz
+                + six_joint_5_mx_10 * inertias.composite_link_5_hy)
             - (poses.rotation_link_4_yy
-                * d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_5_pz
                 + poses.rotation_link_5_zz
-                    * d_qdot_itself_from_wrench_base_my.factor_link_5_py);
-        let wrench_link_4_fy = poses.rotation_link_5_zz
-            * d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_5_py);
+        let six_joint_5_fy = poses.rotation_link_5_zz
+            * d_qdot_itself_from_three_joint_1_y.factor_link_5_px
             + poses.rotation_link_4_xy
-                * d_qdot_itself_from_wrench_base_my.factor_link_5_pz
-            + (wrench_link_4_mx_14 * 6.0
-                - (wrench_link_4_mx_10 * inertias.minus_composite_link_5_hx
-                    + wrench_link_4_mx_6 * inertias.composite_link_5_hz));
-        let wrench_link_4_fz = poses.rotation_link_4_yy
-            * d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                * d_qdot_itself_from_three_joint_1_y.factor_link_5_pz
+            + (six_joint_5_mx_14 * 6.0
+                - (six_joint_5_mx_10 * inertias.minus_composite_link_5_hx
+                    + six_joint_5_mx_6 * inertias.composite_link_5_hz));
+        let six_joint_5_fz = poses.rotation_link_4_yy
+            * d_qdot_itself_from_three_joint_1_y.factor_link_5_px
             - poses.rotation_link_4_xy
-                * d_qdot_itself_from_wrench_base_my.factor_link_5_py
-            + (wrench_link_4_mx_12 * 6.0
-                + (wrench_link_4_mx_6 * inertias.composite_link_5_hy
-                    - wrench_link_4_mx_8 * inertias.minus_composite_link_5_hx));
-        d_qdot[10][7] = reactions.reaction_joint_2_wx * wrench_link_4_mx
-            + reactions.reaction_joint_2_wy * wrench_link_4_my
-            + reactions.reaction_joint_2_wz * wrench_link_4_mz
-            + reactions.reaction_joint_2_vx * wrench_link_4_fx
-            + reactions.reaction_joint_2_vy * wrench_link_4_fy
-            + reactions.reaction_joint_2_vz * wrench_link_4_fz
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * d_qdot_itself_from_three_joint_1_y.factor_link_5_py
+            + (six_joint_5_mx_12 * 6.0
+                + (six_joint_5_mx_6 * inertias.composite_link_5_hy
+                    - six_joint_5_mx_8 * inertias.minus_composite_link_5_hx));
+        d_qdot[10][7] = reactions.reaction_joint_2_wx * six_joint_5_mx
+            + reactions.reaction_joint_2_wy * six_joint_5_my
+            + reactions.reaction_joint_2_wz * six_joint_5_mz
+            + reactions.reaction_joint_2_vx * six_joint_5_fx
+            + reactions.reaction_joint_2_vy * six_joint_5_fy
+            + reactions.reaction_joint_2_vz * six_joint_5_fz
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x
                 * screws.connection_joint_5_wx
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_y
                 * screws.connection_joint_5_wy
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_z
                 * screws.connection_joint_5_wz + 0.0;
-        d_qdot[10][8] = reactions.reaction_joint_3_wx * wrench_link_4_mx
-            + reactions.reaction_joint_3_wy * wrench_link_4_my
-            + reactions.reaction_joint_3_wz * wrench_link_4_mz
-            + reactions.reaction_joint_3_vx * wrench_link_4_fx
-            + reactions.reaction_joint_3_vy * wrench_link_4_fy
-            + reactions.reaction_joint_3_vz * wrench_link_4_fz
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+        d_qdot[10][8] = reactions.reaction_joint_3_wx * six_joint_5_mx
+            + reactions.reaction_joint_3_wy * six_joint_5_my
+            + reactions.reaction_joint_3_wz * six_joint_5_mz
+            + reactions.reaction_joint_3_vx * six_joint_5_fx
+            + reactions.reaction_joint_3_vy * six_joint_5_fy
+            + reactions.reaction_joint_3_vz * six_joint_5_fz
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_x
                 * screws.connection_joint_5_wx
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_y
                 * screws.connection_joint_5_wy
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_z
                 * screws.connection_joint_5_wz + 0.0;
-        d_qdot[10][9] = reactions.reaction_joint_4_wx * wrench_link_4_mx
-            + reactions.reaction_joint_4_wy * wrench_link_4_my
-            + reactions.reaction_joint_4_wz * wrench_link_4_mz
-            + reactions.reaction_joint_4_vx * wrench_link_4_fx
-            + reactions.reaction_joint_4_vy * wrench_link_4_fy
-            - reactions.minus_reaction_joint_4_vz * wrench_link_4_fz
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_x * screws.connection_joint_5_wx
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y * screws.connection_joint_5_wy
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z * screws.connection_joint_5_wz
-            + 0.0;
-        let factor_outside_link_5_xx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        d_qdot[10][9] = reactions.reaction_joint_4_wx * six_joint_5_mx
+            + reactions.reaction_joint_4_wy * six_joint_5_my
+            + reactions.reaction_joint_4_wz * six_joint_5_mz
+            + reactions.reaction_joint_4_vx * six_joint_5_fx
+            + reactions.reaction_joint_4_vy * six_joint_5_fy
+            - reactions.minus_reaction_joint_4_vz * six_joint_5_fz
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_x
+                * screws.connection_joint_5_wx
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_y
+                * screws.connection_joint_5_wy
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_z
+                * screws.connection_joint_5_wz + 0.0;
+        let factor_outside_link_5_xx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_xx_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_xx;
-        let factor_outside_link_5_yx = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_5_yx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_yx_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yx;
-        let factor_outside_link_5_zx = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_5_zx = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_zx_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zx;
-        let factor_outside_link_5_xy = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_5_xy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_xy_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_xy;
-        let factor_outside_link_5_yy = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_5_yy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_yy_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yy;
-        let factor_outside_link_5_zy = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_5_zy = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_zy_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zy;
-        let factor_outside_link_5_xz = d_qdot_itself_from_factor_outside_link_1_yy_1
+        let factor_outside_link_5_xz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_xz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_xz;
-        let factor_outside_link_5_yz = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_5_yz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_yz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_yz;
-        let factor_outside_link_5_zz = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_5_zz = d_qdot_itself_from_factor_outside_link_1_px
             .factor_link_4_zz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_zz;
-        let factor_outside_link_5_px = d_qdot_itself_from_wrench_base_my
+        let factor_outside_link_5_px = d_qdot_itself_from_three_joint_1_y
             .factor_link_4_px_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_px;
-        let factor_outside_link_5_py = d_qdot_itself_from_wrench_base_my
+        let factor_outside_link_5_py = d_qdot_itself_from_three_joint_1_y
             .factor_link_4_py_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_py;
-        let factor_outside_link_5_pz = d_qdot_itself_from_wrench_base_my
+        let factor_outside_link_5_pz = d_qdot_itself_from_three_joint_1_y
             .factor_link_4_pz_0 + d_qdot_itself_from_d_qdot_0_9.factor_outside_link_4_pz;
-        let turn_joint_5_x_0 = factor_outside_link_5_xx * screws.connection_joint_5_wx;
-        let turn_joint_5_y_2 = factor_outside_link_5_yy * screws.connection_joint_5_wy;
-        let turn_joint_5_z_4 = factor_outside_link_5_zz * screws.connection_joint_5_wz;
-        let turn_joint_5_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xx
-            * reactions.reaction_joint_5_wx;
-        let turn_joint_5_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yy
-            * reactions.reaction_joint_5_wy;
-        let turn_joint_5_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zz
-            * reactions.reaction_joint_5_wz;
-        let turn_joint_5_x = turn_joint_5_x_0
+        let three_joint_5_x_0 = factor_outside_link_5_xx * screws.connection_joint_5_wx;
+        let three_joint_5_y_2 = factor_outside_link_5_yy * screws.connection_joint_5_wy;
+        let three_joint_5_z_4 = factor_outside_link_5_zz * screws.connection_joint_5_wz;
+        let three_joint_5_x_9 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_xx * reactions.reaction_joint_5_wx;
+        let three_joint_5_y_11 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_yy * reactions.reaction_joint_5_wy;
+        let three_joint_5_z_13 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_5_zz * reactions.reaction_joint_5_wz;
+        let three_joint_5_x = three_joint_5_x_0
             + factor_outside_link_5_yx * screws.connection_joint_5_wy
             + factor_outside_link_5_zx * screws.connection_joint_5_wz
             + (factor_outside_link_5_py * screws.connection_joint_5_vz
                 - factor_outside_link_5_pz * screws.connection_joint_5_vy)
-            - (turn_joint_5_x_9
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+            - (three_joint_5_x_9
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yx
                     * reactions.reaction_joint_5_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_zx
                     * reactions.reaction_joint_5_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_5_py
                     * reactions.reaction_joint_5_vz
-                    - d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_5_pz
                         * reactions.reaction_joint_5_vy));
-        let turn_joint_5_y = factor_outside_link_5_xy * screws.connection_joint_5_wx
-            + turn_joint_5_y_2 + factor_outside_link_5_zy * screws.connection_joint_5_wz
+        let three_joint_5_y = factor_outside_link_5_xy * screws.connection_joint_5_wx
+            + three_joint_5_y_2 + factor_outside_link_5_zy * screws.connection_joint_5_wz
             + (factor_outside_link_5_pz * screws.connection_joint_5_vx
                 - factor_outside_link_5_px * screws.connection_joint_5_vz)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
-                * reactions.reaction_joint_5_wx + turn_joint_5_y_11
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xy
+                * reactions.reaction_joint_5_wx + three_joint_5_y_11
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_zy
                     * reactions.reaction_joint_5_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_5_pz
                     * reactions.reaction_joint_5_vx
-                    - d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_5_px
                         * reactions.reaction_joint_5_vz));
-        let turn_joint_5_z = factor_outside_link_5_xz * screws.connection_joint_5_wx
-            + factor_outside_link_5_yz * screws.connection_joint_5_wy + turn_joint_5_z_4
+        let three_joint_5_z = factor_outside_link_5_xz * screws.connection_joint_5_wx
+            + factor_outside_link_5_yz * screws.connection_joint_5_wy + three_joint_5_z_4
             + (factor_outside_link_5_px * screws.connection_joint_5_vy
                 - factor_outside_link_5_py * screws.connection_joint_5_vx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xz
                 * reactions.reaction_joint_5_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
-                    * reactions.reaction_joint_5_wy + turn_joint_5_z_13
-                + (d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yz
+                    * reactions.reaction_joint_5_wy + three_joint_5_z_13
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_5_px
                     * reactions.reaction_joint_5_vy
-                    - d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_5_py
                         * reactions.reaction_joint_5_vx));
-        d_qdot[10][10] = reactions.reaction_joint_5_wx * wrench_link_4_mx
-            + reactions.reaction_joint_5_wy * wrench_link_4_my
-            + reactions.reaction_joint_5_wz * wrench_link_4_mz
-            + reactions.reaction_joint_5_vx * wrench_link_4_fx
-            + reactions.reaction_joint_5_vy * wrench_link_4_fy
-            + reactions.reaction_joint_5_vz * wrench_link_4_fz
-            + turn_joint_5_x * screws.connection_joint_5_wx
-            + turn_joint_5_y * screws.connection_joint_5_wy
-            + turn_joint_5_z * screws.connection_joint_5_wz + 0.0;
-        DQdotItselfFromWrenchOutsideLink3My {
+        d_qdot[10][10] = reactions.reaction_joint_5_wx * six_joint_5_mx
+            + reactions.reaction_joint_5_wy * six_joint_5_my
+            + reactions.reaction_joint_5_wz * six_joint_5_mz
+            + reactions.reaction_joint_5_vx * six_joint_5_fx
+            + reactions.reaction_joint_5_vy * six_joint_5_fy
+            + reactions.reaction_joint_5_vz * six_joint_5_fz
+            + three_joint_5_x * screws.connection_joint_5_wx
+            + three_joint_5_y * screws.connection_joint_5_wy
+            + three_joint_5_z * screws.connection_joint_5_wz + 0.0;
+        DQdotItselfFromSixMoreJoint4My {
             factor_outside_link_5_xx,
             factor_outside_link_5_yx,
             factor_outside_link_5_zx,
@@ -9166,184 +9199,181 @@ mod d_qdot_itself {
             factor_outside_link_5_px,
             factor_outside_link_5_py,
             factor_outside_link_5_pz,
-            wrench_link_4_mx_6,
-            wrench_link_4_mx_8,
-            wrench_link_4_mx_10,
-            wrench_link_4_my_12,
-            wrench_link_4_mx_14,
-            wrench_link_4_mx_12,
-            turn_joint_5_x_0,
-            turn_joint_5_y_2,
-            turn_joint_5_z_4,
-            turn_joint_5_x_9,
-            turn_joint_5_y_11,
-            turn_joint_5_z_13,
-            turn_joint_5_x,
-            turn_joint_5_y,
-            turn_joint_5_z,
+            six_joint_5_mx_6,
+            six_joint_5_mx_8,
+            six_joint_5_mx_10,
+            six_joint_5_my_12,
+            six_joint_5_mx_14,
+            six_joint_5_mx_12,
+            three_joint_5_x_0,
+            three_joint_5_y_2,
+            three_joint_5_z_4,
+            three_joint_5_x_9,
+            three_joint_5_y_11,
+            three_joint_5_z_13,
+            three_joint_5_x,
+            three_joint_5_y,
+            three_joint_5_z,
         }
     }
     /// What only `d_qdot` computes. Continued.
-    pub(super) struct DQdotItselfFromWrenchOutsideLink4Mx {
-        pub(super) wrench_link_5_mx_6: f64,
-        pub(super) wrench_link_5_mx_8: f64,
-        pub(super) wrench_link_5_mx_10: f64,
-        pub(super) wrench_link_5_my_12: f64,
-        pub(super) wrench_link_5_mx_14: f64,
-        pub(super) wrench_link_5_mx_12: f64,
-        pub(super) wrench_link_5_mx: f64,
-        pub(super) wrench_link_5_my: f64,
-        pub(super) wrench_link_5_mz: f64,
-        pub(super) wrench_link_5_fx: f64,
-        pub(super) wrench_link_5_fy: f64,
-        pub(super) wrench_link_5_fz: f64,
+    pub(super) struct DQdotItselfFromSixMoreJoint5Mx {
+        pub(super) six_joint_6_mx_6: f64,
+        pub(super) six_joint_6_mx_8: f64,
+        pub(super) six_joint_6_mx_10: f64,
+        pub(super) six_joint_6_my_12: f64,
+        pub(super) six_joint_6_mx_14: f64,
+        pub(super) six_joint_6_mx_12: f64,
+        pub(super) six_joint_6_mx: f64,
+        pub(super) six_joint_6_my: f64,
+        pub(super) six_joint_6_mz: f64,
+        pub(super) six_joint_6_fx: f64,
+        pub(super) six_joint_6_fy: f64,
+        pub(super) six_joint_6_fz: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_wrench_outside_link_4_mx(
+    pub(super) fn d_qdot_itself_from_six_more_joint_5_mx(
         poses: &Poses,
         inertias: &Inertias,
         complements: &Complements,
         screws: &Screws,
         reactions: &Reactions,
         velocities: &Velocities,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
-        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
-        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
-        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
+        d_qdot_itself_from_three_more_joint_3_y: &DQdotItselfFromThreeMoreJoint3Y,
+        d_qdot_itself_from_three_joint_2_y: &DQdotItselfFromThreeJoint2Y,
+        d_qdot_itself_from_six_joint_3_my: &DQdotItselfFromSixJoint3My,
         d_qdot_itself_from_d_qdot_0_9: &DQdotItselfFromDQdot0_9,
-        d_qdot_itself_from_wrench_outside_link_3_my: &DQdotItselfFromWrenchOutsideLink3My,
+        d_qdot_itself_from_six_more_joint_4_my: &DQdotItselfFromSixMoreJoint4My,
         d_qdot: &mut [[f64; 13]; 13],
-    ) -> DQdotItselfFromWrenchOutsideLink4Mx {
-        let wrench_outside_link_4_mx = d_qdot_itself_from_wrench_outside_link_3_my
+    ) -> DQdotItselfFromSixMoreJoint5Mx {
+        let six_more_joint_5_mx = d_qdot_itself_from_six_more_joint_4_my
             .factor_outside_link_5_xz * screws.connection_joint_5_wz
-            + (d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xy
+            + (d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_xy
                 * screws.connection_joint_5_wy
-                + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x_0)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xz
+                + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_x_0)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xz
                 * reactions.reaction_joint_5_wz
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_xy
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_xy
                     * reactions.reaction_joint_5_wy
-                    + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x_9))
+                    + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_x_9))
             + (complements.complement_link_5_xx
-                * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_6
                 - complements.complement_link_5_xy
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_8
                 + complements.complement_link_5_xz
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_10
                 + (complements.complement_link_5_hy
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_12
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_12
                     - complements.complement_link_5_hz
-                        * d_qdot_itself_from_wrench_outside_link_3_my
-                            .wrench_link_4_mx_14));
-        let wrench_outside_link_4_my = d_qdot_itself_from_wrench_outside_link_3_my
+                        * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_14));
+        let six_more_joint_5_my = d_qdot_itself_from_six_more_joint_4_my
             .factor_outside_link_5_yz * screws.connection_joint_5_wz
-            + (d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y_2
-                + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yx
+            + (d_qdot_itself_from_six_more_joint_4_my.three_joint_5_y_2
+                + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_yx
                     * screws.connection_joint_5_wx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yz
                 * reactions.reaction_joint_5_wz
-                + (d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y_11
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_yx
+                + (d_qdot_itself_from_six_more_joint_4_my.three_joint_5_y_11
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_yx
                         * reactions.reaction_joint_5_wx))
             + (complements.complement_link_5_xy
-                * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_6
                 - complements.complement_link_5_yy
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_8
                 + complements.complement_link_5_yz
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_10
                 + (complements.complement_link_5_hz
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_my_12
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_my_12
                     - complements.complement_link_5_hx
-                        * d_qdot_itself_from_wrench_outside_link_3_my
-                            .wrench_link_4_mx_12));
-        let wrench_outside_link_4_mz = d_qdot_itself_from_wrench_outside_link_3_my
-            .turn_joint_5_z_4
-            + (d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zy
+                        * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_12));
+        let six_more_joint_5_mz = d_qdot_itself_from_six_more_joint_4_my
+            .three_joint_5_z_4
+            + (d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_zy
                 * screws.connection_joint_5_wy
-                + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zx
+                + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_zx
                     * screws.connection_joint_5_wx)
-            - (d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_z_13
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zy
+            - (d_qdot_itself_from_six_more_joint_4_my.three_joint_5_z_13
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_zy
                     * reactions.reaction_joint_5_wy
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_5_zx
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_5_zx
                         * reactions.reaction_joint_5_wx))
             + (complements.complement_link_5_xz
-                * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_6
                 - complements.complement_link_5_yz
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_8
                 + complements.complement_link_5_zz
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_10
                 + (complements.complement_link_5_hx
-                    * d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_14
+                    * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_14
                     - complements.complement_link_5_hy
-                        * d_qdot_itself_from_wrench_outside_link_3_my
-                            .wrench_link_4_my_12));
-        let wrench_outside_link_4_fx = screws.connection_joint_5_wy
-            * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_pz
+                        * d_qdot_itself_from_six_more_joint_4_my.six_joint_5_my_12));
+        let six_more_joint_5_fx = screws.connection_joint_5_wy
+            * d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_pz
             - screws.connection_joint_5_wz
-                * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_py
+                * d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_py
             - (reactions.reaction_joint_5_wy
-                * d_qdot_itself_from_wrench_base_my.factor_link_5_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_5_pz
                 - reactions.reaction_joint_5_wz
-                    * d_qdot_itself_from_wrench_base_my.factor_link_5_py)
-            + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_my_12 * 11.5
-                - (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_5_py)
+            + (d_qdot_itself_from_six_more_joint_4_my.six_joint_5_my_12 * 11.5
+                - (d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_8
                     * complements.complement_link_5_hz
-                    + d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                    + d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_10
                         * complements.complement_link_5_hy));
-        let wrench_outside_link_4_fy = screws.connection_joint_5_wz
-            * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_px
+        let six_more_joint_5_fy = screws.connection_joint_5_wz
+            * d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_px
             - screws.connection_joint_5_wx
-                * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_pz
+                * d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_pz
             - (reactions.reaction_joint_5_wz
-                * d_qdot_itself_from_wrench_base_my.factor_link_5_px
+                * d_qdot_itself_from_three_joint_1_y.factor_link_5_px
                 - reactions.reaction_joint_5_wx
-                    * d_qdot_itself_from_wrench_base_my.factor_link_5_pz)
-            + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_14 * 11.5
-                + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_10
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_5_pz)
+            + (d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_14 * 11.5
+                + (d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_10
                     * complements.complement_link_5_hx
-                    - d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                    - d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_6
                         * complements.complement_link_5_hz));
-        let wrench_outside_link_4_fz = screws.connection_joint_5_wx
-            * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_py
+        let six_more_joint_5_fz = screws.connection_joint_5_wx
+            * d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_py
             - screws.connection_joint_5_wy
-                * d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_px
+                * d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_px
             - (reactions.reaction_joint_5_wx
-                * d_qdot_itself_from_wrench_base_my.factor_link_5_py
+                * d_qdot_itself_from_three_joint_1_y.factor_link_5_py
                 - reactions.reaction_joint_5_wy
-                    * d_qdot_itself_from_wrench_base_my.factor_link_5_px)
-            + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_12 * 11.5
-                + (d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_6
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_5_px)
+            + (d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_12 * 11.5
+                + (d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_6
                     * complements.complement_link_5_hy
-                    + d_qdot_itself_from_wrench_outside_link_3_my.wrench_link_4_mx_8
+                    + d_qdot_itself_from_six_more_joint_4_my.six_joint_5_mx_8
                         * complements.complement_link_5_hx));
         // D_q\u{307} column joint_5
-        d_qdot[10][11] = wrench_outside_link_4_mx * screws.connection_joint_6_wx
-            + wrench_outside_link_4_my * screws.connection_joint_6_wy
-            + wrench_outside_link_4_mz * screws.connection_joint_6_wz
-            + wrench_outside_link_4_fx * screws.connection_joint_6_vx
-            + wrench_outside_link_4_fy * screws.connection_joint_6_vy
-            + wrench_outside_link_4_fz * screws.connection_joint_6_vz
+        d_qdot[10][11] = six_more_joint_5_mx * screws.connection_joint_6_wx
+            + six_more_joint_5_my * screws.connection_joint_6_wy
+            + six_more_joint_5_mz * screws.connection_joint_6_wz
+            + six_more_joint_5_fx * screws.connection_joint_6_vx
+            + six_more_joint_5_fy * screws.connection_joint_6_vy
+            + six_more_joint_5_fz * screws.connection_joint_6_vz
             + reactions.reaction_joint_5_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_x
             + reactions.reaction_joint_5_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_y
             + reactions.reaction_joint_5_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_6_z + 0.0;
-        d_qdot[10][12] = wrench_outside_link_4_mx * screws.connection_joint_7_wx
-            + wrench_outside_link_4_my * screws.connection_joint_7_wy
-            + wrench_outside_link_4_mz * screws.connection_joint_7_wz
-            + wrench_outside_link_4_fx * screws.connection_joint_7_vx
-            + wrench_outside_link_4_fy * screws.connection_joint_7_vy
-            + wrench_outside_link_4_fz * screws.connection_joint_7_vz
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_z + 0.0;
+        d_qdot[10][12] = six_more_joint_5_mx * screws.connection_joint_7_wx
+            + six_more_joint_5_my * screws.connection_joint_7_wy
+            + six_more_joint_5_mz * screws.connection_joint_7_wz
+            + six_more_joint_5_fx * screws.connection_joint_7_vx
+            + six_more_joint_5_fy * screws.connection_joint_7_vy
+            + six_more_joint_5_fz * screws.connection_joint_7_vz
             + reactions.reaction_joint_5_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_x
             + reactions.reaction_joint_5_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_y
             + reactions.reaction_joint_5_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_z + 0.0;
         // D_q\u{307} column joint_6
         d_qdot[11][0] = 0.0;
         d_qdot[11][1] = 0.0;
@@ -9351,132 +9381,134 @@ mod d_qdot_itself {
         d_qdot[11][3] = 0.0;
         d_qdot[11][4] = 0.0;
         d_qdot[11][5] = 0.0;
-        let wrench_link_5_mx_6 = velocities.velocity_link_6_wy * poses.rotation_link_6_zz
+        let six_joint_6_mx_6 = velocities.velocity_link_6_wy * poses.rotation_link_6_zz
             + velocities.velocity_link_6_wz * poses.rotation_link_5_yy;
-        let wrench_link_5_mx_8 = velocities.velocity_link_6_wz * poses.rotation_link_6_xz
+        let six_joint_6_mx_8 = velocities.velocity_link_6_wz * poses.rotation_link_6_xz
             - velocities.velocity_link_6_wx * poses.rotation_link_6_zz;
-        let wrench_link_5_mx_10 = velocities.velocity_link_6_wx
-            * poses.rotation_link_5_yy
+        let six_joint_6_mx_10 = velocities.velocity_link_6_wx * poses.rotation_link_5_yy
             + velocities.velocity_link_6_wy * poses.rotation_link_6_xz;
-        let wrench_link_5_my_12 = velocities.velocity_link_6_wy * screws.screw_joint_6_vz
+        let six_joint_6_my_12 = velocities.velocity_link_6_wy * screws.screw_joint_6_vz
             - velocities.velocity_link_6_wz * screws.screw_joint_6_vy
             + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
                 + velocities.velocity_link_6_vz * poses.rotation_link_5_yy);
-        let wrench_link_5_mx_14 = velocities.velocity_link_6_wz * screws.screw_joint_6_vx
+        let six_joint_6_mx_14 = velocities.velocity_link_6_wz * screws.screw_joint_6_vx
             - velocities.velocity_link_6_wx * screws.screw_joint_6_vz
             + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
                 - velocities.velocity_link_6_vx * poses.rotation_link_6_zz);
-        let wrench_link_5_mx_12 = velocities.velocity_link_6_wx * screws.screw_joint_6_vy
+        let six_joint_6_mx_12 = velocities.velocity_link_6_wx * screws.screw_joint_6_vy
             - velocities.velocity_link_6_wy * screws.screw_joint_6_vx
             - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
                 + velocities.velocity_link_6_vy * poses.rotation_link_6_xz);
-        let wrench_link_5_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
+        let six_joint_6_mx = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_xz
             * poses.rotation_link_6_zz
-            + (d_qdot_itself_from_three_joint_3_y.three_joint_6_x_0
-                - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
+            + (d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_x_0
+                - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_xy
                     * poses.rotation_link_5_yy)
-            + (inertias.composite_link_6_xx * wrench_link_5_mx_6
-                - inertias.minus_composite_link_6_xy * wrench_link_5_mx_8
-                - inertias.composite_link_6_xz * wrench_link_5_mx_10
-                - (inertias.minus_composite_link_6_hy * wrench_link_5_mx_12
-                    + inertias.composite_link_6_hz * wrench_link_5_mx_14));
-        let wrench_link_5_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
+            + (inertias.composite_link_6_xx * six_joint_6_mx_6
+                - inertias.minus_composite_link_6_xy * six_joint_6_mx_8
+                - inertias.composite_link_6_xz * six_joint_6_mx_10
+                - (inertias.minus_composite_link_6_hy * six_joint_6_mx_12
+                    + inertias.composite_link_6_hz * six_joint_6_mx_14));
+        let six_joint_6_my = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yz
             * poses.rotation_link_6_zz
-            + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+            + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yx
                 * poses.rotation_link_6_xz
-                - d_qdot_itself_from_three_joint_3_y.three_joint_6_y_2)
-            + (inertias.composite_link_6_yy * wrench_link_5_mx_8
-                - inertias.minus_composite_link_6_xy * wrench_link_5_mx_6
-                - inertias.composite_link_6_yz * wrench_link_5_mx_10
-                + (inertias.composite_link_6_hz * wrench_link_5_my_12
-                    + inertias.minus_composite_link_6_hx * wrench_link_5_mx_12));
-        let wrench_link_5_mz = d_qdot_itself_from_three_joint_3_y.three_joint_6_z_4
-            + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+                - d_qdot_itself_from_three_more_joint_3_y.three_more_joint_6_y_2)
+            + (inertias.composite_link_6_yy * six_joint_6_mx_8
+                - inertias.minus_composite_link_6_xy * six_joint_6_mx_6
+                - inertias.composite_link_6_yz * six_joint_6_mx_10
+                + (inertias.composite_link_6_hz * six_joint_6_my_12
+                    + inertias.minus_composite_link_6_hx * six_joint_6_mx_12));
+        let six_joint_6_mz = d_qdot_itself_from_three_more_joint_3_y
+            .three_more_joint_6_z_4
+            + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zx
                 * poses.rotation_link_6_xz
-                - d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+                - d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zy
                     * poses.rotation_link_5_yy)
-            + (inertias.composite_link_6_xz * wrench_link_5_mx_6
-                + inertias.composite_link_6_yz * wrench_link_5_mx_8
-                - inertias.composite_link_6_zz * wrench_link_5_mx_10
-                + (inertias.minus_composite_link_6_hy * wrench_link_5_my_12
-                    - inertias.minus_composite_link_6_hx * wrench_link_5_mx_14));
-        d_qdot[11][6] = reactions.reaction_joint_1_wx * wrench_link_5_mx
-            + reactions.reaction_joint_1_wy * wrench_link_5_my
-            + reactions.reaction_joint_1_wz * wrench_link_5_mz
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+            + (inertias.composite_link_6_xz * six_joint_6_mx_6
+                + inertias.composite_link_6_yz * six_joint_6_mx_8
+                - inertias.composite_link_6_zz * six_joint_6_mx_10
+                + (inertias.minus_composite_link_6_hy * six_joint_6_my_12
+                    - inertias.minus_composite_link_6_hx * six_joint_6_mx_14));
+        d_qdot[11][6] = reactions.reaction_joint_1_wx * six_joint_6_mx
+            + reactions.reaction_joint_1_wy * six_joint_6_my
+            + reactions.reaction_joint_1_wz * six_joint_6_mz
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x
                 * screws.connection_joint_6_wx
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_y
                 * screws.connection_joint_6_wy
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_z
                 * screws.connection_joint_6_wz + 0.0;
-        let wrench_link_5_fx = wrench_link_5_my_12 * 4.0
-            + (wrench_link_5_mx_8 * inertias.composite_link_6_hz
-                - wrench_link_5_mx_10 * inertias.minus_composite_link_6_hy)
+        let six_joint_6_fx = six_joint_6_my_12 * 4.0
+            + (six_joint_6_mx_8 * inertias.composite_link_6_hz
+                - six_joint_6_mx_10 * inertias.minus_composite_link_6_hy)
             - (poses.rotation_link_5_yy
-                * d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_6_pz
                 + poses.rotation_link_6_zz
-                    * d_qdot_itself_from_wrench_base_my.factor_link_6_py);
-        let wrench_link_5_fy = poses.rotation_link_6_zz
-            * d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_6_py);
+        let six_joint_6_fy = poses.rotation_link_6_zz
+            * d_qdot_itself_from_three_joint_1_y.factor_link_6_px
             - poses.rotation_link_6_xz
-                * d_qdot_itself_from_wrench_base_my.factor_link_6_pz
-            + (wrench_link_5_mx_14 * 4.0
-                + (wrench_link_5_mx_10 * inertias.minus_composite_link_6_hx
-                    - wrench_link_5_mx_6 * inertias.composite_link_6_hz));
-        let wrench_link_5_fz = poses.rotation_link_6_xz
-            * d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                * d_qdot_itself_from_three_joint_1_y.factor_link_6_pz
+            + (six_joint_6_mx_14 * 4.0
+                + (six_joint_6_mx_10 * inertias.minus_composite_link_6_hx
+                    - six_joint_6_mx_6 * inertias.composite_link_6_hz));
+        let six_joint_6_fz = poses.rotation_link_6_xz
+            * d_qdot_itself_from_three_joint_1_y.factor_link_6_py
             + poses.rotation_link_5_yy
-                * d_qdot_itself_from_wrench_base_my.factor_link_6_px
-            + (wrench_link_5_mx_12 * 4.0
-                + (wrench_link_5_mx_8 * inertias.minus_composite_link_6_hx
-                    - wrench_link_5_mx_6 * inertias.minus_composite_link_6_hy));
-        d_qdot[11][7] = reactions.reaction_joint_2_wx * wrench_link_5_mx
-            + reactions.reaction_joint_2_wy * wrench_link_5_my
-            + reactions.reaction_joint_2_wz * wrench_link_5_mz
-            + reactions.reaction_joint_2_vx * wrench_link_5_fx
-            + reactions.reaction_joint_2_vy * wrench_link_5_fy
-            + reactions.reaction_joint_2_vz * wrench_link_5_fz
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * d_qdot_itself_from_three_joint_1_y.factor_link_6_px
+            + (six_joint_6_mx_12 * 4.0
+                + (six_joint_6_mx_8 * inertias.minus_composite_link_6_hx
+                    - six_joint_6_mx_6 * inertias.minus_composite_link_6_hy));
+        d_qdot[11][7] = reactions.reaction_joint_2_wx * six_joint_6_mx
+            + reactions.reaction_joint_2_wy * six_joint_6_my
+            + reactions.reaction_joint_2_wz * six_joint_6_mz
+            + reactions.reaction_joint_2_vx * six_joint_6_fx
+            + reactions.reaction_joint_2_vy * six_joint_6_fy
+            + reactions.reaction_joint_2_vz * six_joint_6_fz
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x
                 * screws.connection_joint_6_wx
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_y
                 * screws.connection_joint_6_wy
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_z
                 * screws.connection_joint_6_wz + 0.0;
-        d_qdot[11][8] = reactions.reaction_joint_3_wx * wrench_link_5_mx
-            + reactions.reaction_joint_3_wy * wrench_link_5_my
-            + reactions.reaction_joint_3_wz * wrench_link_5_mz
-            + reactions.reaction_joint_3_vx * wrench_link_5_fx
-            + reactions.reaction_joint_3_vy * wrench_link_5_fy
-            + reactions.reaction_joint_3_vz * wrench_link_5_fz
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+        d_qdot[11][8] = reactions.reaction_joint_3_wx * six_joint_6_mx
+            + reactions.reaction_joint_3_wy * six_joint_6_my
+            + reactions.reaction_joint_3_wz * six_joint_6_mz
+            + reactions.reaction_joint_3_vx * six_joint_6_fx
+            + reactions.reaction_joint_3_vy * six_joint_6_fy
+            + reactions.reaction_joint_3_vz * six_joint_6_fz
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_x
                 * screws.connection_joint_6_wx
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_y
                 * screws.connection_joint_6_wy
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_z
                 * screws.connection_joint_6_wz + 0.0;
-        d_qdot[11][9] = reactions.reaction_joint_4_wx * wrench_link_5_mx
-            + reactions.reaction_joint_4_wy * wrench_link_5_my
-            + reactions.reaction_joint_4_wz * wrench_link_5_mz
-            + reactions.reaction_joint_4_vx * wrench_link_5_fx
-            + reactions.reaction_joint_4_vy * wrench_link_5_fy
-            - reactions.minus_reaction_joint_4_vz * wrench_link_5_fz
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_x * screws.connection_joint_6_wx
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y * screws.connection_joint_6_wy
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z * screws.connection_joint_6_wz
-            + 0.0;
-        DQdotItselfFromWrenchOutsideLink4Mx {
-            wrench_link_5_mx_6,
-            wrench_link_5_mx_8,
-            wrench_link_5_mx_10,
-            wrench_link_5_my_12,
-            wrench_link_5_mx_14,
-            wrench_link_5_mx_12,
-            wrench_link_5_mx,
-            wrench_link_5_my,
-            wrench_link_5_mz,
-            wrench_link_5_fx,
-            wrench_link_5_fy,
-            wrench_link_5_fz,
+        d_qdot[11][9] = reactions.reaction_joint_4_wx * six_joint_6_mx
+            + reactions.reaction_joint_4_wy * six_joint_6_my
+            + reactions.reaction_joint_4_wz * six_joint_6_mz
+            + reactions.reaction_joint_4_vx * six_joint_6_fx
+            + reactions.reaction_joint_4_vy * six_joint_6_fy
+            - reactions.minus_reaction_joint_4_vz * six_joint_6_fz
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_x
+                * screws.connection_joint_6_wx
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_y
+                * screws.connection_joint_6_wy
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_z
+                * screws.connection_joint_6_wz + 0.0;
+        DQdotItselfFromSixMoreJoint5Mx {
+            six_joint_6_mx_6,
+            six_joint_6_mx_8,
+            six_joint_6_mx_10,
+            six_joint_6_my_12,
+            six_joint_6_mx_14,
+            six_joint_6_mx_12,
+            six_joint_6_mx,
+            six_joint_6_my,
+            six_joint_6_mz,
+            six_joint_6_fx,
+            six_joint_6_fy,
+            six_joint_6_fz,
         }
     }
     /// What only `d_qdot` computes. Continued.
@@ -9493,18 +9525,18 @@ mod d_qdot_itself {
         pub(super) factor_outside_link_6_px: f64,
         pub(super) factor_outside_link_6_py: f64,
         pub(super) factor_outside_link_6_pz: f64,
-        pub(super) turn_joint_6_x: f64,
-        pub(super) turn_joint_6_y: f64,
-        pub(super) turn_joint_6_z: f64,
-        pub(super) wrench_link_6_mx_6: f64,
-        pub(super) wrench_link_6_mx_8: f64,
-        pub(super) wrench_link_6_mx_10: f64,
-        pub(super) wrench_link_6_my_12: f64,
-        pub(super) wrench_link_6_mx_14: f64,
-        pub(super) wrench_link_6_mx_12: f64,
-        pub(super) wrench_link_6_mx: f64,
-        pub(super) wrench_link_6_my: f64,
-        pub(super) wrench_link_6_mz: f64,
+        pub(super) three_joint_6_x: f64,
+        pub(super) three_joint_6_y: f64,
+        pub(super) three_joint_6_z: f64,
+        pub(super) six_joint_7_mx_6: f64,
+        pub(super) six_joint_7_mx_8: f64,
+        pub(super) six_joint_7_mx_10: f64,
+        pub(super) six_joint_7_my_12: f64,
+        pub(super) six_joint_7_mx_14: f64,
+        pub(super) six_joint_7_mx_12: f64,
+        pub(super) six_joint_7_mx: f64,
+        pub(super) six_joint_7_my: f64,
+        pub(super) six_joint_7_mz: f64,
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
@@ -9515,236 +9547,228 @@ mod d_qdot_itself {
         screws: &Screws,
         reactions: &Reactions,
         velocities: &Velocities,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
-        d_qdot_itself_from_three_joint_3_y: &DQdotItselfFromThreeJoint3Y,
-        d_qdot_itself_from_wrench_outside_link_3_my: &DQdotItselfFromWrenchOutsideLink3My,
-        d_qdot_itself_from_wrench_outside_link_4_mx: &DQdotItselfFromWrenchOutsideLink4Mx,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
+        d_qdot_itself_from_three_more_joint_3_y: &DQdotItselfFromThreeMoreJoint3Y,
+        d_qdot_itself_from_six_more_joint_4_my: &DQdotItselfFromSixMoreJoint4My,
+        d_qdot_itself_from_six_more_joint_5_mx: &DQdotItselfFromSixMoreJoint5Mx,
         d_qdot: &mut [[f64; 13]; 13],
     ) -> DQdotItselfFromDQdot10_11 {
         // D_q\u{307} column joint_6
         d_qdot[11][10] = reactions.reaction_joint_5_wx
-            * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx
+            * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx
             + reactions.reaction_joint_5_wy
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_my
             + reactions.reaction_joint_5_wz
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mz
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mz
             + reactions.reaction_joint_5_vx
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fx
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_fx
             + reactions.reaction_joint_5_vy
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fy
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_fy
             + reactions.reaction_joint_5_vz
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fz
-            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_fz
+            + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_x
                 * screws.connection_joint_6_wx
-            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y
+            + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_y
                 * screws.connection_joint_6_wy
-            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_z
+            + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_z
                 * screws.connection_joint_6_wz + 0.0;
-        let factor_outside_link_6_xx = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_6_xx = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_xx_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xx;
-        let factor_outside_link_6_yx = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_xx;
+        let factor_outside_link_6_yx = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_yx_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yx;
-        let factor_outside_link_6_zx = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_yx;
+        let factor_outside_link_6_zx = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_zx_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zx;
-        let factor_outside_link_6_xy = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_zx;
+        let factor_outside_link_6_xy = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_xy_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xy;
-        let factor_outside_link_6_yy = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_xy;
+        let factor_outside_link_6_yy = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_yy_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yy;
-        let factor_outside_link_6_zy = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_yy;
+        let factor_outside_link_6_zy = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_zy_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zy;
-        let factor_outside_link_6_xz = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_zy;
+        let factor_outside_link_6_xz = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_xz_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_xz;
-        let factor_outside_link_6_yz = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_xz;
+        let factor_outside_link_6_yz = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_yz_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_yz;
-        let factor_outside_link_6_zz = d_qdot_itself_from_factor_link_4_yy_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_yz;
+        let factor_outside_link_6_zz = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_5_zz_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_zz;
-        let factor_outside_link_6_px = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_zz;
+        let factor_outside_link_6_px = d_qdot_itself_from_three_joint_1_y
             .factor_link_5_px_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_px;
-        let factor_outside_link_6_py = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_px;
+        let factor_outside_link_6_py = d_qdot_itself_from_three_joint_1_y
             .factor_link_5_py_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_py;
-        let factor_outside_link_6_pz = d_qdot_itself_from_wrench_base_my
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_py;
+        let factor_outside_link_6_pz = d_qdot_itself_from_three_joint_1_y
             .factor_link_5_pz_0
-            + d_qdot_itself_from_wrench_outside_link_3_my.factor_outside_link_5_pz;
-        let turn_joint_6_x_0 = factor_outside_link_6_xx * screws.connection_joint_6_wx;
-        let turn_joint_6_y_2 = factor_outside_link_6_yy * screws.connection_joint_6_wy;
-        let turn_joint_6_z_4 = factor_outside_link_6_zz * screws.connection_joint_6_wz;
-        let turn_joint_6_x_9 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xx
-            * reactions.reaction_joint_6_wx;
-        let turn_joint_6_y_11 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yy
-            * reactions.reaction_joint_6_wy;
-        let turn_joint_6_z_13 = d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zz
-            * reactions.reaction_joint_6_wz;
-        let turn_joint_6_x = turn_joint_6_x_0
+            + d_qdot_itself_from_six_more_joint_4_my.factor_outside_link_5_pz;
+        let three_joint_6_x_0 = factor_outside_link_6_xx * screws.connection_joint_6_wx;
+        let three_joint_6_y_2 = factor_outside_link_6_yy * screws.connection_joint_6_wy;
+        let three_joint_6_z_4 = factor_outside_link_6_zz * screws.connection_joint_6_wz;
+        let three_joint_6_x_9 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_xx * reactions.reaction_joint_6_wx;
+        let three_joint_6_y_11 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_yy * reactions.reaction_joint_6_wy;
+        let three_joint_6_z_13 = d_qdot_itself_from_factor_link_5_xz_0_5_2
+            .factor_link_6_zz * reactions.reaction_joint_6_wz;
+        let three_joint_6_x = three_joint_6_x_0
             + factor_outside_link_6_yx * screws.connection_joint_6_wy
             + factor_outside_link_6_zx * screws.connection_joint_6_wz
             + (factor_outside_link_6_py * screws.connection_joint_6_vz
                 - factor_outside_link_6_pz * screws.connection_joint_6_vy)
-            - (turn_joint_6_x_9
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+            - (three_joint_6_x_9
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yx
                     * reactions.reaction_joint_6_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zx
                     * reactions.reaction_joint_6_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_6_py
                     * reactions.reaction_joint_6_vz
-                    - d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_6_pz
                         * reactions.reaction_joint_6_vy));
-        let turn_joint_6_y = factor_outside_link_6_xy * screws.connection_joint_6_wx
-            + turn_joint_6_y_2 + factor_outside_link_6_zy * screws.connection_joint_6_wz
+        let three_joint_6_y = factor_outside_link_6_xy * screws.connection_joint_6_wx
+            + three_joint_6_y_2 + factor_outside_link_6_zy * screws.connection_joint_6_wz
             + (factor_outside_link_6_pz * screws.connection_joint_6_vx
                 - factor_outside_link_6_px * screws.connection_joint_6_vz)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
-                * reactions.reaction_joint_6_wx + turn_joint_6_y_11
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_xy
+                * reactions.reaction_joint_6_wx + three_joint_6_y_11
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zy
                     * reactions.reaction_joint_6_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_6_pz
                     * reactions.reaction_joint_6_vx
-                    - d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_6_px
                         * reactions.reaction_joint_6_vz));
-        let turn_joint_6_z = factor_outside_link_6_xz * screws.connection_joint_6_wx
-            + factor_outside_link_6_yz * screws.connection_joint_6_wy + turn_joint_6_z_4
+        let three_joint_6_z = factor_outside_link_6_xz * screws.connection_joint_6_wx
+            + factor_outside_link_6_yz * screws.connection_joint_6_wy + three_joint_6_z_4
             + (factor_outside_link_6_px * screws.connection_joint_6_vy
                 - factor_outside_link_6_py * screws.connection_joint_6_vx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_xz
                 * reactions.reaction_joint_6_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
-                    * reactions.reaction_joint_6_wy + turn_joint_6_z_13
-                + (d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yz
+                    * reactions.reaction_joint_6_wy + three_joint_6_z_13
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_6_px
                     * reactions.reaction_joint_6_vy
-                    - d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_6_py
                         * reactions.reaction_joint_6_vx));
         d_qdot[11][11] = reactions.reaction_joint_6_wx
-            * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx
+            * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx
             + reactions.reaction_joint_6_wy
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_my
             + reactions.reaction_joint_6_wz
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mz
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mz
             + reactions.reaction_joint_6_vx
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fx
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_fx
             + reactions.reaction_joint_6_vy
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fy
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_fy
             + reactions.reaction_joint_6_vz
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_fz
-            + turn_joint_6_x * screws.connection_joint_6_wx
-            + turn_joint_6_y * screws.connection_joint_6_wy
-            + turn_joint_6_z * screws.connection_joint_6_wz + 0.0;
-        let wrench_outside_link_5_mx = factor_outside_link_6_xz
-            * screws.connection_joint_6_wz
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_fz
+            + three_joint_6_x * screws.connection_joint_6_wx
+            + three_joint_6_y * screws.connection_joint_6_wy
+            + three_joint_6_z * screws.connection_joint_6_wz + 0.0;
+        let six_more_joint_6_mx = factor_outside_link_6_xz * screws.connection_joint_6_wz
             + (factor_outside_link_6_xy * screws.connection_joint_6_wy
-                + turn_joint_6_x_0)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xz
+                + three_joint_6_x_0)
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_xz
                 * reactions.reaction_joint_6_wz
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_xy
-                    * reactions.reaction_joint_6_wy + turn_joint_6_x_9))
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_xy
+                    * reactions.reaction_joint_6_wy + three_joint_6_x_9))
             + (complements.complement_link_6_xx
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_6
                 + complements.complement_link_6_xy
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_8
                 - complements.complement_link_6_xz
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_10
                 + (complements.complement_link_6_hy
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_12
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_12
                     - complements.complement_link_6_hz
-                        * d_qdot_itself_from_wrench_outside_link_4_mx
-                            .wrench_link_5_mx_14));
-        let wrench_outside_link_5_my = factor_outside_link_6_yz
-            * screws.connection_joint_6_wz
-            + (turn_joint_6_y_2
+                        * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_14));
+        let six_more_joint_6_my = factor_outside_link_6_yz * screws.connection_joint_6_wz
+            + (three_joint_6_y_2
                 + factor_outside_link_6_yx * screws.connection_joint_6_wx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yz
                 * reactions.reaction_joint_6_wz
-                + (turn_joint_6_y_11
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_yx
+                + (three_joint_6_y_11
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_yx
                         * reactions.reaction_joint_6_wx))
             + (complements.complement_link_6_xy
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_6
                 + complements.complement_link_6_yy
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_8
                 - complements.complement_link_6_yz
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_10
                 + (complements.complement_link_6_hz
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my_12
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_my_12
                     - complements.complement_link_6_hx
-                        * d_qdot_itself_from_wrench_outside_link_4_mx
-                            .wrench_link_5_mx_12));
-        let wrench_outside_link_5_mz = turn_joint_6_z_4
+                        * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_12));
+        let six_more_joint_6_mz = three_joint_6_z_4
             + (factor_outside_link_6_zy * screws.connection_joint_6_wy
                 + factor_outside_link_6_zx * screws.connection_joint_6_wx)
-            - (turn_joint_6_z_13
-                + (d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zy
+            - (three_joint_6_z_13
+                + (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zy
                     * reactions.reaction_joint_6_wy
-                    + d_qdot_itself_from_factor_link_4_yy_0.factor_link_6_zx
+                    + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_6_zx
                         * reactions.reaction_joint_6_wx))
             + (complements.complement_link_6_xz
-                * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_6
                 + complements.complement_link_6_yz
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_8
                 - complements.complement_link_6_zz
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_10
                 + (complements.complement_link_6_hx
-                    * d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_14
+                    * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_14
                     - complements.complement_link_6_hy
-                        * d_qdot_itself_from_wrench_outside_link_4_mx
-                            .wrench_link_5_my_12));
-        let wrench_outside_link_5_fx = screws.connection_joint_6_wy
-            * factor_outside_link_6_pz
+                        * d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_my_12));
+        let six_more_joint_6_fx = screws.connection_joint_6_wy * factor_outside_link_6_pz
             - screws.connection_joint_6_wz * factor_outside_link_6_py
             - (reactions.reaction_joint_6_wy
-                * d_qdot_itself_from_wrench_base_my.factor_link_6_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_6_pz
                 - reactions.reaction_joint_6_wz
-                    * d_qdot_itself_from_wrench_base_my.factor_link_6_py)
-            + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_my_12 * 13.5
-                + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_6_py)
+            + (d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_my_12 * 13.5
+                + (d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_8
                     * complements.complement_link_6_hz
-                    + d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                    + d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_10
                         * complements.complement_link_6_hy));
-        let wrench_outside_link_5_fy = screws.connection_joint_6_wz
-            * factor_outside_link_6_px
+        let six_more_joint_6_fy = screws.connection_joint_6_wz * factor_outside_link_6_px
             - screws.connection_joint_6_wx * factor_outside_link_6_pz
             - (reactions.reaction_joint_6_wz
-                * d_qdot_itself_from_wrench_base_my.factor_link_6_px
+                * d_qdot_itself_from_three_joint_1_y.factor_link_6_px
                 - reactions.reaction_joint_6_wx
-                    * d_qdot_itself_from_wrench_base_my.factor_link_6_pz)
-            + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_14 * 13.5
-                - (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_10
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_6_pz)
+            + (d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_14 * 13.5
+                - (d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_10
                     * complements.complement_link_6_hx
-                    + d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                    + d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_6
                         * complements.complement_link_6_hz));
-        let wrench_outside_link_5_fz = screws.connection_joint_6_wx
-            * factor_outside_link_6_py
+        let six_more_joint_6_fz = screws.connection_joint_6_wx * factor_outside_link_6_py
             - screws.connection_joint_6_wy * factor_outside_link_6_px
             - (reactions.reaction_joint_6_wx
-                * d_qdot_itself_from_wrench_base_my.factor_link_6_py
+                * d_qdot_itself_from_three_joint_1_y.factor_link_6_py
                 - reactions.reaction_joint_6_wy
-                    * d_qdot_itself_from_wrench_base_my.factor_link_6_px)
-            + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_12 * 13.5
-                + (d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_6
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_6_px)
+            + (d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_12 * 13.5
+                + (d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_6
                     * complements.complement_link_6_hy
-                    - d_qdot_itself_from_wrench_outside_link_4_mx.wrench_link_5_mx_8
+                    - d_qdot_itself_from_six_more_joint_5_mx.six_joint_6_mx_8
                         * complements.complement_link_6_hx));
-        d_qdot[11][12] = wrench_outside_link_5_mx * screws.connection_joint_7_wx
-            + wrench_outside_link_5_my * screws.connection_joint_7_wy
-            + wrench_outside_link_5_mz * screws.connection_joint_7_wz
-            + wrench_outside_link_5_fx * screws.connection_joint_7_vx
-            + wrench_outside_link_5_fy * screws.connection_joint_7_vy
-            + wrench_outside_link_5_fz * screws.connection_joint_7_vz
+        d_qdot[11][12] = six_more_joint_6_mx * screws.connection_joint_7_wx
+            + six_more_joint_6_my * screws.connection_joint_7_wy
+            + six_more_joint_6_mz * screws.connection_joint_7_wz
+            + six_more_joint_6_fx * screws.connection_joint_7_vx
+            + six_more_joint_6_fy * screws.connection_joint_7_vy
+            + six_more_joint_6_fz * screws.connection_joint_7_vz
             + reactions.reaction_joint_6_wx
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_x
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_x
             + reactions.reaction_joint_6_wy
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_y
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_y
             + reactions.reaction_joint_6_wz
-                * d_qdot_itself_from_three_joint_3_y.three_joint_7_z + 0.0;
+                * d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_z + 0.0;
         // D_q\u{307} column joint_7
         d_qdot[12][0] = 0.0;
         d_qdot[12][1] = 0.0;
@@ -9752,64 +9776,65 @@ mod d_qdot_itself {
         d_qdot[12][3] = 0.0;
         d_qdot[12][4] = 0.0;
         d_qdot[12][5] = 0.0;
-        let wrench_link_6_mx_6 = velocities.velocity_link_7_wy * poses.rotation_link_6_zy
+        let six_joint_7_mx_6 = velocities.velocity_link_7_wy * poses.rotation_link_6_zy
             + velocities.velocity_link_7_wz * poses.minus_rotation_link_6_yy;
-        let wrench_link_6_mx_8 = velocities.velocity_link_7_wz
+        let six_joint_7_mx_8 = velocities.velocity_link_7_wz
             * poses.minus_rotation_link_6_xy
             + velocities.velocity_link_7_wx * poses.rotation_link_6_zy;
-        let wrench_link_6_mx_10 = velocities.velocity_link_7_wy
+        let six_joint_7_mx_10 = velocities.velocity_link_7_wy
             * poses.minus_rotation_link_6_xy
             - velocities.velocity_link_7_wx * poses.minus_rotation_link_6_yy;
-        let wrench_link_6_my_12 = velocities.velocity_link_7_wy * screws.screw_joint_7_vz
+        let six_joint_7_my_12 = velocities.velocity_link_7_wy * screws.screw_joint_7_vz
             - velocities.velocity_link_7_wz * screws.screw_joint_7_vy
             + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
                 + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy);
-        let wrench_link_6_mx_14 = velocities.velocity_link_7_wz * screws.screw_joint_7_vx
+        let six_joint_7_mx_14 = velocities.velocity_link_7_wz * screws.screw_joint_7_vx
             - velocities.velocity_link_7_wx * screws.screw_joint_7_vz
             - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
                 + velocities.velocity_link_7_vx * poses.rotation_link_6_zy);
-        let wrench_link_6_mx_12 = velocities.velocity_link_7_wx * screws.screw_joint_7_vy
+        let six_joint_7_mx_12 = velocities.velocity_link_7_wx * screws.screw_joint_7_vy
             - velocities.velocity_link_7_wy * screws.screw_joint_7_vx
             + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
                 - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy);
-        let wrench_link_6_mx = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xz
+        let six_joint_7_mx = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_xz
             * poses.rotation_link_6_zy
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_xy
                 * poses.minus_rotation_link_6_yy
-                + d_qdot_itself_from_three_joint_3_y.three_joint_7_x_2)
-            + (inertias.inertia_link_7_xx * wrench_link_6_mx_6
-                + inertias.minus_inertia_link_7_xy * wrench_link_6_mx_8
-                + inertias.inertia_link_7_xz * wrench_link_6_mx_10
-                - (inertias.minus_inertia_link_7_hy * wrench_link_6_mx_12
-                    + inertias.inertia_link_7_hz * wrench_link_6_mx_14));
-        let wrench_link_6_my = d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yz
+                + d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_x_2)
+            + (inertias.inertia_link_7_xx * six_joint_7_mx_6
+                + inertias.minus_inertia_link_7_xy * six_joint_7_mx_8
+                + inertias.inertia_link_7_xz * six_joint_7_mx_10
+                - (inertias.minus_inertia_link_7_hy * six_joint_7_mx_12
+                    + inertias.inertia_link_7_hz * six_joint_7_mx_14));
+        let six_joint_7_my = d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_yz
             * poses.rotation_link_6_zy
-            - (d_qdot_itself_from_three_joint_3_y.three_joint_7_y_4
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yx
+            - (d_qdot_itself_from_three_more_joint_3_y.three_more_joint_7_y_4
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_yx
                     * poses.minus_rotation_link_6_xy)
-            + (inertias.inertia_link_7_yz * wrench_link_6_mx_10
-                - (inertias.minus_inertia_link_7_xy * wrench_link_6_mx_6
-                    + inertias.inertia_link_7_yy * wrench_link_6_mx_8)
-                + (inertias.inertia_link_7_hz * wrench_link_6_my_12
-                    + inertias.minus_inertia_link_7_hx * wrench_link_6_mx_12));
-        let wrench_link_6_mz = d_qdot_itself_from_three_joint_3_y.three_joint_7_z_0
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zy
+            + (inertias.inertia_link_7_yz * six_joint_7_mx_10
+                - (inertias.minus_inertia_link_7_xy * six_joint_7_mx_6
+                    + inertias.inertia_link_7_yy * six_joint_7_mx_8)
+                + (inertias.inertia_link_7_hz * six_joint_7_my_12
+                    + inertias.minus_inertia_link_7_hx * six_joint_7_mx_12));
+        let six_joint_7_mz = d_qdot_itself_from_three_more_joint_3_y
+            .three_more_joint_7_z_0
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_zy
                 * poses.minus_rotation_link_6_yy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_zx
                     * poses.minus_rotation_link_6_xy)
-            + (inertias.inertia_link_7_xz * wrench_link_6_mx_6
-                - inertias.inertia_link_7_yz * wrench_link_6_mx_8
-                + inertias.inertia_link_7_zz * wrench_link_6_mx_10
-                + (inertias.minus_inertia_link_7_hy * wrench_link_6_my_12
-                    - inertias.minus_inertia_link_7_hx * wrench_link_6_mx_14));
-        d_qdot[12][6] = reactions.reaction_joint_1_wx * wrench_link_6_mx
-            + reactions.reaction_joint_1_wy * wrench_link_6_my
-            + reactions.reaction_joint_1_wz * wrench_link_6_mz
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_x
+            + (inertias.inertia_link_7_xz * six_joint_7_mx_6
+                - inertias.inertia_link_7_yz * six_joint_7_mx_8
+                + inertias.inertia_link_7_zz * six_joint_7_mx_10
+                + (inertias.minus_inertia_link_7_hy * six_joint_7_my_12
+                    - inertias.minus_inertia_link_7_hx * six_joint_7_mx_14));
+        d_qdot[12][6] = reactions.reaction_joint_1_wx * six_joint_7_mx
+            + reactions.reaction_joint_1_wy * six_joint_7_my
+            + reactions.reaction_joint_1_wz * six_joint_7_mz
+            + d_qdot_itself_from_factor_link_5_xz_0_5_2.three_joint_1_x
                 * screws.connection_joint_7_wx
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_y
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_y
                 * screws.connection_joint_7_wy
-            + d_qdot_itself_from_wrench_base_my.turn_joint_1_z
+            + d_qdot_itself_from_three_joint_1_y.three_joint_1_z
                 * screws.connection_joint_7_wz + 0.0;
         DQdotItselfFromDQdot10_11 {
             factor_outside_link_6_xx,
@@ -9824,230 +9849,233 @@ mod d_qdot_itself {
             factor_outside_link_6_px,
             factor_outside_link_6_py,
             factor_outside_link_6_pz,
-            turn_joint_6_x,
-            turn_joint_6_y,
-            turn_joint_6_z,
-            wrench_link_6_mx_6,
-            wrench_link_6_mx_8,
-            wrench_link_6_mx_10,
-            wrench_link_6_my_12,
-            wrench_link_6_mx_14,
-            wrench_link_6_mx_12,
-            wrench_link_6_mx,
-            wrench_link_6_my,
-            wrench_link_6_mz,
+            three_joint_6_x,
+            three_joint_6_y,
+            three_joint_6_z,
+            six_joint_7_mx_6,
+            six_joint_7_mx_8,
+            six_joint_7_mx_10,
+            six_joint_7_my_12,
+            six_joint_7_mx_14,
+            six_joint_7_mx_12,
+            six_joint_7_mx,
+            six_joint_7_my,
+            six_joint_7_mz,
         }
     }
     /// What only `d_qdot` computes. Continued.
     #[inline(never)]
-    pub(super) fn d_qdot_itself_from_wrench_link_6_fx(
+    pub(super) fn d_qdot_itself_from_six_joint_7_fx(
         poses: &Poses,
         inertias: &Inertias,
         screws: &Screws,
         reactions: &Reactions,
-        d_qdot_itself_from_factor_link_4_yy_0: &DQdotItselfFromFactorLink4Yy0,
-        d_qdot_itself_from_wrench_base_my: &DQdotItselfFromWrenchBaseMy,
-        d_qdot_itself_from_wrench_link_1_fy: &DQdotItselfFromWrenchLink1Fy,
-        d_qdot_itself_from_wrench_link_2_my: &DQdotItselfFromWrenchLink2My,
+        d_qdot_itself_from_factor_link_5_xz_0_5_2: &DQdotItselfFromFactorLink5Xz0_5_2,
+        d_qdot_itself_from_three_joint_1_y: &DQdotItselfFromThreeJoint1Y,
+        d_qdot_itself_from_three_more_joint_3_y: &DQdotItselfFromThreeMoreJoint3Y,
+        d_qdot_itself_from_three_joint_2_y: &DQdotItselfFromThreeJoint2Y,
+        d_qdot_itself_from_six_joint_3_my: &DQdotItselfFromSixJoint3My,
         d_qdot_itself_from_d_qdot_0_9: &DQdotItselfFromDQdot0_9,
-        d_qdot_itself_from_wrench_outside_link_3_my: &DQdotItselfFromWrenchOutsideLink3My,
+        d_qdot_itself_from_six_more_joint_4_my: &DQdotItselfFromSixMoreJoint4My,
         d_qdot_itself_from_d_qdot_10_11: &DQdotItselfFromDQdot10_11,
         d_qdot: &mut [[f64; 13]; 13],
     ) {
-        let wrench_link_6_fx = d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my_12 * 2.0
-            + (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_10
+        let six_joint_7_fx = d_qdot_itself_from_d_qdot_10_11.six_joint_7_my_12 * 2.0
+            + (d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_10
                 * inertias.minus_inertia_link_7_hy
-                - d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_8
+                - d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_8
                     * inertias.inertia_link_7_hz)
             - (poses.minus_rotation_link_6_yy
-                * d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                * d_qdot_itself_from_three_joint_1_y.factor_link_7_pz
                 + poses.rotation_link_6_zy
-                    * d_qdot_itself_from_wrench_base_my.factor_link_7_py);
-        let wrench_link_6_fy = poses.rotation_link_6_zy
-            * d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                    * d_qdot_itself_from_three_joint_1_y.factor_link_7_py);
+        let six_joint_7_fy = poses.rotation_link_6_zy
+            * d_qdot_itself_from_three_joint_1_y.factor_link_7_px
             + poses.minus_rotation_link_6_xy
-                * d_qdot_itself_from_wrench_base_my.factor_link_7_pz
-            + (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_14 * 2.0
-                - (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_10
+                * d_qdot_itself_from_three_joint_1_y.factor_link_7_pz
+            + (d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_14 * 2.0
+                - (d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_10
                     * inertias.minus_inertia_link_7_hx
-                    + d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_6
+                    + d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_6
                         * inertias.inertia_link_7_hz));
-        let wrench_link_6_fz = poses.minus_rotation_link_6_yy
-            * d_qdot_itself_from_wrench_base_my.factor_link_7_px
+        let six_joint_7_fz = poses.minus_rotation_link_6_yy
+            * d_qdot_itself_from_three_joint_1_y.factor_link_7_px
             - poses.minus_rotation_link_6_xy
-                * d_qdot_itself_from_wrench_base_my.factor_link_7_py
-            + (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_12 * 2.0
-                - (d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_6
+                * d_qdot_itself_from_three_joint_1_y.factor_link_7_py
+            + (d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_12 * 2.0
+                - (d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_6
                     * inertias.minus_inertia_link_7_hy
-                    + d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx_8
+                    + d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx_8
                         * inertias.minus_inertia_link_7_hx));
         // D_q\u{307} column joint_7
         d_qdot[12][7] = reactions.reaction_joint_2_wx
-            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx
             + reactions.reaction_joint_2_wy
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_my
             + reactions.reaction_joint_2_wz
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
-            + reactions.reaction_joint_2_vx * wrench_link_6_fx
-            + reactions.reaction_joint_2_vy * wrench_link_6_fy
-            + reactions.reaction_joint_2_vz * wrench_link_6_fz
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_x
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mz
+            + reactions.reaction_joint_2_vx * six_joint_7_fx
+            + reactions.reaction_joint_2_vy * six_joint_7_fy
+            + reactions.reaction_joint_2_vz * six_joint_7_fz
+            + d_qdot_itself_from_three_more_joint_3_y.three_joint_2_x
                 * screws.connection_joint_7_wx
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_y
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_y
                 * screws.connection_joint_7_wy
-            + d_qdot_itself_from_wrench_link_1_fy.turn_joint_2_z
+            + d_qdot_itself_from_three_joint_2_y.three_joint_2_z
                 * screws.connection_joint_7_wz + 0.0;
         d_qdot[12][8] = reactions.reaction_joint_3_wx
-            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx
             + reactions.reaction_joint_3_wy
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_my
             + reactions.reaction_joint_3_wz
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
-            + reactions.reaction_joint_3_vx * wrench_link_6_fx
-            + reactions.reaction_joint_3_vy * wrench_link_6_fy
-            + reactions.reaction_joint_3_vz * wrench_link_6_fz
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_x
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mz
+            + reactions.reaction_joint_3_vx * six_joint_7_fx
+            + reactions.reaction_joint_3_vy * six_joint_7_fy
+            + reactions.reaction_joint_3_vz * six_joint_7_fz
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_x
                 * screws.connection_joint_7_wx
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_y
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_y
                 * screws.connection_joint_7_wy
-            + d_qdot_itself_from_wrench_link_2_my.turn_joint_3_z
+            + d_qdot_itself_from_six_joint_3_my.three_joint_3_z
                 * screws.connection_joint_7_wz + 0.0;
         d_qdot[12][9] = reactions.reaction_joint_4_wx
-            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx
             + reactions.reaction_joint_4_wy
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_my
             + reactions.reaction_joint_4_wz
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
-            + reactions.reaction_joint_4_vx * wrench_link_6_fx
-            + reactions.reaction_joint_4_vy * wrench_link_6_fy
-            - reactions.minus_reaction_joint_4_vz * wrench_link_6_fz
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_x * screws.connection_joint_7_wx
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_y * screws.connection_joint_7_wy
-            + d_qdot_itself_from_d_qdot_0_9.turn_joint_4_z * screws.connection_joint_7_wz
-            + 0.0;
-        d_qdot[12][10] = reactions.reaction_joint_5_wx
-            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
-            + reactions.reaction_joint_5_wy
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
-            + reactions.reaction_joint_5_wz
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
-            + reactions.reaction_joint_5_vx * wrench_link_6_fx
-            + reactions.reaction_joint_5_vy * wrench_link_6_fy
-            + reactions.reaction_joint_5_vz * wrench_link_6_fz
-            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_x
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mz
+            + reactions.reaction_joint_4_vx * six_joint_7_fx
+            + reactions.reaction_joint_4_vy * six_joint_7_fy
+            - reactions.minus_reaction_joint_4_vz * six_joint_7_fz
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_x
                 * screws.connection_joint_7_wx
-            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_y
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_y
                 * screws.connection_joint_7_wy
-            + d_qdot_itself_from_wrench_outside_link_3_my.turn_joint_5_z
+            + d_qdot_itself_from_d_qdot_0_9.three_joint_4_z
+                * screws.connection_joint_7_wz + 0.0;
+        d_qdot[12][10] = reactions.reaction_joint_5_wx
+            * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx
+            + reactions.reaction_joint_5_wy
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_my
+            + reactions.reaction_joint_5_wz
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mz
+            + reactions.reaction_joint_5_vx * six_joint_7_fx
+            + reactions.reaction_joint_5_vy * six_joint_7_fy
+            + reactions.reaction_joint_5_vz * six_joint_7_fz
+            + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_x
+                * screws.connection_joint_7_wx
+            + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_y
+                * screws.connection_joint_7_wy
+            + d_qdot_itself_from_six_more_joint_4_my.three_joint_5_z
                 * screws.connection_joint_7_wz + 0.0;
         d_qdot[12][11] = reactions.reaction_joint_6_wx
-            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx
             + reactions.reaction_joint_6_wy
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_my
             + reactions.reaction_joint_6_wz
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
-            + reactions.reaction_joint_6_vx * wrench_link_6_fx
-            + reactions.reaction_joint_6_vy * wrench_link_6_fy
-            + reactions.reaction_joint_6_vz * wrench_link_6_fz
-            + d_qdot_itself_from_d_qdot_10_11.turn_joint_6_x
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mz
+            + reactions.reaction_joint_6_vx * six_joint_7_fx
+            + reactions.reaction_joint_6_vy * six_joint_7_fy
+            + reactions.reaction_joint_6_vz * six_joint_7_fz
+            + d_qdot_itself_from_d_qdot_10_11.three_joint_6_x
                 * screws.connection_joint_7_wx
-            + d_qdot_itself_from_d_qdot_10_11.turn_joint_6_y
+            + d_qdot_itself_from_d_qdot_10_11.three_joint_6_y
                 * screws.connection_joint_7_wy
-            + d_qdot_itself_from_d_qdot_10_11.turn_joint_6_z
+            + d_qdot_itself_from_d_qdot_10_11.three_joint_6_z
                 * screws.connection_joint_7_wz + 0.0;
-        let factor_outside_link_7_xx = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_xx = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_xx_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_xx;
-        let factor_outside_link_7_yx = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_yx = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_yx_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_yx;
-        let factor_outside_link_7_zx = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_zx = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_zx_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_zx;
-        let factor_outside_link_7_xy = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_xy = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_xy_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_xy;
-        let factor_outside_link_7_yy = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_yy = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_yy_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_yy;
-        let factor_outside_link_7_zy = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_zy = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_zy_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_zy;
-        let factor_outside_link_7_xz = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_xz = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_xz_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_xz;
-        let factor_outside_link_7_yz = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_yz = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_yz_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_yz;
-        let factor_outside_link_7_zz = d_qdot_itself_from_factor_link_4_yy_0
+        let factor_outside_link_7_zz = d_qdot_itself_from_factor_link_5_xz_0_5_2
             .factor_link_6_zz_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_zz;
-        let factor_outside_link_7_px = d_qdot_itself_from_wrench_base_my
+        let factor_outside_link_7_px = d_qdot_itself_from_three_joint_1_y
             .factor_link_6_px_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_px;
-        let factor_outside_link_7_py = d_qdot_itself_from_wrench_base_my
+        let factor_outside_link_7_py = d_qdot_itself_from_three_joint_1_y
             .factor_link_6_py_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_py;
-        let factor_outside_link_7_pz = d_qdot_itself_from_wrench_base_my
+        let factor_outside_link_7_pz = d_qdot_itself_from_three_joint_1_y
             .factor_link_6_pz_0
             + d_qdot_itself_from_d_qdot_10_11.factor_outside_link_6_pz;
-        let turn_joint_7_x = factor_outside_link_7_xx * screws.connection_joint_7_wx
+        let three_joint_7_x = factor_outside_link_7_xx * screws.connection_joint_7_wx
             + factor_outside_link_7_yx * screws.connection_joint_7_wy
             + factor_outside_link_7_zx * screws.connection_joint_7_wz
             + (factor_outside_link_7_py * screws.connection_joint_7_vz
                 - factor_outside_link_7_pz * screws.connection_joint_7_vy)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xx
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_xx
                 * reactions.reaction_joint_7_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_yx
                     * reactions.reaction_joint_7_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zx
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_zx
                     * reactions.reaction_joint_7_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_7_py
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_7_py
                     * reactions.reaction_joint_7_vz
-                    - d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_7_pz
                         * reactions.reaction_joint_7_vy));
-        let turn_joint_7_y = factor_outside_link_7_xy * screws.connection_joint_7_wx
+        let three_joint_7_y = factor_outside_link_7_xy * screws.connection_joint_7_wx
             + factor_outside_link_7_yy * screws.connection_joint_7_wy
             + factor_outside_link_7_zy * screws.connection_joint_7_wz
             + (factor_outside_link_7_pz * screws.connection_joint_7_vx
                 - factor_outside_link_7_px * screws.connection_joint_7_vz)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xy
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_xy
                 * reactions.reaction_joint_7_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yy
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_yy
                     * reactions.reaction_joint_7_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zy
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_zy
                     * reactions.reaction_joint_7_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_7_pz
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_7_pz
                     * reactions.reaction_joint_7_vx
-                    - d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_7_px
                         * reactions.reaction_joint_7_vz));
-        let turn_joint_7_z = factor_outside_link_7_xz * screws.connection_joint_7_wx
+        let three_joint_7_z = factor_outside_link_7_xz * screws.connection_joint_7_wx
             + factor_outside_link_7_yz * screws.connection_joint_7_wy
             + factor_outside_link_7_zz * screws.connection_joint_7_wz
             + (factor_outside_link_7_px * screws.connection_joint_7_vy
                 - factor_outside_link_7_py * screws.connection_joint_7_vx)
-            - (d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_xz
+            - (d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_xz
                 * reactions.reaction_joint_7_wx
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_yz
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_yz
                     * reactions.reaction_joint_7_wy
-                + d_qdot_itself_from_factor_link_4_yy_0.factor_link_7_zz
+                + d_qdot_itself_from_factor_link_5_xz_0_5_2.factor_link_7_zz
                     * reactions.reaction_joint_7_wz
-                + (d_qdot_itself_from_wrench_base_my.factor_link_7_px
+                + (d_qdot_itself_from_three_joint_1_y.factor_link_7_px
                     * reactions.reaction_joint_7_vy
-                    - d_qdot_itself_from_wrench_base_my.factor_link_7_py
+                    - d_qdot_itself_from_three_joint_1_y.factor_link_7_py
                         * reactions.reaction_joint_7_vx));
         d_qdot[12][12] = reactions.reaction_joint_7_wx
-            * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mx
+            * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mx
             + reactions.reaction_joint_7_wy
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_my
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_my
             + reactions.reaction_joint_7_wz
-                * d_qdot_itself_from_d_qdot_10_11.wrench_link_6_mz
-            + reactions.reaction_joint_7_vx * wrench_link_6_fx
-            + reactions.reaction_joint_7_vy * wrench_link_6_fy
-            + reactions.reaction_joint_7_vz * wrench_link_6_fz
-            + turn_joint_7_x * screws.connection_joint_7_wx
-            + turn_joint_7_y * screws.connection_joint_7_wy
-            + turn_joint_7_z * screws.connection_joint_7_wz + 0.0;
+                * d_qdot_itself_from_d_qdot_10_11.six_joint_7_mz
+            + reactions.reaction_joint_7_vx * six_joint_7_fx
+            + reactions.reaction_joint_7_vy * six_joint_7_fy
+            + reactions.reaction_joint_7_vz * six_joint_7_fz
+            + three_joint_7_x * screws.connection_joint_7_wx
+            + three_joint_7_y * screws.connection_joint_7_wy
+            + three_joint_7_z * screws.connection_joint_7_wz + 0.0;
     }
 }
 /// The block-diagonal inertia diag(Λ_b, Λ_q) and the connection A_l = Λ_b⁻¹ M_bq.
@@ -10219,7 +10247,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (7; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (13×13, by columns; Λ's · 1/s)
 ///
-/// 5356 operations: 2717 + −, 2636 ×, 3 ÷; 7 sin cos; about 63.0 KiB of code.
+/// 5322 operations: 2700 + −, 2619 ×, 3 ÷; 7 sin cos; about 62.6 KiB of code.
 pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -10238,63 +10266,66 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         &common_d_mu_and_7_more,
         d_qdot,
     );
-    let d_qdot_itself_from_factor_outside_link_1_yy_1 = d_qdot_itself_from_factor_outside_link_1_yy_1(
+    let d_qdot_itself_from_factor_outside_link_1_px = d_qdot_itself_from_factor_outside_link_1_px(
         &inertias,
         &velocities,
         &d_qdot_itself,
     );
-    let d_qdot_itself_from_factor_link_4_yy_0 = d_qdot_itself_from_factor_link_4_yy_0(
-        &poses,
-        &inertias,
-        &velocities,
-        &d_qdot_itself_from_factor_outside_link_1_yy_1,
-    );
-    let d_qdot_itself_from_wrench_base_my = d_qdot_itself_from_wrench_base_my(
+    let d_qdot_itself_from_factor_link_5_xz_0_5_2 = d_qdot_itself_from_factor_link_5_xz_0_5_2(
         &poses,
         &inertias,
         &screws,
         &reactions,
         &velocities,
         &d_qdot_itself,
-        &d_qdot_itself_from_factor_outside_link_1_yy_1,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        d_qdot,
+        &d_qdot_itself_from_factor_outside_link_1_px,
     );
-    let d_qdot_itself_from_three_joint_3_y = d_qdot_itself_from_three_joint_3_y(
+    let d_qdot_itself_from_three_joint_1_y = d_qdot_itself_from_three_joint_1_y(
         &poses,
         &inertias,
         &screws,
         &reactions,
         &velocities,
         &d_qdot_itself,
-        &d_qdot_itself_from_factor_outside_link_1_yy_1,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
+        &d_qdot_itself_from_factor_outside_link_1_px,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
         d_qdot,
     );
-    let d_qdot_itself_from_wrench_link_1_fy = d_qdot_itself_from_wrench_link_1_fy(
+    let d_qdot_itself_from_three_more_joint_3_y = d_qdot_itself_from_three_more_joint_3_y(
+        &poses,
+        &inertias,
+        &screws,
+        &reactions,
+        &velocities,
+        &d_qdot_itself,
+        &d_qdot_itself_from_factor_outside_link_1_px,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        d_qdot,
+    );
+    let d_qdot_itself_from_three_joint_2_y = d_qdot_itself_from_three_joint_2_y(
         &poses,
         &inertias,
         &complements,
         &screws,
         &reactions,
         &velocities,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
-        &d_qdot_itself_from_three_joint_3_y,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        &d_qdot_itself_from_three_more_joint_3_y,
         d_qdot,
     );
-    let d_qdot_itself_from_wrench_link_2_my = d_qdot_itself_from_wrench_link_2_my(
+    let d_qdot_itself_from_six_joint_3_my = d_qdot_itself_from_six_joint_3_my(
         &poses,
         &inertias,
         &complements,
         &screws,
         &reactions,
-        &d_qdot_itself_from_factor_outside_link_1_yy_1,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
-        &d_qdot_itself_from_three_joint_3_y,
-        &d_qdot_itself_from_wrench_link_1_fy,
+        &d_qdot_itself_from_factor_outside_link_1_px,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        &d_qdot_itself_from_three_more_joint_3_y,
+        &d_qdot_itself_from_three_joint_2_y,
         d_qdot,
     );
     let d_qdot_itself_from_d_qdot_0_9 = d_qdot_itself_from_d_qdot_0_9(
@@ -10304,44 +10335,44 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         &screws,
         &reactions,
         &velocities,
-        &d_qdot_itself_from_factor_outside_link_1_yy_1,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
-        &d_qdot_itself_from_three_joint_3_y,
-        &d_qdot_itself_from_wrench_link_1_fy,
-        &d_qdot_itself_from_wrench_link_2_my,
+        &d_qdot_itself_from_factor_outside_link_1_px,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        &d_qdot_itself_from_three_more_joint_3_y,
+        &d_qdot_itself_from_three_joint_2_y,
+        &d_qdot_itself_from_six_joint_3_my,
         d_qdot,
     );
-    let d_qdot_itself_from_wrench_outside_link_3_my = d_qdot_itself_from_wrench_outside_link_3_my(
+    let d_qdot_itself_from_six_more_joint_4_my = d_qdot_itself_from_six_more_joint_4_my(
         &poses,
         &inertias,
         &complements,
         &screws,
         &reactions,
         &velocities,
-        &d_qdot_itself_from_factor_outside_link_1_yy_1,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
-        &d_qdot_itself_from_three_joint_3_y,
-        &d_qdot_itself_from_wrench_link_1_fy,
-        &d_qdot_itself_from_wrench_link_2_my,
+        &d_qdot_itself_from_factor_outside_link_1_px,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        &d_qdot_itself_from_three_more_joint_3_y,
+        &d_qdot_itself_from_three_joint_2_y,
+        &d_qdot_itself_from_six_joint_3_my,
         &d_qdot_itself_from_d_qdot_0_9,
         d_qdot,
     );
-    let d_qdot_itself_from_wrench_outside_link_4_mx = d_qdot_itself_from_wrench_outside_link_4_mx(
+    let d_qdot_itself_from_six_more_joint_5_mx = d_qdot_itself_from_six_more_joint_5_mx(
         &poses,
         &inertias,
         &complements,
         &screws,
         &reactions,
         &velocities,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
-        &d_qdot_itself_from_three_joint_3_y,
-        &d_qdot_itself_from_wrench_link_1_fy,
-        &d_qdot_itself_from_wrench_link_2_my,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        &d_qdot_itself_from_three_more_joint_3_y,
+        &d_qdot_itself_from_three_joint_2_y,
+        &d_qdot_itself_from_six_joint_3_my,
         &d_qdot_itself_from_d_qdot_0_9,
-        &d_qdot_itself_from_wrench_outside_link_3_my,
+        &d_qdot_itself_from_six_more_joint_4_my,
         d_qdot,
     );
     let d_qdot_itself_from_d_qdot_10_11 = d_qdot_itself_from_d_qdot_10_11(
@@ -10351,24 +10382,25 @@ pub fn d_qdot(q: &[f64; 7], qd: &[f64; 7], d_qdot: &mut [[f64; 13]; 13]) {
         &screws,
         &reactions,
         &velocities,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
-        &d_qdot_itself_from_three_joint_3_y,
-        &d_qdot_itself_from_wrench_outside_link_3_my,
-        &d_qdot_itself_from_wrench_outside_link_4_mx,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        &d_qdot_itself_from_three_more_joint_3_y,
+        &d_qdot_itself_from_six_more_joint_4_my,
+        &d_qdot_itself_from_six_more_joint_5_mx,
         d_qdot,
     );
-    d_qdot_itself_from_wrench_link_6_fx(
+    d_qdot_itself_from_six_joint_7_fx(
         &poses,
         &inertias,
         &screws,
         &reactions,
-        &d_qdot_itself_from_factor_link_4_yy_0,
-        &d_qdot_itself_from_wrench_base_my,
-        &d_qdot_itself_from_wrench_link_1_fy,
-        &d_qdot_itself_from_wrench_link_2_my,
+        &d_qdot_itself_from_factor_link_5_xz_0_5_2,
+        &d_qdot_itself_from_three_joint_1_y,
+        &d_qdot_itself_from_three_more_joint_3_y,
+        &d_qdot_itself_from_three_joint_2_y,
+        &d_qdot_itself_from_six_joint_3_my,
         &d_qdot_itself_from_d_qdot_0_9,
-        &d_qdot_itself_from_wrench_outside_link_3_my,
+        &d_qdot_itself_from_six_more_joint_4_my,
         &d_qdot_itself_from_d_qdot_10_11,
         d_qdot,
     );
@@ -10410,7 +10442,7 @@ pub fn coupling_torque(q: &[f64; 7], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (13; N·m, N)
 ///
-/// 3663 operations: 1737 + −, 1923 ×, 3 ÷; 7 sin cos; about 43.2 KiB of code.
+/// 3629 operations: 1720 + −, 1906 ×, 3 ÷; 7 sin cos; about 42.8 KiB of code.
 pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -10440,49 +10472,40 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let d_mu_xi_0_11_2 = d_mu_xi_0_11_2_0 * 17.5;
     let d_mu_xi_0_9_2 = d_mu_xi_0_9_2_0 * 17.5;
     let d_mu_xi_0_11_0 = d_mu_xi_0_11_0_0 * 17.5;
-    let d_mu_xi_0_11_5 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
-        + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
-        + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let d_mu_xi_0_8_20 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
-        + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
-        + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let d_mu_xi_0_8_22 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
-        + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
-        + screws.inside_joint_7_fz * qd[6];
     let d_mu_xi_0_8_16 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
-        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
-    let d_mu_xi_0_8_18 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * qd[6];
+    let d_mu_xi_0_8_18 = common_d_mu_and_7_more.three_joint_2_x_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * qd[6];
+    let d_mu_xi_0_11_5 = velocities.velocity_base_vx * 17.5;
+    let d_mu_xi_0_8_20 = velocities.minus_velocity_base_vy * 17.5;
+    let d_mu_xi_0_8_22 = velocities.minus_velocity_base_vz * 17.5;
     let d_mu_xi_0_11_1 = mu[0] - velocities.minus_velocity_base_wx;
     let d_mu_xi_0_9_1 = mu[1] - velocities.minus_velocity_base_wy;
     let d_mu_xi_0_11_3 = mu[2] - velocities.minus_velocity_base_wz;
     let d_mu_xi_0_8 = (((d_mu_xi_0_8_0 - d_mu_xi_0_8_1) * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+        + common_d_mu_and_7_more.three_joint_2_x_0_0_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_x_0_0_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_0_0_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_0_0_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_0_0_0 * qd[6]) * mu[0]
         + d_mu_xi_0_8_16 * mu[1] + d_mu_xi_0_8_18 * mu[2]
         + (d_mu_xi_0_8_20 * d_mu_xi_0_11_0_0 - d_mu_xi_0_8_22 * d_mu_xi_0_9_2_0)) * 0.5;
     let d_mu_xi_0_11 = d_mu_xi_0_11_0 * d_mu_xi_0_11_1 - d_mu_xi_0_11_2 * d_mu_xi_0_11_3
-        - (mu[2] * d_mu_xi_0_11_5 - mu[0] * d_mu_xi_0_8_22) * 0.5;
+        + (mu[2] * d_mu_xi_0_11_5 + mu[0] * d_mu_xi_0_8_22) * 0.5;
     let d_mu_xi_0_9 = d_mu_xi_0_11_2 * d_mu_xi_0_9_1 - d_mu_xi_0_9_2 * d_mu_xi_0_11_1
-        - (mu[0] * d_mu_xi_0_8_20 - mu[1] * d_mu_xi_0_11_5) * 0.5;
+        - (mu[0] * d_mu_xi_0_8_20 + mu[1] * d_mu_xi_0_11_5) * 0.5;
     // D_μ ξ
     d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_11_3 - d_mu_xi_0_2 * d_mu_xi_0_9_1
         + (d_mu_xi_0_11_0 * velocities.minus_velocity_base_vy
@@ -10493,22 +10516,22 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
     let d_mu_xi_1_8_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_mu_xi_1_8_3 = d_mu_xi_1_8_3_1 + d_mu_xi_1_8_3_1;
     let d_mu_xi_1_8_18 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * qd[6];
     let d_mu_xi_1_8 = (d_mu_xi_0_8_16 * mu[0]
         + ((d_mu_xi_0_8_1 - d_mu_xi_1_8_3) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+            + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * qd[6]) * mu[1]
         + d_mu_xi_1_8_18 * mu[2]
-        + (d_mu_xi_0_8_22 * d_mu_xi_0_11_2_0 - d_mu_xi_0_11_5 * d_mu_xi_0_11_0_0)) * 0.5;
+        + (d_mu_xi_0_8_22 * d_mu_xi_0_11_2_0 + d_mu_xi_0_11_5 * d_mu_xi_0_11_0_0)) * 0.5;
     let d_mu_xi_1_9 = d_mu_xi_0_9_2 * d_mu_xi_0_11_3 - d_mu_xi_0_11_0 * d_mu_xi_0_9_1
         - (mu[1] * d_mu_xi_0_8_22 - mu[2] * d_mu_xi_0_8_20) * 0.5;
     d_mu_xi[1] = d_mu_xi_0_2 * d_mu_xi_0_11_1 - d_mu_xi_1_2 * d_mu_xi_0_11_3
@@ -10520,13 +10543,13 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
             + d_mu_xi_0_9_2 * velocities.velocity_base_vx)
         - (d_mu_xi_0_8_18 * mu[0] + d_mu_xi_1_8_18 * mu[1]
             + ((d_mu_xi_0_8_0 - d_mu_xi_1_8_3) * qd[0]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
-                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
-                - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
-                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
-                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
-                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
-            + (d_mu_xi_0_11_5 * d_mu_xi_0_9_2_0 - d_mu_xi_0_8_20 * d_mu_xi_0_11_2_0))
+                + common_d_mu_and_7_more.three_joint_2_z_1_0 * qd[1]
+                + common_d_mu_and_7_more.three_joint_3_z_1_0 * qd[2]
+                - common_d_mu_and_7_more.three_joint_4_z_1_0 * qd[3]
+                + common_d_mu_and_7_more.three_joint_5_z_1_0 * qd[4]
+                + common_d_mu_and_7_more.three_joint_6_z_1_0 * qd[5]
+                + common_d_mu_and_7_more.three_joint_7_z_1_0 * qd[6]) * mu[2]
+            - (d_mu_xi_0_11_5 * d_mu_xi_0_9_2_0 + d_mu_xi_0_8_20 * d_mu_xi_0_11_2_0))
             * 0.5;
     d_mu_xi[2] = d_mu_xi_2_0 + (d_mu_xi_0_11 * poses.com_x - d_mu_xi_1_9 * poses.com_y)
         + 0.0;
@@ -11048,7 +11071,7 @@ pub fn d_mu_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_mu_xi: &mut [f64; 1
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (13; N·m, N)
 ///
-/// 3437 operations: 1685 + −, 1749 ×, 3 ÷; 7 sin cos; about 40.6 KiB of code.
+/// 3403 operations: 1668 + −, 1732 ×, 3 ÷; 7 sin cos; about 40.2 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f64; 13]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -11063,86 +11086,77 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_0_0_0 = d_qdot_xi_0_0_0_1 + d_qdot_xi_0_0_0_1;
     let d_qdot_xi_0_0_23 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
     let d_qdot_xi_0_0_21 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let d_qdot_xi_0_3_1 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
-        + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
-        + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let d_qdot_xi_0_0_20 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
-        + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
-        + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let d_qdot_xi_0_0_22 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
-        + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
-        + screws.inside_joint_7_fz * qd[6];
     let d_qdot_xi_0_0_16 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
-        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
-    let d_qdot_xi_0_0_18 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * qd[6];
+    let d_qdot_xi_0_0_18 = common_d_mu_and_7_more.three_joint_2_x_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * qd[6];
+    let d_qdot_xi_0_1_1 = velocities.velocity_base_vx * 17.5;
+    let d_qdot_xi_0_0_20 = velocities.minus_velocity_base_vy * 17.5;
+    let d_qdot_xi_0_0_22 = velocities.minus_velocity_base_vz * 17.5;
     let d_qdot_xi_0_0 = (((d_qdot_xi_0_0_0 - d_qdot_xi_0_0_1) * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+        + common_d_mu_and_7_more.three_joint_2_x_0_0_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_x_0_0_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_0_0_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_0_0_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_0_0_0 * qd[6]) * mu[0]
         + d_qdot_xi_0_0_16 * mu[1] + d_qdot_xi_0_0_18 * mu[2]
         + (d_qdot_xi_0_0_20 * d_qdot_xi_0_0_21 - d_qdot_xi_0_0_22 * d_qdot_xi_0_0_23))
         * 0.5;
-    let d_qdot_xi_0_3 = (mu[2] * d_qdot_xi_0_3_1 - mu[0] * d_qdot_xi_0_0_22) * 0.5;
-    let d_qdot_xi_0_1 = (mu[0] * d_qdot_xi_0_0_20 - mu[1] * d_qdot_xi_0_3_1) * 0.5;
+    let d_qdot_xi_0_1 = (mu[2] * d_qdot_xi_0_1_1 + mu[0] * d_qdot_xi_0_0_22) * 0.5;
+    let d_qdot_xi_0_3 = (mu[0] * d_qdot_xi_0_0_20 + mu[1] * d_qdot_xi_0_1_1) * 0.5;
     // D_q\u{307} ξ
     d_qdot_xi[0] = d_qdot_xi_0_0
-        + (d_qdot_xi_0_1 * poses.com_y - d_qdot_xi_0_3 * poses.com_z) + 0.0;
+        + (d_qdot_xi_0_1 * poses.com_z + d_qdot_xi_0_3 * poses.com_y) + 0.0;
     let d_qdot_xi_1_0_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_qdot_xi_1_0_3 = d_qdot_xi_1_0_3_1 + d_qdot_xi_1_0_3_1;
     let d_qdot_xi_1_0_21 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
     let d_qdot_xi_1_0_18 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * qd[6];
     let d_qdot_xi_1_0 = (d_qdot_xi_0_0_16 * mu[0]
         + ((d_qdot_xi_0_0_1 - d_qdot_xi_1_0_3) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+            + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * qd[6]) * mu[1]
         + d_qdot_xi_1_0_18 * mu[2]
-        + (d_qdot_xi_0_0_22 * d_qdot_xi_1_0_21 - d_qdot_xi_0_3_1 * d_qdot_xi_0_0_21))
+        + (d_qdot_xi_0_0_22 * d_qdot_xi_1_0_21 + d_qdot_xi_0_1_1 * d_qdot_xi_0_0_21))
         * 0.5;
     let d_qdot_xi_1_1 = (mu[1] * d_qdot_xi_0_0_22 - mu[2] * d_qdot_xi_0_0_20) * 0.5;
     d_qdot_xi[1] = d_qdot_xi_1_0
-        + (d_qdot_xi_1_1 * poses.com_z - d_qdot_xi_0_1 * poses.com_x) + 0.0;
+        + (d_qdot_xi_1_1 * poses.com_z - d_qdot_xi_0_3 * poses.com_x) + 0.0;
     let d_qdot_xi_2 = (d_qdot_xi_0_0_18 * mu[0] + d_qdot_xi_1_0_18 * mu[1]
         + ((d_qdot_xi_0_0_0 - d_qdot_xi_1_0_3) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
-            - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
-        + (d_qdot_xi_0_3_1 * d_qdot_xi_0_0_23 - d_qdot_xi_0_0_20 * d_qdot_xi_1_0_21))
-        * 0.5 + (d_qdot_xi_0_3 * poses.com_x - d_qdot_xi_1_1 * poses.com_y);
+            + common_d_mu_and_7_more.three_joint_2_z_1_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_z_1_0 * qd[2]
+            - common_d_mu_and_7_more.three_joint_4_z_1_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_z_1_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_z_1_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_z_1_0 * qd[6]) * mu[2]
+        - (d_qdot_xi_0_1_1 * d_qdot_xi_0_0_23 + d_qdot_xi_0_0_20 * d_qdot_xi_1_0_21))
+        * 0.5 - (d_qdot_xi_1_1 * poses.com_y + d_qdot_xi_0_1 * poses.com_x);
     d_qdot_xi[2] = d_qdot_xi_2 + 0.0;
     d_qdot_xi[3] = d_qdot_xi_1_1 + 0.0;
-    d_qdot_xi[4] = d_qdot_xi_0_3 + 0.0;
-    d_qdot_xi[5] = d_qdot_xi_0_1 + 0.0;
+    d_qdot_xi[4] = 0.0 - d_qdot_xi_0_1;
+    d_qdot_xi[5] = d_qdot_xi_0_3 + 0.0;
     let minus_wrench_outside_link_1_my_6 = velocities.velocity_base_vx * 3.5
         + (velocities.minus_velocity_base_wy * inertias.minus_inertia_base_hz
             - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy);
@@ -11217,6 +11231,159 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let wrench_link_7_mx_16 = velocities.velocity_link_7_vz * 2.0
         + (velocities.velocity_link_7_wy * inertias.minus_inertia_link_7_hx
             - velocities.velocity_link_7_wx * inertias.minus_inertia_link_7_hy);
+    let minus_twist_link_1_wx = velocities.minus_velocity_base_wy * qd[0];
+    let twist_link_1_wy = velocities.minus_velocity_base_wx * qd[0];
+    let twist_link_1_vx = (velocities.velocity_link_1_vy
+        - velocities.velocity_link_1_wz * poses.minus_origin_base_x) * qd[0];
+    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz
+        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
+    let minus_twist_link_1_vz = (velocities.minus_velocity_base_wx
+        * poses.minus_origin_base_x
+        + velocities.minus_velocity_base_wy * poses.minus_origin_base_y) * qd[0];
+    let twist_link_2_wz = (velocities.minus_velocity_link_2_wy * poses.sin_joint_1
+        - velocities.velocity_link_2_wx * poses.cos_joint_1) * qd[1];
+    let twist_link_2_wx = velocities.velocity_link_1_wz * poses.cos_joint_1 * qd[1]
+        - minus_twist_link_1_wx;
+    let twist_link_2_wy = twist_link_1_wy
+        + velocities.velocity_link_1_wz * poses.sin_joint_1 * qd[1];
+    let twist_link_2_vx = twist_link_1_vx
+        + (velocities.velocity_link_2_vz * poses.cos_joint_1
+            - (velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vz
+                + velocities.velocity_link_1_wz * screws.screw_joint_2_vy)) * qd[1];
+    let twist_link_2_vy = (velocities.velocity_link_1_wz * screws.screw_joint_2_vx
+        - velocities.velocity_link_2_wx * screws.screw_joint_2_vz
+        + velocities.velocity_link_2_vz * poses.sin_joint_1) * qd[1]
+        - minus_twist_link_1_vy;
+    let twist_link_2_vz = (velocities.velocity_link_2_wx * screws.screw_joint_2_vy
+        + velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vx
+        - (velocities.velocity_link_2_vx * poses.cos_joint_1
+            + velocities.velocity_link_2_vy * poses.sin_joint_1)) * qd[1]
+        - minus_twist_link_1_vz;
+    let twist_link_3_wx = twist_link_2_wx
+        + (velocities.velocity_link_3_wz * poses.minus_rotation_link_2_yy
+            - velocities.minus_velocity_link_3_wy * poses.cos_joint_2) * qd[2];
+    let twist_link_3_wy = twist_link_2_wy
+        - (velocities.velocity_link_3_wz * poses.minus_rotation_link_2_xy
+            + velocities.velocity_link_3_wx * poses.cos_joint_2) * qd[2];
+    let twist_link_3_wz = twist_link_2_wz
+        - (velocities.velocity_link_3_wx * poses.minus_rotation_link_2_yy
+            + velocities.minus_velocity_link_3_wy * poses.minus_rotation_link_2_xy)
+            * qd[2];
+    let twist_link_3_vx = twist_link_2_vx
+        + (velocities.velocity_link_3_vy * poses.cos_joint_2
+            + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy
+            - (velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vz
+                + velocities.velocity_link_3_wz * screws.screw_joint_3_vy)) * qd[2];
+    let twist_link_3_vy = twist_link_2_vy
+        + (velocities.velocity_link_3_wz * screws.screw_joint_3_vx
+            - velocities.velocity_link_3_wx * screws.screw_joint_3_vz
+            - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
+                + velocities.velocity_link_3_vx * poses.cos_joint_2)) * qd[2];
+    let twist_link_3_vz = twist_link_2_vz
+        + (velocities.velocity_link_3_wx * screws.screw_joint_3_vy
+            + velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vx
+            + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
+                - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy))
+            * qd[2];
+    let twist_link_4_wx = twist_link_3_wx
+        - (velocities.velocity_link_4_wy * poses.minus_rotation_link_3_zy
+            + velocities.velocity_link_4_wz * poses.rotation_link_3_yy) * qd[3];
+    let twist_link_4_wy = twist_link_3_wy
+        + (velocities.velocity_link_4_wx * poses.minus_rotation_link_3_zy
+            - velocities.velocity_link_4_wz * poses.minus_rotation_link_3_xy) * qd[3];
+    let twist_link_4_wz = twist_link_3_wz
+        + (velocities.velocity_link_4_wx * poses.rotation_link_3_yy
+            + velocities.velocity_link_4_wy * poses.minus_rotation_link_3_xy) * qd[3];
+    let twist_link_4_vx = twist_link_3_vx
+        + (velocities.velocity_link_4_wz * screws.minus_screw_joint_4_vy
+            - velocities.velocity_link_4_wy * screws.minus_screw_joint_4_vz
+            - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
+                + velocities.velocity_link_4_vz * poses.rotation_link_3_yy)) * qd[3];
+    let twist_link_4_vy = twist_link_3_vy
+        + (velocities.velocity_link_4_wz * screws.screw_joint_4_vx
+            + velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vz
+            + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
+                - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy))
+            * qd[3];
+    let twist_link_4_vz = twist_link_3_vz
+        + (velocities.velocity_link_4_vx * poses.rotation_link_3_yy
+            + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
+            - (velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vy
+                + velocities.velocity_link_4_wy * screws.screw_joint_4_vx)) * qd[3];
+    let twist_link_5_wx = twist_link_4_wx
+        + (velocities.velocity_link_5_wy * poses.rotation_link_5_zz
+            + velocities.velocity_link_5_wz * poses.rotation_link_4_yy) * qd[4];
+    let twist_link_5_wy = twist_link_4_wy
+        - (velocities.velocity_link_5_wz * poses.rotation_link_4_xy
+            + velocities.velocity_link_5_wx * poses.rotation_link_5_zz) * qd[4];
+    let twist_link_5_wz = twist_link_4_wz
+        + (velocities.velocity_link_5_wy * poses.rotation_link_4_xy
+            - velocities.velocity_link_5_wx * poses.rotation_link_4_yy) * qd[4];
+    let twist_link_5_vx = twist_link_4_vx
+        + (velocities.velocity_link_5_wy * screws.screw_joint_5_vz
+            - velocities.velocity_link_5_wz * screws.screw_joint_5_vy
+            + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
+                + velocities.velocity_link_5_vz * poses.rotation_link_4_yy)) * qd[4];
+    let twist_link_5_vy = twist_link_4_vy
+        + (velocities.velocity_link_5_wz * screws.screw_joint_5_vx
+            - velocities.velocity_link_5_wx * screws.screw_joint_5_vz
+            - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
+                + velocities.velocity_link_5_vx * poses.rotation_link_5_zz)) * qd[4];
+    let twist_link_5_vz = twist_link_4_vz
+        + (velocities.velocity_link_5_wx * screws.screw_joint_5_vy
+            - velocities.velocity_link_5_wy * screws.screw_joint_5_vx
+            + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
+                - velocities.velocity_link_5_vx * poses.rotation_link_4_yy)) * qd[4];
+    let twist_link_6_wx = twist_link_5_wx
+        + (velocities.velocity_link_6_wy * poses.rotation_link_6_zz
+            + velocities.velocity_link_6_wz * poses.rotation_link_5_yy) * qd[5];
+    let twist_link_6_wy = twist_link_5_wy
+        + (velocities.velocity_link_6_wz * poses.rotation_link_6_xz
+            - velocities.velocity_link_6_wx * poses.rotation_link_6_zz) * qd[5];
+    let twist_link_6_wz = twist_link_5_wz
+        - (velocities.velocity_link_6_wx * poses.rotation_link_5_yy
+            + velocities.velocity_link_6_wy * poses.rotation_link_6_xz) * qd[5];
+    let twist_link_6_vx = twist_link_5_vx
+        + (velocities.velocity_link_6_wy * screws.screw_joint_6_vz
+            - velocities.velocity_link_6_wz * screws.screw_joint_6_vy
+            + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
+                + velocities.velocity_link_6_vz * poses.rotation_link_5_yy)) * qd[5];
+    let twist_link_6_vy = twist_link_5_vy
+        + (velocities.velocity_link_6_wz * screws.screw_joint_6_vx
+            - velocities.velocity_link_6_wx * screws.screw_joint_6_vz
+            + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
+                - velocities.velocity_link_6_vx * poses.rotation_link_6_zz)) * qd[5];
+    let twist_link_6_vz = twist_link_5_vz
+        + (velocities.velocity_link_6_wx * screws.screw_joint_6_vy
+            - velocities.velocity_link_6_wy * screws.screw_joint_6_vx
+            - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
+                + velocities.velocity_link_6_vy * poses.rotation_link_6_xz)) * qd[5];
+    let twist_link_7_wx = twist_link_6_wx
+        + (velocities.velocity_link_7_wy * poses.rotation_link_6_zy
+            + velocities.velocity_link_7_wz * poses.minus_rotation_link_6_yy) * qd[6];
+    let twist_link_7_wy = twist_link_6_wy
+        - (velocities.velocity_link_7_wz * poses.minus_rotation_link_6_xy
+            + velocities.velocity_link_7_wx * poses.rotation_link_6_zy) * qd[6];
+    let twist_link_7_wz = twist_link_6_wz
+        + (velocities.velocity_link_7_wy * poses.minus_rotation_link_6_xy
+            - velocities.velocity_link_7_wx * poses.minus_rotation_link_6_yy) * qd[6];
+    let twist_link_7_vx = twist_link_6_vx
+        + (velocities.velocity_link_7_wy * screws.screw_joint_7_vz
+            - velocities.velocity_link_7_wz * screws.screw_joint_7_vy
+            + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
+                + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy))
+            * qd[6];
+    let twist_link_7_vy = twist_link_6_vy
+        + (velocities.velocity_link_7_wz * screws.screw_joint_7_vx
+            - velocities.velocity_link_7_wx * screws.screw_joint_7_vz
+            - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
+                + velocities.velocity_link_7_vx * poses.rotation_link_6_zy)) * qd[6];
+    let twist_link_7_vz = twist_link_6_vz
+        + (velocities.velocity_link_7_wx * screws.screw_joint_7_vy
+            - velocities.velocity_link_7_wy * screws.screw_joint_7_vx
+            + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
+                - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy))
+            * qd[6];
     let minus_wrench_outside_link_1_my_0 = inertias.minus_inertia_base_xy
         * velocities.minus_velocity_base_wy
         - inertias.inertia_base_xx * velocities.minus_velocity_base_wx
@@ -11256,15 +11423,6 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_my_6
         * velocities.minus_velocity_base_wz
         - minus_wrench_outside_link_1_mx_4 * velocities.minus_velocity_base_wx;
-    let minus_twist_link_1_wx = velocities.minus_velocity_base_wy * qd[0];
-    let twist_link_1_wy = velocities.minus_velocity_base_wx * qd[0];
-    let twist_link_1_vx = (velocities.velocity_link_1_vy
-        - velocities.velocity_link_1_wz * poses.minus_origin_base_x) * qd[0];
-    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz
-        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
-    let minus_twist_link_1_vz = (velocities.minus_velocity_base_wx
-        * poses.minus_origin_base_x
-        + velocities.minus_velocity_base_wy * poses.minus_origin_base_y) * qd[0];
     let wrench_link_1_my_0_14 = inertias.inertia_link_1_xz
         * velocities.velocity_link_1_wz
         - (inertias.inertia_link_1_xx * velocities.minus_velocity_base_wx
@@ -11306,25 +11464,6 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_1_my_0_14 * velocities.minus_velocity_base_wy
             + (wrench_outside_link_2_fy_6 * velocities.velocity_link_1_vy
                 - wrench_outside_link_2_fx_4 * velocities.velocity_link_1_vx));
-    let twist_link_2_wz = (velocities.minus_velocity_link_2_wy * poses.sin_joint_1
-        - velocities.velocity_link_2_wx * poses.cos_joint_1) * qd[1];
-    let twist_link_2_wx = velocities.velocity_link_1_wz * poses.cos_joint_1 * qd[1]
-        - minus_twist_link_1_wx;
-    let twist_link_2_wy = twist_link_1_wy
-        + velocities.velocity_link_1_wz * poses.sin_joint_1 * qd[1];
-    let twist_link_2_vx = twist_link_1_vx
-        + (velocities.velocity_link_2_vz * poses.cos_joint_1
-            - (velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vz
-                + velocities.velocity_link_1_wz * screws.screw_joint_2_vy)) * qd[1];
-    let twist_link_2_vy = (velocities.velocity_link_1_wz * screws.screw_joint_2_vx
-        - velocities.velocity_link_2_wx * screws.screw_joint_2_vz
-        + velocities.velocity_link_2_vz * poses.sin_joint_1) * qd[1]
-        - minus_twist_link_1_vy;
-    let twist_link_2_vz = (velocities.velocity_link_2_wx * screws.screw_joint_2_vy
-        + velocities.minus_velocity_link_2_wy * screws.screw_joint_2_vx
-        - (velocities.velocity_link_2_vx * poses.cos_joint_1
-            + velocities.velocity_link_2_vy * poses.sin_joint_1)) * qd[1]
-        - minus_twist_link_1_vz;
     let wrench_link_2_my_0_12 = inertias.inertia_link_2_xx
         * velocities.velocity_link_2_wx
         - inertias.inertia_link_2_xy * velocities.minus_velocity_link_2_wy
@@ -11370,32 +11509,6 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_2_mx_0_14 * velocities.velocity_link_2_vx
             - (wrench_link_2_my_0_12 * velocities.minus_velocity_link_2_wy
                 + wrench_link_2_mx_0_10 * velocities.velocity_link_2_wx));
-    let twist_link_3_wx = twist_link_2_wx
-        + (velocities.velocity_link_3_wz * poses.minus_rotation_link_2_yy
-            - velocities.minus_velocity_link_3_wy * poses.cos_joint_2) * qd[2];
-    let twist_link_3_wy = twist_link_2_wy
-        - (velocities.velocity_link_3_wz * poses.minus_rotation_link_2_xy
-            + velocities.velocity_link_3_wx * poses.cos_joint_2) * qd[2];
-    let twist_link_3_wz = twist_link_2_wz
-        - (velocities.velocity_link_3_wx * poses.minus_rotation_link_2_yy
-            + velocities.minus_velocity_link_3_wy * poses.minus_rotation_link_2_xy)
-            * qd[2];
-    let twist_link_3_vx = twist_link_2_vx
-        + (velocities.velocity_link_3_vy * poses.cos_joint_2
-            + velocities.velocity_link_3_vz * poses.minus_rotation_link_2_yy
-            - (velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vz
-                + velocities.velocity_link_3_wz * screws.screw_joint_3_vy)) * qd[2];
-    let twist_link_3_vy = twist_link_2_vy
-        + (velocities.velocity_link_3_wz * screws.screw_joint_3_vx
-            - velocities.velocity_link_3_wx * screws.screw_joint_3_vz
-            - (velocities.velocity_link_3_vz * poses.minus_rotation_link_2_xy
-                + velocities.velocity_link_3_vx * poses.cos_joint_2)) * qd[2];
-    let twist_link_3_vz = twist_link_2_vz
-        + (velocities.velocity_link_3_wx * screws.screw_joint_3_vy
-            + velocities.minus_velocity_link_3_wy * screws.screw_joint_3_vx
-            + (velocities.velocity_link_3_vy * poses.minus_rotation_link_2_xy
-                - velocities.velocity_link_3_vx * poses.minus_rotation_link_2_yy))
-            * qd[2];
     let wrench_link_3_my_0_12 = inertias.inertia_link_3_xx
         * velocities.velocity_link_3_wx
         - inertias.inertia_link_3_xy * velocities.minus_velocity_link_3_wy
@@ -11441,31 +11554,6 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_3_mx_0_14 * velocities.velocity_link_3_vx
             - (wrench_link_3_my_0_12 * velocities.minus_velocity_link_3_wy
                 + wrench_link_3_mx_0_10 * velocities.velocity_link_3_wx));
-    let twist_link_4_wx = twist_link_3_wx
-        - (velocities.velocity_link_4_wy * poses.minus_rotation_link_3_zy
-            + velocities.velocity_link_4_wz * poses.rotation_link_3_yy) * qd[3];
-    let twist_link_4_wy = twist_link_3_wy
-        + (velocities.velocity_link_4_wx * poses.minus_rotation_link_3_zy
-            - velocities.velocity_link_4_wz * poses.minus_rotation_link_3_xy) * qd[3];
-    let twist_link_4_wz = twist_link_3_wz
-        + (velocities.velocity_link_4_wx * poses.rotation_link_3_yy
-            + velocities.velocity_link_4_wy * poses.minus_rotation_link_3_xy) * qd[3];
-    let twist_link_4_vx = twist_link_3_vx
-        + (velocities.velocity_link_4_wz * screws.minus_screw_joint_4_vy
-            - velocities.velocity_link_4_wy * screws.minus_screw_joint_4_vz
-            - (velocities.velocity_link_4_vy * poses.minus_rotation_link_3_zy
-                + velocities.velocity_link_4_vz * poses.rotation_link_3_yy)) * qd[3];
-    let twist_link_4_vy = twist_link_3_vy
-        + (velocities.velocity_link_4_wz * screws.screw_joint_4_vx
-            + velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vz
-            + (velocities.velocity_link_4_vx * poses.minus_rotation_link_3_zy
-                - velocities.velocity_link_4_vz * poses.minus_rotation_link_3_xy))
-            * qd[3];
-    let twist_link_4_vz = twist_link_3_vz
-        + (velocities.velocity_link_4_vx * poses.rotation_link_3_yy
-            + velocities.velocity_link_4_vy * poses.minus_rotation_link_3_xy
-            - (velocities.velocity_link_4_wx * screws.minus_screw_joint_4_vy
-                + velocities.velocity_link_4_wy * screws.screw_joint_4_vx)) * qd[3];
     let wrench_link_4_my_0_12 = inertias.inertia_link_4_xx
         * velocities.velocity_link_4_wx
         + inertias.inertia_link_4_xy * velocities.velocity_link_4_wy
@@ -11511,30 +11599,6 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_4_mx_0_10 * velocities.velocity_link_4_wx
             + (wrench_link_4_my_0_16 * velocities.velocity_link_4_vy
                 - wrench_link_4_mx_0_14 * velocities.velocity_link_4_vx));
-    let twist_link_5_wx = twist_link_4_wx
-        + (velocities.velocity_link_5_wy * poses.rotation_link_5_zz
-            + velocities.velocity_link_5_wz * poses.rotation_link_4_yy) * qd[4];
-    let twist_link_5_wy = twist_link_4_wy
-        - (velocities.velocity_link_5_wz * poses.rotation_link_4_xy
-            + velocities.velocity_link_5_wx * poses.rotation_link_5_zz) * qd[4];
-    let twist_link_5_wz = twist_link_4_wz
-        + (velocities.velocity_link_5_wy * poses.rotation_link_4_xy
-            - velocities.velocity_link_5_wx * poses.rotation_link_4_yy) * qd[4];
-    let twist_link_5_vx = twist_link_4_vx
-        + (velocities.velocity_link_5_wy * screws.screw_joint_5_vz
-            - velocities.velocity_link_5_wz * screws.screw_joint_5_vy
-            + (velocities.velocity_link_5_vy * poses.rotation_link_5_zz
-                + velocities.velocity_link_5_vz * poses.rotation_link_4_yy)) * qd[4];
-    let twist_link_5_vy = twist_link_4_vy
-        + (velocities.velocity_link_5_wz * screws.screw_joint_5_vx
-            - velocities.velocity_link_5_wx * screws.screw_joint_5_vz
-            - (velocities.velocity_link_5_vz * poses.rotation_link_4_xy
-                + velocities.velocity_link_5_vx * poses.rotation_link_5_zz)) * qd[4];
-    let twist_link_5_vz = twist_link_4_vz
-        + (velocities.velocity_link_5_wx * screws.screw_joint_5_vy
-            - velocities.velocity_link_5_wy * screws.screw_joint_5_vx
-            + (velocities.velocity_link_5_vy * poses.rotation_link_4_xy
-                - velocities.velocity_link_5_vx * poses.rotation_link_4_yy)) * qd[4];
     let wrench_link_5_my_0_12 = inertias.inertia_link_5_xx
         * velocities.velocity_link_5_wx
         + inertias.inertia_link_5_xy * velocities.velocity_link_5_wy
@@ -11580,30 +11644,6 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_5_mx_0_10 * velocities.velocity_link_5_wx
             + (wrench_link_5_my_0_16 * velocities.velocity_link_5_vy
                 - wrench_link_5_mx_0_14 * velocities.velocity_link_5_vx));
-    let twist_link_6_wx = twist_link_5_wx
-        + (velocities.velocity_link_6_wy * poses.rotation_link_6_zz
-            + velocities.velocity_link_6_wz * poses.rotation_link_5_yy) * qd[5];
-    let twist_link_6_wy = twist_link_5_wy
-        + (velocities.velocity_link_6_wz * poses.rotation_link_6_xz
-            - velocities.velocity_link_6_wx * poses.rotation_link_6_zz) * qd[5];
-    let twist_link_6_wz = twist_link_5_wz
-        - (velocities.velocity_link_6_wx * poses.rotation_link_5_yy
-            + velocities.velocity_link_6_wy * poses.rotation_link_6_xz) * qd[5];
-    let twist_link_6_vx = twist_link_5_vx
-        + (velocities.velocity_link_6_wy * screws.screw_joint_6_vz
-            - velocities.velocity_link_6_wz * screws.screw_joint_6_vy
-            + (velocities.velocity_link_6_vy * poses.rotation_link_6_zz
-                + velocities.velocity_link_6_vz * poses.rotation_link_5_yy)) * qd[5];
-    let twist_link_6_vy = twist_link_5_vy
-        + (velocities.velocity_link_6_wz * screws.screw_joint_6_vx
-            - velocities.velocity_link_6_wx * screws.screw_joint_6_vz
-            + (velocities.velocity_link_6_vz * poses.rotation_link_6_xz
-                - velocities.velocity_link_6_vx * poses.rotation_link_6_zz)) * qd[5];
-    let twist_link_6_vz = twist_link_5_vz
-        + (velocities.velocity_link_6_wx * screws.screw_joint_6_vy
-            - velocities.velocity_link_6_wy * screws.screw_joint_6_vx
-            - (velocities.velocity_link_6_vx * poses.rotation_link_5_yy
-                + velocities.velocity_link_6_vy * poses.rotation_link_6_xz)) * qd[5];
     let wrench_link_6_my_0_12 = inertias.inertia_link_6_xx
         * velocities.velocity_link_6_wx
         - inertias.minus_inertia_link_6_xy * velocities.velocity_link_6_wy
@@ -11649,32 +11689,6 @@ pub fn d_qdot_xi(q: &[f64; 7], qd: &[f64; 7], mu: &[f64; 6], d_qdot_xi: &mut [f6
             - wrench_link_6_mx_0_10 * velocities.velocity_link_6_wx
             + (wrench_link_6_my_0_16 * velocities.velocity_link_6_vy
                 - wrench_link_6_mx_0_14 * velocities.velocity_link_6_vx));
-    let twist_link_7_wx = twist_link_6_wx
-        + (velocities.velocity_link_7_wy * poses.rotation_link_6_zy
-            + velocities.velocity_link_7_wz * poses.minus_rotation_link_6_yy) * qd[6];
-    let twist_link_7_wy = twist_link_6_wy
-        - (velocities.velocity_link_7_wz * poses.minus_rotation_link_6_xy
-            + velocities.velocity_link_7_wx * poses.rotation_link_6_zy) * qd[6];
-    let twist_link_7_wz = twist_link_6_wz
-        + (velocities.velocity_link_7_wy * poses.minus_rotation_link_6_xy
-            - velocities.velocity_link_7_wx * poses.minus_rotation_link_6_yy) * qd[6];
-    let twist_link_7_vx = twist_link_6_vx
-        + (velocities.velocity_link_7_wy * screws.screw_joint_7_vz
-            - velocities.velocity_link_7_wz * screws.screw_joint_7_vy
-            + (velocities.velocity_link_7_vy * poses.rotation_link_6_zy
-                + velocities.velocity_link_7_vz * poses.minus_rotation_link_6_yy))
-            * qd[6];
-    let twist_link_7_vy = twist_link_6_vy
-        + (velocities.velocity_link_7_wz * screws.screw_joint_7_vx
-            - velocities.velocity_link_7_wx * screws.screw_joint_7_vz
-            - (velocities.velocity_link_7_vz * poses.minus_rotation_link_6_xy
-                + velocities.velocity_link_7_vx * poses.rotation_link_6_zy)) * qd[6];
-    let twist_link_7_vz = twist_link_6_vz
-        + (velocities.velocity_link_7_wx * screws.screw_joint_7_vy
-            - velocities.velocity_link_7_wy * screws.screw_joint_7_vx
-            + (velocities.velocity_link_7_vy * poses.minus_rotation_link_6_xy
-                - velocities.velocity_link_7_vx * poses.minus_rotation_link_6_yy))
-            * qd[6];
     let wrench_link_7_my_12 = inertias.inertia_link_7_xx * velocities.velocity_link_7_wx
         - inertias.minus_inertia_link_7_xy * velocities.velocity_link_7_wy
         + inertias.inertia_link_7_xz * velocities.velocity_link_7_wz
@@ -11992,10 +12006,8 @@ pub fn hamel_bias(
     let complements = complements(&poses, &inertias);
     let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
-    let minus_wrench_outside_link_1_fy_1_0 = base_twist[0]
-        + velocities.minus_velocity_base_wx;
-    let minus_wrench_outside_link_1_mx_3_0 = base_twist[1]
-        + velocities.minus_velocity_base_wy;
+    let minus_twist_link_1_wy_0_0 = base_twist[0] + velocities.minus_velocity_base_wx;
+    let twist_link_1_wx_0_0 = base_twist[1] + velocities.minus_velocity_base_wy;
     let minus_wrench_outside_link_1_mx_1_0 = base_twist[2]
         + velocities.minus_velocity_base_wz;
     let minus_wrench_outside_link_1_my_5_1 = base_twist[3]
@@ -12007,10 +12019,9 @@ pub fn hamel_bias(
     let minus_wrench_outside_link_1_mx_5_0 = base_twist[5]
         + (base_twist[0] * poses.com_y - base_twist[1] * poses.com_x)
         + velocities.minus_velocity_base_vz;
-    let minus_wrench_outside_link_1_fy_1 = minus_wrench_outside_link_1_fy_1_0
+    let minus_twist_link_1_wy_0 = minus_twist_link_1_wy_0_0
         - velocities.minus_velocity_base_wx;
-    let minus_wrench_outside_link_1_mx_3 = minus_wrench_outside_link_1_mx_3_0
-        - velocities.minus_velocity_base_wy;
+    let twist_link_1_wx_0 = twist_link_1_wx_0_0 - velocities.minus_velocity_base_wy;
     let minus_wrench_outside_link_1_mx_1 = minus_wrench_outside_link_1_mx_1_0
         - velocities.minus_velocity_base_wz;
     let minus_wrench_outside_link_1_my_5 = velocities.velocity_base_vx
@@ -12019,91 +12030,21 @@ pub fn hamel_bias(
         - velocities.minus_velocity_base_vy;
     let minus_wrench_outside_link_1_mx_5 = minus_wrench_outside_link_1_mx_5_0
         - velocities.minus_velocity_base_vz;
-    let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_yy
-        * minus_wrench_outside_link_1_mx_3
-        - inertias.minus_inertia_base_xy * minus_wrench_outside_link_1_fy_1
-        - inertias.minus_inertia_base_yz * minus_wrench_outside_link_1_mx_1
-        + (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_5
-            - inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_my_5);
-    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_zz
-        * minus_wrench_outside_link_1_mx_1
-        - (inertias.minus_inertia_base_xz * minus_wrench_outside_link_1_fy_1
-            + inertias.minus_inertia_base_yz * minus_wrench_outside_link_1_mx_3)
-        + (inertias.minus_inertia_base_hy * minus_wrench_outside_link_1_my_5
-            - inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_7);
-    let minus_wrench_outside_link_1_fy_2 = minus_wrench_outside_link_1_my_5 * 3.5
-        + (minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hy
-            - minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_base_hz);
-    let minus_wrench_outside_link_1_mx_4 = minus_wrench_outside_link_1_mx_7 * 3.5
-        + (minus_wrench_outside_link_1_fy_1 * inertias.minus_inertia_base_hz
-            - minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hx);
-    let minus_wrench_outside_link_1_mx_6 = minus_wrench_outside_link_1_mx_5 * 3.5
-        + (minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_base_hx
-            - minus_wrench_outside_link_1_fy_1 * inertias.minus_inertia_base_hy);
-    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
-        * minus_wrench_outside_link_1_mx_1
-        - minus_wrench_outside_link_1_mx_2 * minus_wrench_outside_link_1_mx_3
-        + (minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_5
-            - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_7);
-    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6
-        * minus_wrench_outside_link_1_fy_1
-        - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_1;
-    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fy_2
-        * minus_wrench_outside_link_1_mx_3
-        - minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_fy_1;
     let minus_twist_link_1_vy_0 = velocities.velocity_link_1_wz
         + minus_wrench_outside_link_1_mx_1_0;
     let minus_twist_link_1_vy_2 = velocities.velocity_link_1_vx
         + minus_wrench_outside_link_1_my_5_1;
     let wrench_outside_link_2_mx_15 = velocities.velocity_link_1_vy
         + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_1_wx = minus_wrench_outside_link_1_mx_3 * qd[0];
-    let minus_twist_link_1_wy = minus_wrench_outside_link_1_fy_1 * qd[0];
+    let twist_link_1_wx = twist_link_1_wx_0 * qd[0];
+    let minus_twist_link_1_wy = minus_twist_link_1_wy_0 * qd[0];
     let minus_twist_link_1_vy = (minus_twist_link_1_vy_0 * poses.minus_origin_base_y
         + minus_twist_link_1_vy_2) * qd[0];
-    let twist_link_1_vz = (minus_wrench_outside_link_1_fy_1 * poses.minus_origin_base_x
-        + minus_wrench_outside_link_1_mx_3 * poses.minus_origin_base_y) * qd[0];
-    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy
-        * minus_wrench_outside_link_1_fy_1
-        + inertias.inertia_link_1_yy * minus_wrench_outside_link_1_mx_3
-        - inertias.minus_inertia_link_1_yz * minus_twist_link_1_vy_0
-        + (inertias.inertia_link_1_hz * minus_twist_link_1_vy_2
-            + inertias.minus_inertia_link_1_hx * minus_wrench_outside_link_1_mx_5);
-    let wrench_outside_link_2_mx_10 = inertias.inertia_link_1_xz
-        * minus_wrench_outside_link_1_fy_1
-        - inertias.minus_inertia_link_1_yz * minus_wrench_outside_link_1_mx_3
-        + inertias.inertia_link_1_zz * minus_twist_link_1_vy_0
-        - (inertias.minus_inertia_link_1_hx * wrench_outside_link_2_mx_15
-            + inertias.inertia_link_1_hy * minus_twist_link_1_vy_2);
-    let minus_wrench_outside_link_2_fy_6 = minus_twist_link_1_vy_2 * 2.0
-        + (minus_wrench_outside_link_1_mx_3 * inertias.inertia_link_1_hz
-            - minus_twist_link_1_vy_0 * inertias.inertia_link_1_hy);
-    let wrench_outside_link_2_mx_12 = wrench_outside_link_2_mx_15 * 2.0
-        - (minus_twist_link_1_vy_0 * inertias.minus_inertia_link_1_hx
-            + minus_wrench_outside_link_1_fy_1 * inertias.inertia_link_1_hz);
-    let wrench_outside_link_2_mx_14 = minus_wrench_outside_link_1_mx_5 * 2.0
-        + (minus_wrench_outside_link_1_fy_1 * inertias.inertia_link_1_hy
-            + minus_wrench_outside_link_1_mx_3 * inertias.minus_inertia_link_1_hx);
-    let wrench_outside_link_2_mx = inertias.inertia_link_1_xx * twist_link_1_wx
-        - inertias.inertia_link_1_xy * minus_twist_link_1_wy
-        + (inertias.inertia_link_1_hy * twist_link_1_vz
-            + inertias.inertia_link_1_hz * minus_twist_link_1_vy)
-        - (wrench_outside_link_2_mx_8 * minus_twist_link_1_vy_0
-            - wrench_outside_link_2_mx_10 * minus_wrench_outside_link_1_mx_3
-            + (wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_mx_5
-                - wrench_outside_link_2_mx_14 * wrench_outside_link_2_mx_15));
-    let minus_wrench_outside_link_2_fy = minus_twist_link_1_vy * 2.0
-        + twist_link_1_wx * inertias.inertia_link_1_hz
-        + (wrench_outside_link_2_mx_14 * minus_wrench_outside_link_1_fy_1
-            - minus_wrench_outside_link_2_fy_6 * minus_twist_link_1_vy_0);
-    let wrench_outside_link_2_fz = twist_link_1_vz * 2.0
-        + (twist_link_1_wx * inertias.inertia_link_1_hy
-            - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
-        - (minus_wrench_outside_link_2_fy_6 * minus_wrench_outside_link_1_mx_3
-            - wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_fy_1);
+    let twist_link_1_vz = (minus_twist_link_1_wy_0 * poses.minus_origin_base_x
+        + twist_link_1_wx_0 * poses.minus_origin_base_y) * qd[0];
     let minus_twist_link_2_wz_0 = velocities.velocity_link_2_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let minus_twist_link_2_wz_2 = minus_wrench_outside_link_1_mx_3_0
+        + minus_twist_link_1_wy_0_0;
+    let minus_twist_link_2_wz_2 = twist_link_1_wx_0_0
         - velocities.minus_velocity_link_2_wy;
     let twist_link_2_vz_5 = velocities.velocity_link_2_vx
         + minus_wrench_outside_link_1_my_5_1;
@@ -12113,6 +12054,56 @@ pub fn hamel_bias(
         + minus_wrench_outside_link_1_mx_5_0;
     let minus_twist_link_2_wz = (minus_twist_link_2_wz_0 * poses.cos_joint_1
         + minus_twist_link_2_wz_2 * poses.sin_joint_1) * qd[1];
+    let twist_link_3_wy_3 = velocities.velocity_link_3_wx + minus_twist_link_1_wy_0_0;
+    let twist_link_3_wx_1 = twist_link_1_wx_0_0 - velocities.minus_velocity_link_3_wy;
+    let twist_link_3_wx_3 = velocities.velocity_link_3_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let twist_link_3_vy_7 = velocities.velocity_link_3_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let twist_link_3_vz_5 = velocities.velocity_link_3_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_3_vy_5 = velocities.velocity_link_3_vz
+        + minus_wrench_outside_link_1_mx_5_0;
+    let twist_link_4_wy_1 = velocities.velocity_link_4_wx + minus_twist_link_1_wy_0_0;
+    let twist_link_4_wx_1 = velocities.velocity_link_4_wy + twist_link_1_wx_0_0;
+    let twist_link_4_wx_3 = velocities.velocity_link_4_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let twist_link_4_vy_5 = velocities.velocity_link_4_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let twist_link_4_vz_3 = velocities.velocity_link_4_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_4_vy_7 = velocities.velocity_link_4_vz
+        + minus_wrench_outside_link_1_mx_5_0;
+    let twist_link_5_wy_3 = velocities.velocity_link_5_wx + minus_twist_link_1_wy_0_0;
+    let twist_link_5_wx_1 = velocities.velocity_link_5_wy + twist_link_1_wx_0_0;
+    let twist_link_5_wx_3 = velocities.velocity_link_5_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let twist_link_5_vy_7 = velocities.velocity_link_5_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let twist_link_5_vz_5 = velocities.velocity_link_5_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_5_vy_5 = velocities.velocity_link_5_vz
+        + minus_wrench_outside_link_1_mx_5_0;
+    let twist_link_6_wy_3 = velocities.velocity_link_6_wx + minus_twist_link_1_wy_0_0;
+    let twist_link_6_wx_1 = velocities.velocity_link_6_wy + twist_link_1_wx_0_0;
+    let twist_link_6_wx_3 = velocities.velocity_link_6_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let twist_link_6_vy_7 = velocities.velocity_link_6_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let twist_link_6_vz_7 = velocities.velocity_link_6_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_6_vy_5 = velocities.velocity_link_6_vz
+        + minus_wrench_outside_link_1_mx_5_0;
+    let twist_link_7_wy_3 = velocities.velocity_link_7_wx + minus_twist_link_1_wy_0_0;
+    let twist_link_7_wx_1 = velocities.velocity_link_7_wy + twist_link_1_wx_0_0;
+    let twist_link_7_wx_3 = velocities.velocity_link_7_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let twist_link_7_vy_7 = velocities.velocity_link_7_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let twist_link_7_vz_5 = velocities.velocity_link_7_vy
+        + minus_wrench_outside_link_1_mx_7_0;
+    let twist_link_7_vy_5 = velocities.velocity_link_7_vz
+        + minus_wrench_outside_link_1_mx_5_0;
     let twist_link_2_wx = twist_link_1_wx
         + minus_twist_link_1_vy_0 * poses.cos_joint_1 * qd[1];
     let twist_link_2_wy = minus_twist_link_1_vy_0 * poses.sin_joint_1 * qd[1]
@@ -12125,6 +12116,167 @@ pub fn hamel_bias(
             - minus_twist_link_2_wz_2 * screws.screw_joint_2_vx
             - (twist_link_2_vz_5 * poses.cos_joint_1
                 + twist_link_2_vz_7 * poses.sin_joint_1)) * qd[1];
+    let twist_link_3_wx = twist_link_2_wx
+        + (twist_link_3_wx_1 * poses.cos_joint_2
+            + twist_link_3_wx_3 * poses.minus_rotation_link_2_yy) * qd[2];
+    let twist_link_3_wy = twist_link_2_wy
+        - (twist_link_3_wx_3 * poses.minus_rotation_link_2_xy
+            + twist_link_3_wy_3 * poses.cos_joint_2) * qd[2];
+    let twist_link_3_wz = (twist_link_3_wx_1 * poses.minus_rotation_link_2_xy
+        - twist_link_3_wy_3 * poses.minus_rotation_link_2_yy) * qd[2]
+        - minus_twist_link_2_wz;
+    let twist_link_3_vy = twist_link_2_vy
+        + (twist_link_3_wx_3 * screws.screw_joint_3_vx
+            - twist_link_3_wy_3 * screws.screw_joint_3_vz
+            - (twist_link_3_vy_5 * poses.minus_rotation_link_2_xy
+                + twist_link_3_vy_7 * poses.cos_joint_2)) * qd[2];
+    let twist_link_3_vz = twist_link_2_vz
+        + (twist_link_3_wy_3 * screws.screw_joint_3_vy
+            - twist_link_3_wx_1 * screws.screw_joint_3_vx
+            + (twist_link_3_vz_5 * poses.minus_rotation_link_2_xy
+                - twist_link_3_vy_7 * poses.minus_rotation_link_2_yy)) * qd[2];
+    let twist_link_4_wx = twist_link_3_wx
+        - (twist_link_4_wx_1 * poses.minus_rotation_link_3_zy
+            + twist_link_4_wx_3 * poses.rotation_link_3_yy) * qd[3];
+    let twist_link_4_wy = twist_link_3_wy
+        + (twist_link_4_wy_1 * poses.minus_rotation_link_3_zy
+            - twist_link_4_wx_3 * poses.minus_rotation_link_3_xy) * qd[3];
+    let twist_link_4_wz = twist_link_3_wz
+        + (twist_link_4_wy_1 * poses.rotation_link_3_yy
+            + twist_link_4_wx_1 * poses.minus_rotation_link_3_xy) * qd[3];
+    let twist_link_4_vy = twist_link_3_vy
+        + (twist_link_4_wx_3 * screws.screw_joint_4_vx
+            + twist_link_4_wy_1 * screws.minus_screw_joint_4_vz
+            + (twist_link_4_vy_5 * poses.minus_rotation_link_3_zy
+                - twist_link_4_vy_7 * poses.minus_rotation_link_3_xy)) * qd[3];
+    let twist_link_4_vz = twist_link_3_vz
+        + (twist_link_4_vy_5 * poses.rotation_link_3_yy
+            + twist_link_4_vz_3 * poses.minus_rotation_link_3_xy
+            - (twist_link_4_wy_1 * screws.minus_screw_joint_4_vy
+                + twist_link_4_wx_1 * screws.screw_joint_4_vx)) * qd[3];
+    let twist_link_5_wx = twist_link_4_wx
+        + (twist_link_5_wx_1 * poses.rotation_link_5_zz
+            + twist_link_5_wx_3 * poses.rotation_link_4_yy) * qd[4];
+    let twist_link_5_wy = twist_link_4_wy
+        - (twist_link_5_wx_3 * poses.rotation_link_4_xy
+            + twist_link_5_wy_3 * poses.rotation_link_5_zz) * qd[4];
+    let twist_link_5_wz = twist_link_4_wz
+        + (twist_link_5_wx_1 * poses.rotation_link_4_xy
+            - twist_link_5_wy_3 * poses.rotation_link_4_yy) * qd[4];
+    let twist_link_5_vy = twist_link_4_vy
+        + (twist_link_5_wx_3 * screws.screw_joint_5_vx
+            - twist_link_5_wy_3 * screws.screw_joint_5_vz
+            - (twist_link_5_vy_5 * poses.rotation_link_4_xy
+                + twist_link_5_vy_7 * poses.rotation_link_5_zz)) * qd[4];
+    let twist_link_5_vz = twist_link_4_vz
+        + (twist_link_5_wy_3 * screws.screw_joint_5_vy
+            - twist_link_5_wx_1 * screws.screw_joint_5_vx
+            + (twist_link_5_vz_5 * poses.rotation_link_4_xy
+                - twist_link_5_vy_7 * poses.rotation_link_4_yy)) * qd[4];
+    let twist_link_6_wx = twist_link_5_wx
+        + (twist_link_6_wx_1 * poses.rotation_link_6_zz
+            + twist_link_6_wx_3 * poses.rotation_link_5_yy) * qd[5];
+    let twist_link_6_wy = twist_link_5_wy
+        + (twist_link_6_wx_3 * poses.rotation_link_6_xz
+            - twist_link_6_wy_3 * poses.rotation_link_6_zz) * qd[5];
+    let twist_link_6_wz = twist_link_5_wz
+        - (twist_link_6_wy_3 * poses.rotation_link_5_yy
+            + twist_link_6_wx_1 * poses.rotation_link_6_xz) * qd[5];
+    let twist_link_6_vy = twist_link_5_vy
+        + (twist_link_6_wx_3 * screws.screw_joint_6_vx
+            - twist_link_6_wy_3 * screws.screw_joint_6_vz
+            + (twist_link_6_vy_5 * poses.rotation_link_6_xz
+                - twist_link_6_vy_7 * poses.rotation_link_6_zz)) * qd[5];
+    let twist_link_6_vz = twist_link_5_vz
+        + (twist_link_6_wy_3 * screws.screw_joint_6_vy
+            - twist_link_6_wx_1 * screws.screw_joint_6_vx
+            - (twist_link_6_vy_7 * poses.rotation_link_5_yy
+                + twist_link_6_vz_7 * poses.rotation_link_6_xz)) * qd[5];
+    let twist_link_7_wx = twist_link_6_wx
+        + (twist_link_7_wx_1 * poses.rotation_link_6_zy
+            + twist_link_7_wx_3 * poses.minus_rotation_link_6_yy) * qd[6];
+    let twist_link_7_wy = twist_link_6_wy
+        - (twist_link_7_wx_3 * poses.minus_rotation_link_6_xy
+            + twist_link_7_wy_3 * poses.rotation_link_6_zy) * qd[6];
+    let twist_link_7_wz = twist_link_6_wz
+        + (twist_link_7_wx_1 * poses.minus_rotation_link_6_xy
+            - twist_link_7_wy_3 * poses.minus_rotation_link_6_yy) * qd[6];
+    let twist_link_7_vy = twist_link_6_vy
+        + (twist_link_7_wx_3 * screws.screw_joint_7_vx
+            - twist_link_7_wy_3 * screws.screw_joint_7_vz
+            - (twist_link_7_vy_5 * poses.minus_rotation_link_6_xy
+                + twist_link_7_vy_7 * poses.rotation_link_6_zy)) * qd[6];
+    let twist_link_7_vz = twist_link_6_vz
+        + (twist_link_7_wy_3 * screws.screw_joint_7_vy
+            - twist_link_7_wx_1 * screws.screw_joint_7_vx
+            + (twist_link_7_vz_5 * poses.minus_rotation_link_6_xy
+                - twist_link_7_vy_7 * poses.minus_rotation_link_6_yy)) * qd[6];
+    let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_yy * twist_link_1_wx_0
+        - inertias.minus_inertia_base_xy * minus_twist_link_1_wy_0
+        - inertias.minus_inertia_base_yz * minus_wrench_outside_link_1_mx_1
+        + (inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_5
+            - inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_my_5);
+    let minus_wrench_outside_link_1_mx_2 = inertias.inertia_base_zz
+        * minus_wrench_outside_link_1_mx_1
+        - (inertias.minus_inertia_base_xz * minus_twist_link_1_wy_0
+            + inertias.minus_inertia_base_yz * twist_link_1_wx_0)
+        + (inertias.minus_inertia_base_hy * minus_wrench_outside_link_1_my_5
+            - inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_7);
+    let minus_wrench_outside_link_1_fy_2 = minus_wrench_outside_link_1_my_5 * 3.5
+        + (minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hy
+            - twist_link_1_wx_0 * inertias.minus_inertia_base_hz);
+    let minus_wrench_outside_link_1_mx_4 = minus_wrench_outside_link_1_mx_7 * 3.5
+        + (minus_twist_link_1_wy_0 * inertias.minus_inertia_base_hz
+            - minus_wrench_outside_link_1_mx_1 * inertias.minus_inertia_base_hx);
+    let minus_wrench_outside_link_1_mx_6 = minus_wrench_outside_link_1_mx_5 * 3.5
+        + (twist_link_1_wx_0 * inertias.minus_inertia_base_hx
+            - minus_twist_link_1_wy_0 * inertias.minus_inertia_base_hy);
+    let minus_wrench_outside_link_1_mx = minus_wrench_outside_link_1_mx_0
+        * minus_wrench_outside_link_1_mx_1
+        - minus_wrench_outside_link_1_mx_2 * twist_link_1_wx_0
+        + (minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_mx_5
+            - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_7);
+    let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6
+        * minus_twist_link_1_wy_0
+        - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_1;
+    let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fy_2
+        * twist_link_1_wx_0 - minus_wrench_outside_link_1_mx_4 * minus_twist_link_1_wy_0;
+    let wrench_outside_link_2_mx_8 = inertias.inertia_link_1_xy * minus_twist_link_1_wy_0
+        + inertias.inertia_link_1_yy * twist_link_1_wx_0
+        - inertias.minus_inertia_link_1_yz * minus_twist_link_1_vy_0
+        + (inertias.inertia_link_1_hz * minus_twist_link_1_vy_2
+            + inertias.minus_inertia_link_1_hx * minus_wrench_outside_link_1_mx_5);
+    let wrench_outside_link_2_mx_10 = inertias.inertia_link_1_xz
+        * minus_twist_link_1_wy_0 - inertias.minus_inertia_link_1_yz * twist_link_1_wx_0
+        + inertias.inertia_link_1_zz * minus_twist_link_1_vy_0
+        - (inertias.minus_inertia_link_1_hx * wrench_outside_link_2_mx_15
+            + inertias.inertia_link_1_hy * minus_twist_link_1_vy_2);
+    let minus_wrench_outside_link_2_fy_6 = minus_twist_link_1_vy_2 * 2.0
+        + (twist_link_1_wx_0 * inertias.inertia_link_1_hz
+            - minus_twist_link_1_vy_0 * inertias.inertia_link_1_hy);
+    let wrench_outside_link_2_mx_12 = wrench_outside_link_2_mx_15 * 2.0
+        - (minus_twist_link_1_vy_0 * inertias.minus_inertia_link_1_hx
+            + minus_twist_link_1_wy_0 * inertias.inertia_link_1_hz);
+    let wrench_outside_link_2_mx_14 = minus_wrench_outside_link_1_mx_5 * 2.0
+        + (minus_twist_link_1_wy_0 * inertias.inertia_link_1_hy
+            + twist_link_1_wx_0 * inertias.minus_inertia_link_1_hx);
+    let wrench_outside_link_2_mx = inertias.inertia_link_1_xx * twist_link_1_wx
+        - inertias.inertia_link_1_xy * minus_twist_link_1_wy
+        + (inertias.inertia_link_1_hy * twist_link_1_vz
+            + inertias.inertia_link_1_hz * minus_twist_link_1_vy)
+        - (wrench_outside_link_2_mx_8 * minus_twist_link_1_vy_0
+            - wrench_outside_link_2_mx_10 * twist_link_1_wx_0
+            + (wrench_outside_link_2_mx_12 * minus_wrench_outside_link_1_mx_5
+                - wrench_outside_link_2_mx_14 * wrench_outside_link_2_mx_15));
+    let minus_wrench_outside_link_2_fy = minus_twist_link_1_vy * 2.0
+        + twist_link_1_wx * inertias.inertia_link_1_hz
+        + (wrench_outside_link_2_mx_14 * minus_twist_link_1_wy_0
+            - minus_wrench_outside_link_2_fy_6 * minus_twist_link_1_vy_0);
+    let wrench_outside_link_2_fz = twist_link_1_vz * 2.0
+        + (twist_link_1_wx * inertias.inertia_link_1_hy
+            - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
+        - (minus_wrench_outside_link_2_fy_6 * twist_link_1_wx_0
+            - wrench_outside_link_2_mx_12 * minus_twist_link_1_wy_0);
     let wrench_outside_link_3_mx_10 = inertias.inertia_link_2_xy
         * minus_twist_link_2_wz_0 + inertias.inertia_link_2_yy * minus_twist_link_2_wz_2
         + inertias.inertia_link_2_yz * minus_twist_link_1_vy_0
@@ -12163,37 +12315,6 @@ pub fn hamel_bias(
             + twist_link_2_wy * inertias.inertia_link_2_hx)
         - (wrench_outside_link_3_fy_8 * minus_twist_link_2_wz_2
             - wrench_outside_link_3_mx_14 * minus_twist_link_2_wz_0);
-    let twist_link_3_wy_3 = velocities.velocity_link_3_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_3_wx_1 = minus_wrench_outside_link_1_mx_3_0
-        - velocities.minus_velocity_link_3_wy;
-    let twist_link_3_wx_3 = velocities.velocity_link_3_wz
-        + minus_wrench_outside_link_1_mx_1_0;
-    let twist_link_3_vy_7 = velocities.velocity_link_3_vx
-        + minus_wrench_outside_link_1_my_5_1;
-    let twist_link_3_vz_5 = velocities.velocity_link_3_vy
-        + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_3_vy_5 = velocities.velocity_link_3_vz
-        + minus_wrench_outside_link_1_mx_5_0;
-    let twist_link_3_wx = twist_link_2_wx
-        + (twist_link_3_wx_1 * poses.cos_joint_2
-            + twist_link_3_wx_3 * poses.minus_rotation_link_2_yy) * qd[2];
-    let twist_link_3_wy = twist_link_2_wy
-        - (twist_link_3_wx_3 * poses.minus_rotation_link_2_xy
-            + twist_link_3_wy_3 * poses.cos_joint_2) * qd[2];
-    let twist_link_3_wz = (twist_link_3_wx_1 * poses.minus_rotation_link_2_xy
-        - twist_link_3_wy_3 * poses.minus_rotation_link_2_yy) * qd[2]
-        - minus_twist_link_2_wz;
-    let twist_link_3_vy = twist_link_2_vy
-        + (twist_link_3_wx_3 * screws.screw_joint_3_vx
-            - twist_link_3_wy_3 * screws.screw_joint_3_vz
-            - (twist_link_3_vy_5 * poses.minus_rotation_link_2_xy
-                + twist_link_3_vy_7 * poses.cos_joint_2)) * qd[2];
-    let twist_link_3_vz = twist_link_2_vz
-        + (twist_link_3_wy_3 * screws.screw_joint_3_vy
-            - twist_link_3_wx_1 * screws.screw_joint_3_vx
-            + (twist_link_3_vz_5 * poses.minus_rotation_link_2_xy
-                - twist_link_3_vy_7 * poses.minus_rotation_link_2_yy)) * qd[2];
     let wrench_outside_link_4_mx_10 = inertias.inertia_link_3_xy * twist_link_3_wy_3
         + inertias.inertia_link_3_yy * twist_link_3_wx_1
         + inertias.inertia_link_3_yz * twist_link_3_wx_3
@@ -12232,37 +12353,6 @@ pub fn hamel_bias(
             + twist_link_3_wy * inertias.inertia_link_3_hx)
         - (wrench_outside_link_4_fy_8 * twist_link_3_wx_1
             - wrench_outside_link_4_mx_14 * twist_link_3_wy_3);
-    let twist_link_4_wy_1 = velocities.velocity_link_4_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_4_wx_1 = velocities.velocity_link_4_wy
-        + minus_wrench_outside_link_1_mx_3_0;
-    let twist_link_4_wx_3 = velocities.velocity_link_4_wz
-        + minus_wrench_outside_link_1_mx_1_0;
-    let twist_link_4_vy_5 = velocities.velocity_link_4_vx
-        + minus_wrench_outside_link_1_my_5_1;
-    let twist_link_4_vz_3 = velocities.velocity_link_4_vy
-        + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_4_vy_7 = velocities.velocity_link_4_vz
-        + minus_wrench_outside_link_1_mx_5_0;
-    let twist_link_4_wx = twist_link_3_wx
-        - (twist_link_4_wx_1 * poses.minus_rotation_link_3_zy
-            + twist_link_4_wx_3 * poses.rotation_link_3_yy) * qd[3];
-    let twist_link_4_wy = twist_link_3_wy
-        + (twist_link_4_wy_1 * poses.minus_rotation_link_3_zy
-            - twist_link_4_wx_3 * poses.minus_rotation_link_3_xy) * qd[3];
-    let twist_link_4_wz = twist_link_3_wz
-        + (twist_link_4_wy_1 * poses.rotation_link_3_yy
-            + twist_link_4_wx_1 * poses.minus_rotation_link_3_xy) * qd[3];
-    let twist_link_4_vy = twist_link_3_vy
-        + (twist_link_4_wx_3 * screws.screw_joint_4_vx
-            + twist_link_4_wy_1 * screws.minus_screw_joint_4_vz
-            + (twist_link_4_vy_5 * poses.minus_rotation_link_3_zy
-                - twist_link_4_vy_7 * poses.minus_rotation_link_3_xy)) * qd[3];
-    let twist_link_4_vz = twist_link_3_vz
-        + (twist_link_4_vy_5 * poses.rotation_link_3_yy
-            + twist_link_4_vz_3 * poses.minus_rotation_link_3_xy
-            - (twist_link_4_wy_1 * screws.minus_screw_joint_4_vy
-                + twist_link_4_wx_1 * screws.screw_joint_4_vx)) * qd[3];
     let wrench_outside_link_5_mx_10 = inertias.inertia_link_4_xy * twist_link_4_wy_1
         + inertias.inertia_link_4_yy * twist_link_4_wx_1
         + inertias.inertia_link_4_yz * twist_link_4_wx_3
@@ -12301,37 +12391,6 @@ pub fn hamel_bias(
             + twist_link_4_wy * inertias.minus_inertia_link_4_hx)
         - (wrench_outside_link_5_fy_8 * twist_link_4_wx_1
             - wrench_outside_link_5_mx_14 * twist_link_4_wy_1);
-    let twist_link_5_wy_3 = velocities.velocity_link_5_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_5_wx_1 = velocities.velocity_link_5_wy
-        + minus_wrench_outside_link_1_mx_3_0;
-    let twist_link_5_wx_3 = velocities.velocity_link_5_wz
-        + minus_wrench_outside_link_1_mx_1_0;
-    let twist_link_5_vy_7 = velocities.velocity_link_5_vx
-        + minus_wrench_outside_link_1_my_5_1;
-    let twist_link_5_vz_5 = velocities.velocity_link_5_vy
-        + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_5_vy_5 = velocities.velocity_link_5_vz
-        + minus_wrench_outside_link_1_mx_5_0;
-    let twist_link_5_wx = twist_link_4_wx
-        + (twist_link_5_wx_1 * poses.rotation_link_5_zz
-            + twist_link_5_wx_3 * poses.rotation_link_4_yy) * qd[4];
-    let twist_link_5_wy = twist_link_4_wy
-        - (twist_link_5_wx_3 * poses.rotation_link_4_xy
-            + twist_link_5_wy_3 * poses.rotation_link_5_zz) * qd[4];
-    let twist_link_5_wz = twist_link_4_wz
-        + (twist_link_5_wx_1 * poses.rotation_link_4_xy
-            - twist_link_5_wy_3 * poses.rotation_link_4_yy) * qd[4];
-    let twist_link_5_vy = twist_link_4_vy
-        + (twist_link_5_wx_3 * screws.screw_joint_5_vx
-            - twist_link_5_wy_3 * screws.screw_joint_5_vz
-            - (twist_link_5_vy_5 * poses.rotation_link_4_xy
-                + twist_link_5_vy_7 * poses.rotation_link_5_zz)) * qd[4];
-    let twist_link_5_vz = twist_link_4_vz
-        + (twist_link_5_wy_3 * screws.screw_joint_5_vy
-            - twist_link_5_wx_1 * screws.screw_joint_5_vx
-            + (twist_link_5_vz_5 * poses.rotation_link_4_xy
-                - twist_link_5_vy_7 * poses.rotation_link_4_yy)) * qd[4];
     let wrench_outside_link_6_mx_10 = inertias.inertia_link_5_xy * twist_link_5_wy_3
         + inertias.inertia_link_5_yy * twist_link_5_wx_1
         + inertias.inertia_link_5_yz * twist_link_5_wx_3
@@ -12370,37 +12429,6 @@ pub fn hamel_bias(
             + twist_link_5_wy * inertias.minus_inertia_link_5_hx)
         - (wrench_outside_link_6_fy_8 * twist_link_5_wx_1
             - wrench_outside_link_6_mx_14 * twist_link_5_wy_3);
-    let twist_link_6_wy_3 = velocities.velocity_link_6_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_6_wx_1 = velocities.velocity_link_6_wy
-        + minus_wrench_outside_link_1_mx_3_0;
-    let twist_link_6_wx_3 = velocities.velocity_link_6_wz
-        + minus_wrench_outside_link_1_mx_1_0;
-    let twist_link_6_vy_7 = velocities.velocity_link_6_vx
-        + minus_wrench_outside_link_1_my_5_1;
-    let twist_link_6_vz_7 = velocities.velocity_link_6_vy
-        + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_6_vy_5 = velocities.velocity_link_6_vz
-        + minus_wrench_outside_link_1_mx_5_0;
-    let twist_link_6_wx = twist_link_5_wx
-        + (twist_link_6_wx_1 * poses.rotation_link_6_zz
-            + twist_link_6_wx_3 * poses.rotation_link_5_yy) * qd[5];
-    let twist_link_6_wy = twist_link_5_wy
-        + (twist_link_6_wx_3 * poses.rotation_link_6_xz
-            - twist_link_6_wy_3 * poses.rotation_link_6_zz) * qd[5];
-    let twist_link_6_wz = twist_link_5_wz
-        - (twist_link_6_wy_3 * poses.rotation_link_5_yy
-            + twist_link_6_wx_1 * poses.rotation_link_6_xz) * qd[5];
-    let twist_link_6_vy = twist_link_5_vy
-        + (twist_link_6_wx_3 * screws.screw_joint_6_vx
-            - twist_link_6_wy_3 * screws.screw_joint_6_vz
-            + (twist_link_6_vy_5 * poses.rotation_link_6_xz
-                - twist_link_6_vy_7 * poses.rotation_link_6_zz)) * qd[5];
-    let twist_link_6_vz = twist_link_5_vz
-        + (twist_link_6_wy_3 * screws.screw_joint_6_vy
-            - twist_link_6_wx_1 * screws.screw_joint_6_vx
-            - (twist_link_6_vy_7 * poses.rotation_link_5_yy
-                + twist_link_6_vz_7 * poses.rotation_link_6_xz)) * qd[5];
     let wrench_outside_link_7_mx_10 = inertias.inertia_link_6_yy * twist_link_6_wx_1
         - inertias.minus_inertia_link_6_xy * twist_link_6_wy_3
         + inertias.inertia_link_6_yz * twist_link_6_wx_3
@@ -12439,37 +12467,6 @@ pub fn hamel_bias(
             - twist_link_6_wx * inertias.minus_inertia_link_6_hy)
         - (wrench_outside_link_7_fy_8 * twist_link_6_wx_1
             - wrench_outside_link_7_mx_14 * twist_link_6_wy_3);
-    let twist_link_7_wy_3 = velocities.velocity_link_7_wx
-        + minus_wrench_outside_link_1_fy_1_0;
-    let twist_link_7_wx_1 = velocities.velocity_link_7_wy
-        + minus_wrench_outside_link_1_mx_3_0;
-    let twist_link_7_wx_3 = velocities.velocity_link_7_wz
-        + minus_wrench_outside_link_1_mx_1_0;
-    let twist_link_7_vy_7 = velocities.velocity_link_7_vx
-        + minus_wrench_outside_link_1_my_5_1;
-    let twist_link_7_vz_5 = velocities.velocity_link_7_vy
-        + minus_wrench_outside_link_1_mx_7_0;
-    let twist_link_7_vy_5 = velocities.velocity_link_7_vz
-        + minus_wrench_outside_link_1_mx_5_0;
-    let twist_link_7_wx = twist_link_6_wx
-        + (twist_link_7_wx_1 * poses.rotation_link_6_zy
-            + twist_link_7_wx_3 * poses.minus_rotation_link_6_yy) * qd[6];
-    let twist_link_7_wy = twist_link_6_wy
-        - (twist_link_7_wx_3 * poses.minus_rotation_link_6_xy
-            + twist_link_7_wy_3 * poses.rotation_link_6_zy) * qd[6];
-    let twist_link_7_wz = twist_link_6_wz
-        + (twist_link_7_wx_1 * poses.minus_rotation_link_6_xy
-            - twist_link_7_wy_3 * poses.minus_rotation_link_6_yy) * qd[6];
-    let twist_link_7_vy = twist_link_6_vy
-        + (twist_link_7_wx_3 * screws.screw_joint_7_vx
-            - twist_link_7_wy_3 * screws.screw_joint_7_vz
-            - (twist_link_7_vy_5 * poses.minus_rotation_link_6_xy
-                + twist_link_7_vy_7 * poses.rotation_link_6_zy)) * qd[6];
-    let twist_link_7_vz = twist_link_6_vz
-        + (twist_link_7_wy_3 * screws.screw_joint_7_vy
-            - twist_link_7_wx_1 * screws.screw_joint_7_vx
-            + (twist_link_7_vz_5 * poses.minus_rotation_link_6_xy
-                - twist_link_7_vy_7 * poses.minus_rotation_link_6_yy)) * qd[6];
     let wrench_link_7_mx_10 = inertias.inertia_link_7_yy * twist_link_7_wx_1
         - inertias.minus_inertia_link_7_xy * twist_link_7_wy_3
         + inertias.inertia_link_7_yz * twist_link_7_wx_3
@@ -12532,25 +12529,52 @@ pub fn hamel_bias(
     // C V
     hamel_bias[0] = wrench_base_mx
         + (wrench_base_fz * poses.com_y - wrench_base_fy * poses.com_z) + 0.0;
+    let twist_link_1_vx = (wrench_outside_link_2_mx_15
+        - minus_twist_link_1_vy_0 * poses.minus_origin_base_x) * qd[0];
+    let twist_link_2_vx = twist_link_1_vx
+        + (minus_twist_link_2_wz_2 * screws.screw_joint_2_vz
+            - minus_twist_link_1_vy_0 * screws.screw_joint_2_vy
+            + twist_link_2_vy_4 * poses.cos_joint_1) * qd[1];
+    let twist_link_3_vx = twist_link_2_vx
+        + (twist_link_3_wx_1 * screws.screw_joint_3_vz
+            - twist_link_3_wx_3 * screws.screw_joint_3_vy
+            + (twist_link_3_vz_5 * poses.cos_joint_2
+                + twist_link_3_vy_5 * poses.minus_rotation_link_2_yy)) * qd[2];
+    let twist_link_4_vx = twist_link_3_vx
+        + (twist_link_4_wx_3 * screws.minus_screw_joint_4_vy
+            - twist_link_4_wx_1 * screws.minus_screw_joint_4_vz
+            - (twist_link_4_vz_3 * poses.minus_rotation_link_3_zy
+                + twist_link_4_vy_7 * poses.rotation_link_3_yy)) * qd[3];
+    let twist_link_5_vx = twist_link_4_vx
+        + (twist_link_5_wx_1 * screws.screw_joint_5_vz
+            - twist_link_5_wx_3 * screws.screw_joint_5_vy
+            + (twist_link_5_vz_5 * poses.rotation_link_5_zz
+                + twist_link_5_vy_5 * poses.rotation_link_4_yy)) * qd[4];
+    let twist_link_6_vx = twist_link_5_vx
+        + (twist_link_6_wx_1 * screws.screw_joint_6_vz
+            - twist_link_6_wx_3 * screws.screw_joint_6_vy
+            + (twist_link_6_vz_7 * poses.rotation_link_6_zz
+                + twist_link_6_vy_5 * poses.rotation_link_5_yy)) * qd[5];
+    let twist_link_7_vx = twist_link_6_vx
+        + (twist_link_7_wx_1 * screws.screw_joint_7_vz
+            - twist_link_7_wx_3 * screws.screw_joint_7_vy
+            + (twist_link_7_vz_5 * poses.rotation_link_6_zy
+                + twist_link_7_vy_5 * poses.minus_rotation_link_6_yy)) * qd[6];
     let minus_wrench_outside_link_1_my_2 = inertias.inertia_base_xx
-        * minus_wrench_outside_link_1_fy_1
-        - inertias.minus_inertia_base_xy * minus_wrench_outside_link_1_mx_3
+        * minus_twist_link_1_wy_0 - inertias.minus_inertia_base_xy * twist_link_1_wx_0
         - inertias.minus_inertia_base_xz * minus_wrench_outside_link_1_mx_1
         + (inertias.minus_inertia_base_hz * minus_wrench_outside_link_1_mx_7
             - inertias.minus_inertia_base_hy * minus_wrench_outside_link_1_mx_5);
     let minus_wrench_outside_link_1_my = minus_wrench_outside_link_1_mx_2
-        * minus_wrench_outside_link_1_fy_1
+        * minus_twist_link_1_wy_0
         - minus_wrench_outside_link_1_my_2 * minus_wrench_outside_link_1_mx_1
         + (minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_my_5
             - minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_5);
     let minus_wrench_outside_link_1_fx = minus_wrench_outside_link_1_mx_4
         * minus_wrench_outside_link_1_mx_1
-        - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_3;
-    let twist_link_1_vx = (wrench_outside_link_2_mx_15
-        - minus_twist_link_1_vy_0 * poses.minus_origin_base_x) * qd[0];
+        - minus_wrench_outside_link_1_mx_6 * twist_link_1_wx_0;
     let wrench_outside_link_2_my_10 = inertias.inertia_link_1_xx
-        * minus_wrench_outside_link_1_fy_1
-        + inertias.inertia_link_1_xy * minus_wrench_outside_link_1_mx_3
+        * minus_twist_link_1_wy_0 + inertias.inertia_link_1_xy * twist_link_1_wx_0
         + inertias.inertia_link_1_xz * minus_twist_link_1_vy_0
         + (inertias.inertia_link_1_hy * minus_wrench_outside_link_1_mx_5
             - inertias.inertia_link_1_hz * wrench_outside_link_2_mx_15);
@@ -12558,18 +12582,14 @@ pub fn hamel_bias(
         - inertias.inertia_link_1_yy * minus_twist_link_1_wy
         + (inertias.inertia_link_1_hz * twist_link_1_vx
             + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
-        - (wrench_outside_link_2_mx_10 * minus_wrench_outside_link_1_fy_1
+        - (wrench_outside_link_2_mx_10 * minus_twist_link_1_wy_0
             - wrench_outside_link_2_my_10 * minus_twist_link_1_vy_0
             + (wrench_outside_link_2_mx_14 * minus_twist_link_1_vy_2
                 - minus_wrench_outside_link_2_fy_6 * minus_wrench_outside_link_1_mx_5));
     let wrench_outside_link_2_fx = twist_link_1_vx * 2.0
         - minus_twist_link_1_wy * inertias.inertia_link_1_hz
         - (wrench_outside_link_2_mx_12 * minus_twist_link_1_vy_0
-            - wrench_outside_link_2_mx_14 * minus_wrench_outside_link_1_mx_3);
-    let twist_link_2_vx = twist_link_1_vx
-        + (minus_twist_link_2_wz_2 * screws.screw_joint_2_vz
-            - minus_twist_link_1_vy_0 * screws.screw_joint_2_vy
-            + twist_link_2_vy_4 * poses.cos_joint_1) * qd[1];
+            - wrench_outside_link_2_mx_14 * twist_link_1_wx_0);
     let wrench_outside_link_3_my_12 = inertias.inertia_link_2_xx
         * minus_twist_link_2_wz_0 + inertias.inertia_link_2_xy * minus_twist_link_2_wz_2
         + inertias.inertia_link_2_xz * minus_twist_link_1_vy_0
@@ -12589,11 +12609,6 @@ pub fn hamel_bias(
             - minus_twist_link_2_wz * inertias.minus_inertia_link_2_hy)
         - (wrench_outside_link_3_mx_14 * minus_twist_link_1_vy_0
             - wrench_outside_link_3_mx_16 * minus_twist_link_2_wz_2);
-    let twist_link_3_vx = twist_link_2_vx
-        + (twist_link_3_wx_1 * screws.screw_joint_3_vz
-            - twist_link_3_wx_3 * screws.screw_joint_3_vy
-            + (twist_link_3_vz_5 * poses.cos_joint_2
-                + twist_link_3_vy_5 * poses.minus_rotation_link_2_yy)) * qd[2];
     let wrench_outside_link_4_my_12 = inertias.inertia_link_3_xx * twist_link_3_wy_3
         + inertias.inertia_link_3_xy * twist_link_3_wx_1
         + inertias.inertia_link_3_xz * twist_link_3_wx_3
@@ -12613,11 +12628,6 @@ pub fn hamel_bias(
             + twist_link_3_wz * inertias.minus_inertia_link_3_hy)
         - (wrench_outside_link_4_mx_14 * twist_link_3_wx_3
             - wrench_outside_link_4_mx_16 * twist_link_3_wx_1);
-    let twist_link_4_vx = twist_link_3_vx
-        + (twist_link_4_wx_3 * screws.minus_screw_joint_4_vy
-            - twist_link_4_wx_1 * screws.minus_screw_joint_4_vz
-            - (twist_link_4_vz_3 * poses.minus_rotation_link_3_zy
-                + twist_link_4_vy_7 * poses.rotation_link_3_yy)) * qd[3];
     let wrench_outside_link_5_my_12 = inertias.inertia_link_4_xx * twist_link_4_wy_1
         + inertias.inertia_link_4_xy * twist_link_4_wx_1
         + inertias.inertia_link_4_xz * twist_link_4_wx_3
@@ -12637,11 +12647,6 @@ pub fn hamel_bias(
             - twist_link_4_wz * inertias.inertia_link_4_hy)
         - (wrench_outside_link_5_mx_14 * twist_link_4_wx_3
             - wrench_outside_link_5_mx_16 * twist_link_4_wx_1);
-    let twist_link_5_vx = twist_link_4_vx
-        + (twist_link_5_wx_1 * screws.screw_joint_5_vz
-            - twist_link_5_wx_3 * screws.screw_joint_5_vy
-            + (twist_link_5_vz_5 * poses.rotation_link_5_zz
-                + twist_link_5_vy_5 * poses.rotation_link_4_yy)) * qd[4];
     let wrench_outside_link_6_my_12 = inertias.inertia_link_5_xx * twist_link_5_wy_3
         + inertias.inertia_link_5_xy * twist_link_5_wx_1
         + inertias.inertia_link_5_xz * twist_link_5_wx_3
@@ -12661,11 +12666,6 @@ pub fn hamel_bias(
             - twist_link_5_wz * inertias.inertia_link_5_hy)
         - (wrench_outside_link_6_mx_14 * twist_link_5_wx_3
             - wrench_outside_link_6_mx_16 * twist_link_5_wx_1);
-    let twist_link_6_vx = twist_link_5_vx
-        + (twist_link_6_wx_1 * screws.screw_joint_6_vz
-            - twist_link_6_wx_3 * screws.screw_joint_6_vy
-            + (twist_link_6_vz_7 * poses.rotation_link_6_zz
-                + twist_link_6_vy_5 * poses.rotation_link_5_yy)) * qd[5];
     let wrench_outside_link_7_my_12 = inertias.inertia_link_6_xx * twist_link_6_wy_3
         - inertias.minus_inertia_link_6_xy * twist_link_6_wx_1
         + inertias.inertia_link_6_xz * twist_link_6_wx_3
@@ -12685,11 +12685,6 @@ pub fn hamel_bias(
             + twist_link_6_wz * inertias.minus_inertia_link_6_hy)
         - (wrench_outside_link_7_mx_14 * twist_link_6_wx_3
             - wrench_outside_link_7_mx_16 * twist_link_6_wx_1);
-    let twist_link_7_vx = twist_link_6_vx
-        + (twist_link_7_wx_1 * screws.screw_joint_7_vz
-            - twist_link_7_wx_3 * screws.screw_joint_7_vy
-            + (twist_link_7_vz_5 * poses.rotation_link_6_zy
-                + twist_link_7_vy_5 * poses.minus_rotation_link_6_yy)) * qd[6];
     let wrench_link_7_my_12 = inertias.inertia_link_7_xx * twist_link_7_wy_3
         - inertias.minus_inertia_link_7_xy * twist_link_7_wx_1
         + inertias.inertia_link_7_xz * twist_link_7_wx_3
@@ -12726,16 +12721,15 @@ pub fn hamel_bias(
     hamel_bias[1] = wrench_base_my
         + (wrench_base_fx * poses.com_z - wrench_base_fz * poses.com_x) + 0.0;
     let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_my_2
-        * minus_wrench_outside_link_1_mx_3
-        - minus_wrench_outside_link_1_mx_0 * minus_wrench_outside_link_1_fy_1
+        * twist_link_1_wx_0 - minus_wrench_outside_link_1_mx_0 * minus_twist_link_1_wy_0
         + (minus_wrench_outside_link_1_fy_2 * minus_wrench_outside_link_1_mx_7
             - minus_wrench_outside_link_1_mx_4 * minus_wrench_outside_link_1_my_5);
     let wrench_outside_link_2_mz = inertias.inertia_link_1_xz * twist_link_1_wx
         + inertias.minus_inertia_link_1_yz * minus_twist_link_1_wy
         + (inertias.minus_inertia_link_1_hx * minus_twist_link_1_vy
             - inertias.inertia_link_1_hy * twist_link_1_vx)
-        - (wrench_outside_link_2_my_10 * minus_wrench_outside_link_1_mx_3
-            - wrench_outside_link_2_mx_8 * minus_wrench_outside_link_1_fy_1
+        - (wrench_outside_link_2_my_10 * twist_link_1_wx_0
+            - wrench_outside_link_2_mx_8 * minus_twist_link_1_wy_0
             + (minus_wrench_outside_link_2_fy_6 * wrench_outside_link_2_mx_15
                 - wrench_outside_link_2_mx_12 * minus_twist_link_1_vy_2));
     let wrench_outside_link_3_mz = inertias.inertia_link_2_xz * twist_link_2_wx
@@ -12874,49 +12868,46 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     let curvature_x_1_0_21_1 = inertias.locked_inverse_pivot_x
         + inertias.locked_inverse_pivot_y_2 * curvature_x_1_0_21_1_2
         - inertias.locked_inverse_pivot_z_2 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_1_0_21 = common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0
+    let curvature_x_1_0_21 = common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * curvature_x_1_0_21_1_2
+        - common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0 * curvature_x_1_0_21_1_2
         - outside.outside_joint_1_my * curvature_x_1_0_21_1_2_3;
     let curvature_x_1_0_23 = reactions.reaction_joint_1_wz
-        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * curvature_x_1_0_21_1
+        - (common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0 * curvature_x_1_0_21_1
             + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2_3);
     let curvature_x_1_0_25 = reactions.reaction_joint_1_wy
-        + (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * curvature_x_1_0_21_1_2_3
+        + (common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0 * curvature_x_1_0_21_1_2_3
             - (outside.outside_joint_1_my * curvature_x_1_0_21_1
                 + outside.outside_joint_1_mx * curvature_x_1_0_21_1_2));
     let curvature_x_1_0 = reactions.reaction_joint_1_wx
-        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * curvature_x_1_0_21_1
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3)
+        * (common_d_mu_and_7_more.three_joint_2_x_0_0_0 * curvature_x_1_0_21_1
+            + common_d_mu_and_7_more.three_joint_2_x_0_1_0 * curvature_x_1_0_21_1_2
+            + common_d_mu_and_7_more.three_joint_2_x_1_0 * curvature_x_1_0_21_1_2_3)
         + reactions.reaction_joint_1_wy
-            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3
-                - (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0
-                    * curvature_x_1_0_21_1
-                    + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0
+            * (common_d_mu_and_7_more.three_joint_2_y_1_0 * curvature_x_1_0_21_1_2_3
+                - (common_d_mu_and_7_more.three_joint_2_x_0_1_0 * curvature_x_1_0_21_1
+                    + common_d_mu_and_7_more.three_joint_2_y_0_0_0
                         * curvature_x_1_0_21_1_2))
         + reactions.reaction_joint_1_wz
-            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1
-                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
-                    * curvature_x_1_0_21_1_2
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0
-                    * curvature_x_1_0_21_1_2_3)
+            * (common_d_mu_and_7_more.three_joint_2_x_1_0 * curvature_x_1_0_21_1
+                - common_d_mu_and_7_more.three_joint_2_y_1_0 * curvature_x_1_0_21_1_2
+                + common_d_mu_and_7_more.three_joint_2_z_1_0 * curvature_x_1_0_21_1_2_3)
         - curvature_x_1_0_21 * screws.connection_joint_2_wx
         + curvature_x_1_0_23 * screws.connection_joint_2_wy
         - curvature_x_1_0_25 * screws.connection_joint_2_wz;
     curvature[0][0][1] = curvature_x_1_0 + 0.0;
-    let curvature_x_2_0_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0
+    let curvature_x_2_0_1 = common_d_mu_and_7_more.three_joint_3_x_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_2_0_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0
+        - common_d_mu_and_7_more.three_joint_3_x_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_3 = common_d_mu_and_7_more.three_joint_3_x_0_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_2_0_5 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
+        - common_d_mu_and_7_more.three_joint_3_y_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_2_0_5 = common_d_mu_and_7_more.three_joint_3_x_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_and_7_more.three_joint_3_y_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_3_z_1_0 * curvature_x_1_0_21_1_2_3;
     let curvature_x_2_0 = reactions.reaction_joint_1_wx * curvature_x_2_0_1
         + reactions.reaction_joint_1_wy * curvature_x_2_0_3
         + reactions.reaction_joint_1_wz * curvature_x_2_0_5
@@ -12924,18 +12915,18 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         + curvature_x_1_0_23 * screws.connection_joint_3_wy
         - curvature_x_1_0_25 * screws.connection_joint_3_wz;
     curvature[0][0][2] = curvature_x_2_0 + 0.0;
-    let curvature_x_3_0_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0
+    let curvature_x_3_0_1 = common_d_mu_and_7_more.three_joint_4_x_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_3_0_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0
+        - common_d_mu_and_7_more.three_joint_4_x_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_3_0_3 = common_d_mu_and_7_more.three_joint_4_x_0_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_3_0_5 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
+        - common_d_mu_and_7_more.three_joint_4_y_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_3_0_5 = common_d_mu_and_7_more.three_joint_4_x_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_and_7_more.three_joint_4_y_1_0 * curvature_x_1_0_21_1_2
+        - common_d_mu_and_7_more.three_joint_4_z_1_0 * curvature_x_1_0_21_1_2_3;
     let curvature_x_3_0 = reactions.reaction_joint_1_wx * curvature_x_3_0_1
         + reactions.reaction_joint_1_wy * curvature_x_3_0_3
         + reactions.reaction_joint_1_wz * curvature_x_3_0_5
@@ -12943,18 +12934,18 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         + curvature_x_1_0_23 * screws.connection_joint_4_wy
         - curvature_x_1_0_25 * screws.connection_joint_4_wz;
     curvature[0][0][3] = curvature_x_3_0 + 0.0;
-    let curvature_x_4_0_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0
+    let curvature_x_4_0_1 = common_d_mu_and_7_more.three_joint_5_x_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_4_0_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0
+        - common_d_mu_and_7_more.three_joint_5_x_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_4_0_3 = common_d_mu_and_7_more.three_joint_5_x_0_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_4_0_5 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
+        - common_d_mu_and_7_more.three_joint_5_y_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_4_0_5 = common_d_mu_and_7_more.three_joint_5_x_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_and_7_more.three_joint_5_y_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_5_z_1_0 * curvature_x_1_0_21_1_2_3;
     let curvature_x_4_0 = reactions.reaction_joint_1_wx * curvature_x_4_0_1
         + reactions.reaction_joint_1_wy * curvature_x_4_0_3
         + reactions.reaction_joint_1_wz * curvature_x_4_0_5
@@ -12962,18 +12953,18 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         + curvature_x_1_0_23 * screws.connection_joint_5_wy
         - curvature_x_1_0_25 * screws.connection_joint_5_wz;
     curvature[0][0][4] = curvature_x_4_0 + 0.0;
-    let curvature_x_5_0_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0
+    let curvature_x_5_0_1 = common_d_mu_and_7_more.three_joint_6_x_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_5_0_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0
+        - common_d_mu_and_7_more.three_joint_6_x_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_5_0_3 = common_d_mu_and_7_more.three_joint_6_x_0_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_5_0_5 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
+        - common_d_mu_and_7_more.three_joint_6_y_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_5_0_5 = common_d_mu_and_7_more.three_joint_6_x_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_and_7_more.three_joint_6_y_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_6_z_1_0 * curvature_x_1_0_21_1_2_3;
     let curvature_x_5_0 = reactions.reaction_joint_1_wx * curvature_x_5_0_1
         + reactions.reaction_joint_1_wy * curvature_x_5_0_3
         + reactions.reaction_joint_1_wz * curvature_x_5_0_5
@@ -12981,18 +12972,18 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         + curvature_x_1_0_23 * screws.connection_joint_6_wy
         - curvature_x_1_0_25 * screws.connection_joint_6_wz;
     curvature[0][0][5] = curvature_x_5_0 + 0.0;
-    let curvature_x_6_0_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0
+    let curvature_x_6_0_1 = common_d_mu_and_7_more.three_joint_7_x_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_6_0_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0
+        - common_d_mu_and_7_more.three_joint_7_x_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_6_0_3 = common_d_mu_and_7_more.three_joint_7_x_0_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
-    let curvature_x_6_0_5 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
+        - common_d_mu_and_7_more.three_joint_7_y_0_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * curvature_x_1_0_21_1_2_3;
+    let curvature_x_6_0_5 = common_d_mu_and_7_more.three_joint_7_x_1_0
         * curvature_x_1_0_21_1
-        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_and_7_more.three_joint_7_y_1_0 * curvature_x_1_0_21_1_2
+        + common_d_mu_and_7_more.three_joint_7_z_1_0 * curvature_x_1_0_21_1_2_3;
     let curvature_x_6_0 = reactions.reaction_joint_1_wx * curvature_x_6_0_1
         + reactions.reaction_joint_1_wy * curvature_x_6_0_3
         + reactions.reaction_joint_1_wz * curvature_x_6_0_5
@@ -13006,19 +12997,23 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     let curvature_x_2_1_14_1 = curvature_x_1_0_21_1 * 35.0;
     let curvature_x_2_1_12_3 = curvature_x_1_0_21_1_2 * 35.0;
     let curvature_x_2_1_12_1 = curvature_x_1_0_21_1_2_3 * 35.0;
-    let curvature_x_2_1_6 = common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0
+    let curvature_x_2_1_6 = common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0
+            * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0
+            * curvature_x_1_0_21_1_2_3;
     let curvature_x_2_1_8 = reactions.reaction_joint_2_wz
-        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0
+        - (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_0_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_2_1_10 = reactions.reaction_joint_2_wy
-        + (common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0
+        + (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_2_1_12 = reactions.reaction_joint_2_vy * curvature_x_2_1_12_1
         + reactions.reaction_joint_2_vz * curvature_x_2_1_12_3;
@@ -13080,19 +13075,23 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[0][2][0] = 0.0 - curvature_x_2_0;
     curvature[0][2][1] = 0.0 - curvature_x_2_1;
     curvature[0][2][2] = 0.0;
-    let curvature_x_3_2_6 = common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0
+    let curvature_x_3_2_6 = common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0
+            * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0
+            * curvature_x_1_0_21_1_2_3;
     let curvature_x_3_2_8 = reactions.reaction_joint_3_wz
-        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0
+        - (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_0_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_3_2_10 = reactions.reaction_joint_3_wy
-        + (common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0
+        + (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_3_2_12 = reactions.reaction_joint_3_vy * curvature_x_2_1_12_1
         + reactions.reaction_joint_3_vz * curvature_x_2_1_12_3;
@@ -13145,19 +13144,24 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[0][3][1] = 0.0 - curvature_x_3_1;
     curvature[0][3][2] = 0.0 - curvature_x_3_2;
     curvature[0][3][3] = 0.0;
-    let curvature_x_4_3_6 = common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0
+    let curvature_x_4_3_6 = common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0
+            * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0
+            * curvature_x_1_0_21_1_2_3;
     let curvature_x_4_3_8 = reactions.reaction_joint_4_wz
-        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0
+        - (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0
+            * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_0_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_4_3_10 = reactions.reaction_joint_4_wy
-        + (common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0
+        + (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_4_3_12 = reactions.reaction_joint_4_vy * curvature_x_2_1_12_1
         - reactions.minus_reaction_joint_4_vz * curvature_x_2_1_12_3;
@@ -13201,19 +13205,24 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[0][4][2] = 0.0 - curvature_x_4_2;
     curvature[0][4][3] = 0.0 - curvature_x_4_3;
     curvature[0][4][4] = 0.0;
-    let curvature_x_5_4_6 = common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0
+    let curvature_x_5_4_6 = common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0
         * curvature_x_1_0_21_1
-        - common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * curvature_x_1_0_21_1_2
-        + common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * curvature_x_1_0_21_1_2_3;
+        - common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0
+            * curvature_x_1_0_21_1_2
+        + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0
+            * curvature_x_1_0_21_1_2_3;
     let curvature_x_5_4_8 = reactions.reaction_joint_5_wz
-        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0
+        - (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0
+            * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_0_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_5_4_10 = reactions.reaction_joint_5_wy
-        + (common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0
+        + (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0 * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_1_0_1_1_0
                 * curvature_x_1_0_21_1_2_3);
     let curvature_x_5_4_12 = reactions.reaction_joint_5_vy * curvature_x_2_1_12_1
         + reactions.reaction_joint_5_vz * curvature_x_2_1_12_3;
@@ -13251,21 +13260,25 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     let curvature_x_6_5 = reactions.reaction_joint_6_wx * curvature_x_6_0_1
         + reactions.reaction_joint_6_wy * curvature_x_6_0_3
         + reactions.reaction_joint_6_wz * curvature_x_6_0_5
-        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * curvature_x_1_0_21_1
-            - common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * curvature_x_1_0_21_1_2
-            + common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * curvature_x_1_0_21_1_2_3)
-            * screws.connection_joint_7_wx
+        - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0
+            * curvature_x_1_0_21_1
+            - common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0
+                * curvature_x_1_0_21_1_2
+            + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0
+                * curvature_x_1_0_21_1_2_3) * screws.connection_joint_7_wx
         + (reactions.reaction_joint_6_wz
-            - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * curvature_x_1_0_21_1
-                - common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0
+            - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0
+                * curvature_x_1_0_21_1
+                - common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_0_1_0
                     * curvature_x_1_0_21_1_2
-                + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_1_0
                     * curvature_x_1_0_21_1_2_3)) * screws.connection_joint_7_wy
         - (reactions.reaction_joint_6_wy
-            + (common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * curvature_x_1_0_21_1
-                - common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+            + (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0
+                * curvature_x_1_0_21_1
+                - common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_1_0
                     * curvature_x_1_0_21_1_2
-                + common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_1_0_1_1_0
                     * curvature_x_1_0_21_1_2_3)) * screws.connection_joint_7_wz
         + (reactions.reaction_joint_6_vy * curvature_x_2_1_12_1
             + reactions.reaction_joint_6_vz * curvature_x_2_1_12_3)
@@ -13287,56 +13300,55 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[0][6][6] = 0.0;
     // 𝓑_ω(e_i, e_j) y, column joint_1
     curvature[1][0][0] = 0.0;
-    let wrench_base_mx_4 = inertias.locked_inverse_pivot_z_4
+    let six_joint_1_mx_4 = inertias.locked_inverse_pivot_z_4
         * inertias.locked_inverse_pivot_z;
     let curvature_y_1_0_22_1_3 = inertias.locked_inverse_pivot_y
-        + inertias.locked_inverse_pivot_z_4 * wrench_base_mx_4;
-    let curvature_y_1_0_22_1 = inertias.locked_inverse_pivot_z_2 * wrench_base_mx_4
+        + inertias.locked_inverse_pivot_z_4 * six_joint_1_mx_4;
+    let curvature_y_1_0_22_1 = inertias.locked_inverse_pivot_z_2 * six_joint_1_mx_4
         - inertias.locked_inverse_pivot_y_2 * curvature_y_1_0_22_1_3;
-    let minus_wrench_base_mz_4 = outside.outside_joint_1_mx * wrench_base_mx_4;
-    let curvature_y_1_0_22 = common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0
-        * curvature_y_1_0_22_1 - minus_wrench_base_mz_4;
+    let minus_six_joint_1_mz_4 = outside.outside_joint_1_mx * six_joint_1_mx_4;
+    let curvature_y_1_0_22 = common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0
+        * curvature_y_1_0_22_1 - minus_six_joint_1_mz_4;
     let curvature_y_1_0_20 = reactions.reaction_joint_1_wz
-        + (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * curvature_y_1_0_22_1_3
-            + outside.outside_joint_1_my * wrench_base_mx_4);
+        + (common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0 * curvature_y_1_0_22_1_3
+            + outside.outside_joint_1_my * six_joint_1_mx_4);
     let curvature_y_1_0_24 = reactions.reaction_joint_1_wx
         - (outside.outside_joint_1_mx * curvature_y_1_0_22_1_3
             - outside.outside_joint_1_my * curvature_y_1_0_22_1
-            - common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * wrench_base_mx_4);
-    let wrench_outside_link_1_mz_2 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
-        * wrench_base_mx_4;
+            - common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0 * six_joint_1_mx_4);
+    let six_more_joint_2_mz_2 = common_d_mu_and_7_more.three_joint_2_y_1_0
+        * six_joint_1_mx_4;
     let curvature_y_1_0 = reactions.reaction_joint_1_wx
-        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * curvature_y_1_0_22_1
-            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4)
+        * (common_d_mu_and_7_more.three_joint_2_x_0_0_0 * curvature_y_1_0_22_1
+            - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * curvature_y_1_0_22_1_3
+            - common_d_mu_and_7_more.three_joint_2_x_1_0 * six_joint_1_mx_4)
         + reactions.reaction_joint_1_wy
-            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * curvature_y_1_0_22_1_3
-                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0
-                    * curvature_y_1_0_22_1 - wrench_outside_link_1_mz_2)
+            * (common_d_mu_and_7_more.three_joint_2_y_0_0_0 * curvature_y_1_0_22_1_3
+                - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * curvature_y_1_0_22_1
+                - six_more_joint_2_mz_2)
         + reactions.reaction_joint_1_wz
-            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * curvature_y_1_0_22_1
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
-                    * curvature_y_1_0_22_1_3
-                - common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * wrench_base_mx_4)
+            * (common_d_mu_and_7_more.three_joint_2_x_1_0 * curvature_y_1_0_22_1
+                + common_d_mu_and_7_more.three_joint_2_y_1_0 * curvature_y_1_0_22_1_3
+                - common_d_mu_and_7_more.three_joint_2_z_1_0 * six_joint_1_mx_4)
         - curvature_y_1_0_20 * screws.connection_joint_2_wx
         - curvature_y_1_0_22 * screws.connection_joint_2_wy
         + curvature_y_1_0_24 * screws.connection_joint_2_wz;
     curvature[1][0][1] = curvature_y_1_0 + 0.0;
-    let curvature_y_2_0_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0
+    let curvature_y_2_0_1 = common_d_mu_and_7_more.three_joint_3_x_0_0_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
-    let wrench_outside_link_2_mz_2 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_2_0_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_3_x_1_0 * six_joint_1_mx_4;
+    let six_more_joint_3_mz_2 = common_d_mu_and_7_more.three_joint_3_y_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_2_0_3 = common_d_mu_and_7_more.three_joint_3_x_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
-        - wrench_outside_link_2_mz_2;
-    let curvature_y_2_0_5 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
+        + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * curvature_y_1_0_22_1_3
+        - six_more_joint_3_mz_2;
+    let curvature_y_2_0_5 = common_d_mu_and_7_more.three_joint_3_x_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_3_z_1_0 * six_joint_1_mx_4;
     let curvature_y_2_0 = reactions.reaction_joint_1_wx * curvature_y_2_0_1
         + reactions.reaction_joint_1_wy * curvature_y_2_0_3
         + reactions.reaction_joint_1_wz * curvature_y_2_0_5
@@ -13344,20 +13356,20 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         - curvature_y_1_0_22 * screws.connection_joint_3_wy
         + curvature_y_1_0_24 * screws.connection_joint_3_wz;
     curvature[1][0][2] = curvature_y_2_0 + 0.0;
-    let curvature_y_3_0_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0
+    let curvature_y_3_0_1 = common_d_mu_and_7_more.three_joint_4_x_0_0_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
-    let wrench_outside_link_3_mz_2 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_3_0_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_4_x_1_0 * six_joint_1_mx_4;
+    let six_more_joint_4_mz_2 = common_d_mu_and_7_more.three_joint_4_y_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_3_0_3 = common_d_mu_and_7_more.three_joint_4_x_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
-        - wrench_outside_link_3_mz_2;
-    let curvature_y_3_0_5 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
+        + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * curvature_y_1_0_22_1_3
+        - six_more_joint_4_mz_2;
+    let curvature_y_3_0_5 = common_d_mu_and_7_more.three_joint_4_x_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * curvature_y_1_0_22_1_3
+        + common_d_mu_and_7_more.three_joint_4_z_1_0 * six_joint_1_mx_4;
     let curvature_y_3_0 = reactions.reaction_joint_1_wx * curvature_y_3_0_1
         + reactions.reaction_joint_1_wy * curvature_y_3_0_3
         + reactions.reaction_joint_1_wz * curvature_y_3_0_5
@@ -13365,20 +13377,20 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         - curvature_y_1_0_22 * screws.connection_joint_4_wy
         + curvature_y_1_0_24 * screws.connection_joint_4_wz;
     curvature[1][0][3] = curvature_y_3_0 + 0.0;
-    let curvature_y_4_0_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0
+    let curvature_y_4_0_1 = common_d_mu_and_7_more.three_joint_5_x_0_0_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
-    let wrench_outside_link_4_mz_2 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_4_0_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_5_x_1_0 * six_joint_1_mx_4;
+    let six_more_joint_5_mz_2 = common_d_mu_and_7_more.three_joint_5_y_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_4_0_3 = common_d_mu_and_7_more.three_joint_5_x_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
-        - wrench_outside_link_4_mz_2;
-    let curvature_y_4_0_5 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
+        + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * curvature_y_1_0_22_1_3
+        - six_more_joint_5_mz_2;
+    let curvature_y_4_0_5 = common_d_mu_and_7_more.three_joint_5_x_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_5_z_1_0 * six_joint_1_mx_4;
     let curvature_y_4_0 = reactions.reaction_joint_1_wx * curvature_y_4_0_1
         + reactions.reaction_joint_1_wy * curvature_y_4_0_3
         + reactions.reaction_joint_1_wz * curvature_y_4_0_5
@@ -13386,20 +13398,20 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         - curvature_y_1_0_22 * screws.connection_joint_5_wy
         + curvature_y_1_0_24 * screws.connection_joint_5_wz;
     curvature[1][0][4] = curvature_y_4_0 + 0.0;
-    let curvature_y_5_0_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0
+    let curvature_y_5_0_1 = common_d_mu_and_7_more.three_joint_6_x_0_0_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
-    let wrench_outside_link_5_mz_2 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_5_0_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_6_x_1_0 * six_joint_1_mx_4;
+    let six_more_joint_6_mz_2 = common_d_mu_and_7_more.three_joint_6_y_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_5_0_3 = common_d_mu_and_7_more.three_joint_6_x_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
-        - wrench_outside_link_5_mz_2;
-    let curvature_y_5_0_5 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
+        + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * curvature_y_1_0_22_1_3
+        - six_more_joint_6_mz_2;
+    let curvature_y_5_0_5 = common_d_mu_and_7_more.three_joint_6_x_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_6_z_1_0 * six_joint_1_mx_4;
     let curvature_y_5_0 = reactions.reaction_joint_1_wx * curvature_y_5_0_1
         + reactions.reaction_joint_1_wy * curvature_y_5_0_3
         + reactions.reaction_joint_1_wz * curvature_y_5_0_5
@@ -13407,20 +13419,20 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
         - curvature_y_1_0_22 * screws.connection_joint_6_wy
         + curvature_y_1_0_24 * screws.connection_joint_6_wz;
     curvature[1][0][5] = curvature_y_5_0 + 0.0;
-    let curvature_y_6_0_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0
+    let curvature_y_6_0_1 = common_d_mu_and_7_more.three_joint_7_x_0_0_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * wrench_base_mx_4;
-    let wrench_outside_link_6_mz_2 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_6_0_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_7_x_1_0 * six_joint_1_mx_4;
+    let six_more_joint_7_mz_2 = common_d_mu_and_7_more.three_joint_7_y_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_6_0_3 = common_d_mu_and_7_more.three_joint_7_x_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * curvature_y_1_0_22_1_3
-        - wrench_outside_link_6_mz_2;
-    let curvature_y_6_0_5 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
+        + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * curvature_y_1_0_22_1_3
+        - six_more_joint_7_mz_2;
+    let curvature_y_6_0_5 = common_d_mu_and_7_more.three_joint_7_x_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * curvature_y_1_0_22_1_3
-        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * wrench_base_mx_4;
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * curvature_y_1_0_22_1_3
+        - common_d_mu_and_7_more.three_joint_7_z_1_0 * six_joint_1_mx_4;
     let curvature_y_6_0 = reactions.reaction_joint_1_wx * curvature_y_6_0_1
         + reactions.reaction_joint_1_wy * curvature_y_6_0_3
         + reactions.reaction_joint_1_wz * curvature_y_6_0_5
@@ -13433,26 +13445,28 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[1][1][1] = 0.0;
     let curvature_y_2_1_14_1 = curvature_y_1_0_22_1 * 35.0;
     let curvature_y_2_1_12_3 = curvature_y_1_0_22_1_3 * 35.0;
-    let wrench_link_1_fx_3 = wrench_base_mx_4 * 35.0;
-    let minus_wrench_link_1_mz_2 = common_d_mu_b2_curvature.wrench_link_1_my_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_2_1_8 = common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0
+    let six_joint_2_fx_3 = six_joint_1_mx_4 * 35.0;
+    let minus_six_joint_2_mz_2 = common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_2_1_8 = common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * curvature_y_1_0_22_1_3
-        - minus_wrench_link_1_mz_2;
+        + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - minus_six_joint_2_mz_2;
     let curvature_y_2_1_6 = reactions.reaction_joint_2_wz
-        + (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * wrench_base_mx_4);
+        + (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0 * six_joint_1_mx_4);
     let curvature_y_2_1_10 = reactions.reaction_joint_2_wx
-        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0 * wrench_base_mx_4);
-    let curvature_y_2_1_12 = reactions.reaction_joint_2_vy * wrench_link_1_fx_3
+        - (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_8_7_0_0_0_1_0_1_1_0 * six_joint_1_mx_4);
+    let curvature_y_2_1_12 = reactions.reaction_joint_2_vy * six_joint_2_fx_3
         + reactions.reaction_joint_2_vz * curvature_y_2_1_12_3;
-    let minus_wrench_link_1_fz_0 = reactions.reaction_joint_2_vx * wrench_link_1_fx_3;
+    let minus_six_joint_2_fz_0 = reactions.reaction_joint_2_vx * six_joint_2_fx_3;
     let curvature_y_2_1_14 = reactions.reaction_joint_2_vz * curvature_y_2_1_14_1
-        + minus_wrench_link_1_fz_0;
+        + minus_six_joint_2_fz_0;
     let curvature_y_2_1_16 = reactions.reaction_joint_2_vx * curvature_y_2_1_12_3
         - reactions.reaction_joint_2_vy * curvature_y_2_1_14_1;
     let curvature_y_2_1 = reactions.reaction_joint_2_wx * curvature_y_2_0_1
@@ -13509,25 +13523,27 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[1][2][0] = 0.0 - curvature_y_2_0;
     curvature[1][2][1] = 0.0 - curvature_y_2_1;
     curvature[1][2][2] = 0.0;
-    let minus_wrench_link_2_mz_2 = common_d_mu_b2_curvature.wrench_link_2_my_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_3_2_8 = common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0
+    let minus_six_joint_3_mz_2 = common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_3_2_8 = common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * curvature_y_1_0_22_1_3
-        - minus_wrench_link_2_mz_2;
+        + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - minus_six_joint_3_mz_2;
     let curvature_y_3_2_6 = reactions.reaction_joint_3_wz
-        + (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * wrench_base_mx_4);
+        + (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0 * six_joint_1_mx_4);
     let curvature_y_3_2_10 = reactions.reaction_joint_3_wx
-        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0 * wrench_base_mx_4);
-    let curvature_y_3_2_12 = reactions.reaction_joint_3_vy * wrench_link_1_fx_3
+        - (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_9_8_0_0_0_1_0_1_1_0 * six_joint_1_mx_4);
+    let curvature_y_3_2_12 = reactions.reaction_joint_3_vy * six_joint_2_fx_3
         + reactions.reaction_joint_3_vz * curvature_y_2_1_12_3;
-    let minus_wrench_link_2_fz_0 = reactions.reaction_joint_3_vx * wrench_link_1_fx_3;
+    let minus_six_joint_3_fz_0 = reactions.reaction_joint_3_vx * six_joint_2_fx_3;
     let curvature_y_3_2_14 = reactions.reaction_joint_3_vz * curvature_y_2_1_14_1
-        + minus_wrench_link_2_fz_0;
+        + minus_six_joint_3_fz_0;
     let curvature_y_3_2_16 = reactions.reaction_joint_3_vx * curvature_y_2_1_12_3
         - reactions.reaction_joint_3_vy * curvature_y_2_1_14_1;
     let curvature_y_3_2 = reactions.reaction_joint_3_wx * curvature_y_3_0_1
@@ -13575,24 +13591,27 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[1][3][1] = 0.0 - curvature_y_3_1;
     curvature[1][3][2] = 0.0 - curvature_y_3_2;
     curvature[1][3][3] = 0.0;
-    let minus_wrench_link_3_mz_2 = common_d_mu_b2_curvature.wrench_link_3_my_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_4_3_8 = common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0
+    let minus_six_joint_4_mz_2 = common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_4_3_8 = common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * curvature_y_1_0_22_1_3
-        - minus_wrench_link_3_mz_2;
+        + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_0_1_0 * curvature_y_1_0_22_1_3
+        - minus_six_joint_4_mz_2;
     let curvature_y_4_3_6 = reactions.reaction_joint_4_wz
-        + (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * wrench_base_mx_4);
+        + (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0
+            * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0 * six_joint_1_mx_4);
     let curvature_y_4_3_10 = reactions.reaction_joint_4_wx
-        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0 * wrench_base_mx_4);
+        - (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_10_9_0_0_0_1_0_1_1_0 * six_joint_1_mx_4);
     let curvature_y_4_3_12 = reactions.minus_reaction_joint_4_vz * curvature_y_2_1_12_3
-        - reactions.reaction_joint_4_vy * wrench_link_1_fx_3;
-    let minus_wrench_link_3_fz_0 = reactions.reaction_joint_4_vx * wrench_link_1_fx_3;
-    let curvature_y_4_3_14 = minus_wrench_link_3_fz_0
+        - reactions.reaction_joint_4_vy * six_joint_2_fx_3;
+    let minus_six_joint_4_fz_0 = reactions.reaction_joint_4_vx * six_joint_2_fx_3;
+    let curvature_y_4_3_14 = minus_six_joint_4_fz_0
         - reactions.minus_reaction_joint_4_vz * curvature_y_2_1_14_1;
     let curvature_y_4_3_16 = reactions.reaction_joint_4_vx * curvature_y_2_1_12_3
         - reactions.reaction_joint_4_vy * curvature_y_2_1_14_1;
@@ -13632,25 +13651,29 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[1][4][2] = 0.0 - curvature_y_4_2;
     curvature[1][4][3] = 0.0 - curvature_y_4_3;
     curvature[1][4][4] = 0.0;
-    let minus_wrench_link_4_mz_2 = common_d_mu_b2_curvature.wrench_link_4_my_1_1_0
-        * wrench_base_mx_4;
-    let curvature_y_5_4_8 = common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0
+    let minus_six_joint_5_mz_2 = common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_1_0
+        * six_joint_1_mx_4;
+    let curvature_y_5_4_8 = common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0
         * curvature_y_1_0_22_1
-        + common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * curvature_y_1_0_22_1_3
-        - minus_wrench_link_4_mz_2;
+        + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_0_1_0
+            * curvature_y_1_0_22_1_3 - minus_six_joint_5_mz_2;
     let curvature_y_5_4_6 = reactions.reaction_joint_5_wz
-        + (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * wrench_base_mx_4);
+        + (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0
+            * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0
+                * six_joint_1_mx_4);
     let curvature_y_5_4_10 = reactions.reaction_joint_5_wx
-        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0 * curvature_y_1_0_22_1_3
-            - common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0 * wrench_base_mx_4);
-    let curvature_y_5_4_12 = reactions.reaction_joint_5_vy * wrench_link_1_fx_3
+        - (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0 * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_1_0
+                * curvature_y_1_0_22_1_3
+            - common_d_mu_b2_curvature.d_mu_11_10_0_0_0_1_0_1_1_0 * six_joint_1_mx_4);
+    let curvature_y_5_4_12 = reactions.reaction_joint_5_vy * six_joint_2_fx_3
         + reactions.reaction_joint_5_vz * curvature_y_2_1_12_3;
-    let minus_wrench_link_4_fz_0 = reactions.reaction_joint_5_vx * wrench_link_1_fx_3;
+    let minus_six_joint_5_fz_0 = reactions.reaction_joint_5_vx * six_joint_2_fx_3;
     let curvature_y_5_4_14 = reactions.reaction_joint_5_vz * curvature_y_2_1_14_1
-        + minus_wrench_link_4_fz_0;
+        + minus_six_joint_5_fz_0;
     let curvature_y_5_4_16 = reactions.reaction_joint_5_vx * curvature_y_2_1_12_3
         - reactions.reaction_joint_5_vy * curvature_y_2_1_14_1;
     let curvature_y_5_4 = reactions.reaction_joint_5_wx * curvature_y_5_0_1
@@ -13680,32 +13703,36 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[1][5][3] = 0.0 - curvature_y_5_3;
     curvature[1][5][4] = 0.0 - curvature_y_5_4;
     curvature[1][5][5] = 0.0;
-    let minus_wrench_link_5_mz_2 = common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
-        * wrench_base_mx_4;
-    let minus_wrench_link_5_fz_0 = reactions.reaction_joint_6_vx * wrench_link_1_fx_3;
+    let minus_six_joint_6_mz_2 = common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_1_0
+        * six_joint_1_mx_4;
+    let minus_six_joint_6_fz_0 = reactions.reaction_joint_6_vx * six_joint_2_fx_3;
     let curvature_y_6_5 = reactions.reaction_joint_6_wx * curvature_y_6_0_1
         + reactions.reaction_joint_6_wy * curvature_y_6_0_3
         + reactions.reaction_joint_6_wz * curvature_y_6_0_5
         - (reactions.reaction_joint_6_wz
-            + (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * curvature_y_1_0_22_1
-                + common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0
+            + (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0
+                * curvature_y_1_0_22_1
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0
                     * curvature_y_1_0_22_1_3
-                - common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * wrench_base_mx_4))
-            * screws.connection_joint_7_wx
-        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * curvature_y_1_0_22_1
-            + common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0 * curvature_y_1_0_22_1_3
-            - minus_wrench_link_5_mz_2) * screws.connection_joint_7_wy
+                - common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0
+                    * six_joint_1_mx_4)) * screws.connection_joint_7_wx
+        - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0
+            * curvature_y_1_0_22_1
+            + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_0_1_0
+                * curvature_y_1_0_22_1_3 - minus_six_joint_6_mz_2)
+            * screws.connection_joint_7_wy
         + (reactions.reaction_joint_6_wx
-            - (common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0 * curvature_y_1_0_22_1
-                + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+            - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0
+                * curvature_y_1_0_22_1
+                + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_1_0
                     * curvature_y_1_0_22_1_3
-                - common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0 * wrench_base_mx_4))
-            * screws.connection_joint_7_wz
-        - (reactions.reaction_joint_6_vy * wrench_link_1_fx_3
+                - common_d_mu_b2_curvature.d_mu_12_11_0_0_0_1_0_1_1_0
+                    * six_joint_1_mx_4)) * screws.connection_joint_7_wz
+        - (reactions.reaction_joint_6_vy * six_joint_2_fx_3
             + reactions.reaction_joint_6_vz * curvature_y_2_1_12_3)
             * screws.connection_joint_7_vx
-        + (reactions.reaction_joint_6_vz * curvature_y_2_1_14_1
-            + minus_wrench_link_5_fz_0) * screws.connection_joint_7_vy
+        + (reactions.reaction_joint_6_vz * curvature_y_2_1_14_1 + minus_six_joint_6_fz_0)
+            * screws.connection_joint_7_vy
         + (reactions.reaction_joint_6_vx * curvature_y_2_1_12_3
             - reactions.reaction_joint_6_vy * curvature_y_2_1_14_1)
             * screws.connection_joint_7_vz;
@@ -13720,337 +13747,325 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[1][6][6] = 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.locked_inverse_pivot_y_2 * wrench_base_mx_4
+    let minus_six_joint_1_mz_3 = inertias.locked_inverse_pivot_y_2 * six_joint_1_mx_4
         - inertias.locked_inverse_pivot_z_2 * inertias.locked_inverse_pivot_z;
-    let minus_wrench_base_mz = common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0
+    let minus_six_joint_1_mz = common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0
         * inertias.locked_inverse_pivot_z
-        - (outside.outside_joint_1_my * minus_wrench_base_mz_3 + minus_wrench_base_mz_4);
-    let wrench_base_mx = reactions.reaction_joint_1_wy
-        - (common_d_mu_b2_curvature.wrench_base_mx_1_0_0_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * wrench_base_mx_4
+        - (outside.outside_joint_1_my * minus_six_joint_1_mz_3 + minus_six_joint_1_mz_4);
+    let six_joint_1_mx = reactions.reaction_joint_1_wy
+        - (common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_0_0 * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
             - outside.outside_joint_1_my * inertias.locked_inverse_pivot_z);
-    let minus_wrench_base_my = reactions.reaction_joint_1_wx
-        + (common_d_mu_b2_curvature.wrench_base_mx_1_0_1_0 * minus_wrench_base_mz_3
+    let minus_six_joint_1_my = reactions.reaction_joint_1_wx
+        + (common_d_mu_b2_curvature.d_mu_7_6_0_0_1_0_1_0_1_0 * minus_six_joint_1_mz_3
             + outside.outside_joint_1_mx * inertias.locked_inverse_pivot_z);
-    let wrench_outside_link_1_mz = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0
-        * minus_wrench_base_mz_3 - wrench_outside_link_1_mz_2
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_1_0 = reactions.reaction_joint_1_wx
-        * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * minus_wrench_base_mz_3
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0
-                * inertias.locked_inverse_pivot_z)
-        + reactions.reaction_joint_1_wy
-            * (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0
-                * inertias.locked_inverse_pivot_z
-                - (common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0
-                    * minus_wrench_base_mz_3
-                    + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0
-                        * wrench_base_mx_4))
-        + reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        + wrench_base_mx * screws.connection_joint_2_wx
-        - minus_wrench_base_my * screws.connection_joint_2_wy
-        - minus_wrench_base_mz * screws.connection_joint_2_wz;
+    let three_joint_2_x = common_d_mu_and_7_more.three_joint_2_x_0_0_0
+        * minus_six_joint_1_mz_3
+        + common_d_mu_and_7_more.three_joint_2_x_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_2_x_1_0 * inertias.locked_inverse_pivot_z;
+    let three_joint_2_y = common_d_mu_and_7_more.three_joint_2_y_1_0
+        * inertias.locked_inverse_pivot_z
+        - (common_d_mu_and_7_more.three_joint_2_x_0_1_0 * minus_six_joint_1_mz_3
+            + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * six_joint_1_mx_4);
+    let six_more_joint_2_mz = common_d_mu_and_7_more.three_joint_2_x_1_0
+        * minus_six_joint_1_mz_3 - six_more_joint_2_mz_2
+        + common_d_mu_and_7_more.three_joint_2_z_1_0 * inertias.locked_inverse_pivot_z;
+    let curvature_z_1_0 = reactions.reaction_joint_1_wx * three_joint_2_x
+        + reactions.reaction_joint_1_wy * three_joint_2_y
+        + reactions.reaction_joint_1_wz * six_more_joint_2_mz
+        + six_joint_1_mx * screws.connection_joint_2_wx
+        - minus_six_joint_1_my * screws.connection_joint_2_wy
+        - minus_six_joint_1_mz * screws.connection_joint_2_wz;
     curvature[2][0][1] = curvature_z_1_0 + 0.0;
-    let curvature_z_2_0_1 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_2_0_3 = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let wrench_outside_link_2_mz = common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0
-        * minus_wrench_base_mz_3 - wrench_outside_link_2_mz_2
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_2_0 = reactions.reaction_joint_1_wx * curvature_z_2_0_1
-        + reactions.reaction_joint_1_wy * curvature_z_2_0_3
-        + reactions.reaction_joint_1_wz * wrench_outside_link_2_mz
-        + wrench_base_mx * screws.connection_joint_3_wx
-        - minus_wrench_base_my * screws.connection_joint_3_wy
-        - minus_wrench_base_mz * screws.connection_joint_3_wz;
+    let three_joint_3_x = common_d_mu_and_7_more.three_joint_3_x_0_0_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_3_x_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * inertias.locked_inverse_pivot_z;
+    let three_joint_3_y = common_d_mu_and_7_more.three_joint_3_x_0_1_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_3_y_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * inertias.locked_inverse_pivot_z;
+    let six_more_joint_3_mz = common_d_mu_and_7_more.three_joint_3_x_1_0
+        * minus_six_joint_1_mz_3 - six_more_joint_3_mz_2
+        + common_d_mu_and_7_more.three_joint_3_z_1_0 * inertias.locked_inverse_pivot_z;
+    let curvature_z_2_0 = reactions.reaction_joint_1_wx * three_joint_3_x
+        + reactions.reaction_joint_1_wy * three_joint_3_y
+        + reactions.reaction_joint_1_wz * six_more_joint_3_mz
+        + six_joint_1_mx * screws.connection_joint_3_wx
+        - minus_six_joint_1_my * screws.connection_joint_3_wy
+        - minus_six_joint_1_mz * screws.connection_joint_3_wz;
     curvature[2][0][2] = curvature_z_2_0 + 0.0;
-    let curvature_z_3_0_1 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_3_0_3 = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let wrench_outside_link_3_mz = common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0
-        * minus_wrench_base_mz_3 - wrench_outside_link_3_mz_2
-        - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_3_0 = reactions.reaction_joint_1_wx * curvature_z_3_0_1
-        + reactions.reaction_joint_1_wy * curvature_z_3_0_3
-        + reactions.reaction_joint_1_wz * wrench_outside_link_3_mz
-        + wrench_base_mx * screws.connection_joint_4_wx
-        - minus_wrench_base_my * screws.connection_joint_4_wy
-        - minus_wrench_base_mz * screws.connection_joint_4_wz;
+    let three_joint_4_x = common_d_mu_and_7_more.three_joint_4_x_0_0_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_4_x_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * inertias.locked_inverse_pivot_z;
+    let three_joint_4_y = common_d_mu_and_7_more.three_joint_4_x_0_1_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_4_y_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * inertias.locked_inverse_pivot_z;
+    let six_more_joint_4_mz = common_d_mu_and_7_more.three_joint_4_x_1_0
+        * minus_six_joint_1_mz_3 - six_more_joint_4_mz_2
+        - common_d_mu_and_7_more.three_joint_4_z_1_0 * inertias.locked_inverse_pivot_z;
+    let curvature_z_3_0 = reactions.reaction_joint_1_wx * three_joint_4_x
+        + reactions.reaction_joint_1_wy * three_joint_4_y
+        + reactions.reaction_joint_1_wz * six_more_joint_4_mz
+        + six_joint_1_mx * screws.connection_joint_4_wx
+        - minus_six_joint_1_my * screws.connection_joint_4_wy
+        - minus_six_joint_1_mz * screws.connection_joint_4_wz;
     curvature[2][0][3] = curvature_z_3_0 + 0.0;
-    let curvature_z_4_0_1 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_4_0_3 = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let wrench_outside_link_4_mz = common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0
-        * minus_wrench_base_mz_3 - wrench_outside_link_4_mz_2
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_4_0 = reactions.reaction_joint_1_wx * curvature_z_4_0_1
-        + reactions.reaction_joint_1_wy * curvature_z_4_0_3
-        + reactions.reaction_joint_1_wz * wrench_outside_link_4_mz
-        + wrench_base_mx * screws.connection_joint_5_wx
-        - minus_wrench_base_my * screws.connection_joint_5_wy
-        - minus_wrench_base_mz * screws.connection_joint_5_wz;
+    let three_joint_5_x = common_d_mu_and_7_more.three_joint_5_x_0_0_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_5_x_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * inertias.locked_inverse_pivot_z;
+    let three_joint_5_y = common_d_mu_and_7_more.three_joint_5_x_0_1_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_5_y_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * inertias.locked_inverse_pivot_z;
+    let six_more_joint_5_mz = common_d_mu_and_7_more.three_joint_5_x_1_0
+        * minus_six_joint_1_mz_3 - six_more_joint_5_mz_2
+        + common_d_mu_and_7_more.three_joint_5_z_1_0 * inertias.locked_inverse_pivot_z;
+    let curvature_z_4_0 = reactions.reaction_joint_1_wx * three_joint_5_x
+        + reactions.reaction_joint_1_wy * three_joint_5_y
+        + reactions.reaction_joint_1_wz * six_more_joint_5_mz
+        + six_joint_1_mx * screws.connection_joint_5_wx
+        - minus_six_joint_1_my * screws.connection_joint_5_wy
+        - minus_six_joint_1_mz * screws.connection_joint_5_wz;
     curvature[2][0][4] = curvature_z_4_0 + 0.0;
-    let curvature_z_5_0_1 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_5_0_3 = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let wrench_outside_link_5_mz = common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0
-        * minus_wrench_base_mz_3 - wrench_outside_link_5_mz_2
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_5_0 = reactions.reaction_joint_1_wx * curvature_z_5_0_1
-        + reactions.reaction_joint_1_wy * curvature_z_5_0_3
-        + reactions.reaction_joint_1_wz * wrench_outside_link_5_mz
-        + wrench_base_mx * screws.connection_joint_6_wx
-        - minus_wrench_base_my * screws.connection_joint_6_wy
-        - minus_wrench_base_mz * screws.connection_joint_6_wz;
+    let three_joint_6_x = common_d_mu_and_7_more.three_joint_6_x_0_0_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_6_x_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * inertias.locked_inverse_pivot_z;
+    let three_joint_6_y = common_d_mu_and_7_more.three_joint_6_x_0_1_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_6_y_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * inertias.locked_inverse_pivot_z;
+    let six_more_joint_6_mz = common_d_mu_and_7_more.three_joint_6_x_1_0
+        * minus_six_joint_1_mz_3 - six_more_joint_6_mz_2
+        + common_d_mu_and_7_more.three_joint_6_z_1_0 * inertias.locked_inverse_pivot_z;
+    let curvature_z_5_0 = reactions.reaction_joint_1_wx * three_joint_6_x
+        + reactions.reaction_joint_1_wy * three_joint_6_y
+        + reactions.reaction_joint_1_wz * six_more_joint_6_mz
+        + six_joint_1_mx * screws.connection_joint_6_wx
+        - minus_six_joint_1_my * screws.connection_joint_6_wy
+        - minus_six_joint_1_mz * screws.connection_joint_6_wz;
     curvature[2][0][5] = curvature_z_5_0 + 0.0;
-    let curvature_z_6_0_1 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_6_0_3 = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0
-        * minus_wrench_base_mz_3
-        - common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * wrench_base_mx_4
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let wrench_outside_link_6_mz = common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0
-        * minus_wrench_base_mz_3 - wrench_outside_link_6_mz_2
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0
-            * inertias.locked_inverse_pivot_z;
-    let curvature_z_6_0 = reactions.reaction_joint_1_wx * curvature_z_6_0_1
-        + reactions.reaction_joint_1_wy * curvature_z_6_0_3
-        + reactions.reaction_joint_1_wz * wrench_outside_link_6_mz
-        + wrench_base_mx * screws.connection_joint_7_wx
-        - minus_wrench_base_my * screws.connection_joint_7_wy
-        - minus_wrench_base_mz * screws.connection_joint_7_wz;
+    let three_joint_7_x = common_d_mu_and_7_more.three_joint_7_x_0_0_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_7_x_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * inertias.locked_inverse_pivot_z;
+    let three_joint_7_y = common_d_mu_and_7_more.three_joint_7_x_0_1_0
+        * minus_six_joint_1_mz_3
+        - common_d_mu_and_7_more.three_joint_7_y_0_1_0 * six_joint_1_mx_4
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * inertias.locked_inverse_pivot_z;
+    let six_more_joint_7_mz = common_d_mu_and_7_more.three_joint_7_x_1_0
+        * minus_six_joint_1_mz_3 - six_more_joint_7_mz_2
+        + common_d_mu_and_7_more.three_joint_7_z_1_0 * inertias.locked_inverse_pivot_z;
+    let curvature_z_6_0 = reactions.reaction_joint_1_wx * three_joint_7_x
+        + reactions.reaction_joint_1_wy * three_joint_7_y
+        + reactions.reaction_joint_1_wz * six_more_joint_7_mz
+        + six_joint_1_mx * screws.connection_joint_7_wx
+        - minus_six_joint_1_my * screws.connection_joint_7_wy
+        - minus_six_joint_1_mz * screws.connection_joint_7_wz;
     curvature[2][0][6] = curvature_z_6_0 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_2
     curvature[2][1][0] = 0.0 - curvature_z_1_0;
     curvature[2][1][1] = 0.0;
-    let wrench_link_1_fy_1 = minus_wrench_base_mz_3 * 35.0;
-    let wrench_link_1_fx_1 = inertias.locked_inverse_pivot_z * 35.0;
-    let minus_wrench_link_1_mz = common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0
-        * minus_wrench_base_mz_3 - minus_wrench_link_1_mz_2
-        + common_d_mu_b2_curvature.wrench_link_1_mz_1_1_0
+    let six_joint_2_fy_1 = minus_six_joint_1_mz_3 * 35.0;
+    let six_joint_2_fx_1 = inertias.locked_inverse_pivot_z * 35.0;
+    let minus_six_joint_2_mz = common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0
+        * minus_six_joint_1_mz_3 - minus_six_joint_2_mz_2
+        + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_1_0_1_1_0
             * inertias.locked_inverse_pivot_z;
-    let wrench_link_1_mx = reactions.reaction_joint_2_wy
-        - (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_0_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_1_mx_1_1_0
+    let six_joint_2_mx = reactions.reaction_joint_2_wy
+        - (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_0_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let minus_wrench_link_1_my = reactions.reaction_joint_2_wx
-        + (common_d_mu_b2_curvature.wrench_link_1_mx_1_0_1_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_1_my_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_1_my_1_1_0
+    let minus_six_joint_2_my = reactions.reaction_joint_2_wx
+        + (common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_0_1_0_1_0_1_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_8_7_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let wrench_link_1_fx = reactions.reaction_joint_2_vy * wrench_link_1_fx_1
-        + reactions.reaction_joint_2_vz * wrench_link_1_fx_3;
-    let wrench_link_1_fy = reactions.reaction_joint_2_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_2_vx * wrench_link_1_fx_1;
-    let minus_wrench_link_1_fz = minus_wrench_link_1_fz_0
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy_1;
-    let curvature_z_2_1 = reactions.reaction_joint_2_wx * curvature_z_2_0_1
-        + reactions.reaction_joint_2_wy * curvature_z_2_0_3
-        + reactions.reaction_joint_2_wz * wrench_outside_link_2_mz
-        + wrench_link_1_mx * screws.connection_joint_3_wx
-        - minus_wrench_link_1_my * screws.connection_joint_3_wy
-        - minus_wrench_link_1_mz * screws.connection_joint_3_wz
-        + wrench_link_1_fx * screws.connection_joint_3_vx
-        + wrench_link_1_fy * screws.connection_joint_3_vy
-        - minus_wrench_link_1_fz * screws.connection_joint_3_vz;
+    let six_joint_2_fx = reactions.reaction_joint_2_vy * six_joint_2_fx_1
+        + reactions.reaction_joint_2_vz * six_joint_2_fx_3;
+    let six_joint_2_fy = reactions.reaction_joint_2_vz * six_joint_2_fy_1
+        - reactions.reaction_joint_2_vx * six_joint_2_fx_1;
+    let minus_six_joint_2_fz = minus_six_joint_2_fz_0
+        + reactions.reaction_joint_2_vy * six_joint_2_fy_1;
+    let curvature_z_2_1 = reactions.reaction_joint_2_wx * three_joint_3_x
+        + reactions.reaction_joint_2_wy * three_joint_3_y
+        + reactions.reaction_joint_2_wz * six_more_joint_3_mz
+        + six_joint_2_mx * screws.connection_joint_3_wx
+        - minus_six_joint_2_my * screws.connection_joint_3_wy
+        - minus_six_joint_2_mz * screws.connection_joint_3_wz
+        + six_joint_2_fx * screws.connection_joint_3_vx
+        + six_joint_2_fy * screws.connection_joint_3_vy
+        - minus_six_joint_2_fz * screws.connection_joint_3_vz;
     curvature[2][1][2] = curvature_z_2_1 + 0.0;
-    let curvature_z_3_1 = reactions.reaction_joint_2_wx * curvature_z_3_0_1
-        + reactions.reaction_joint_2_wy * curvature_z_3_0_3
-        + reactions.reaction_joint_2_wz * wrench_outside_link_3_mz
-        + wrench_link_1_mx * screws.connection_joint_4_wx
-        - minus_wrench_link_1_my * screws.connection_joint_4_wy
-        - minus_wrench_link_1_mz * screws.connection_joint_4_wz
-        + wrench_link_1_fx * screws.connection_joint_4_vx
-        + wrench_link_1_fy * screws.connection_joint_4_vy
-        - minus_wrench_link_1_fz * screws.connection_joint_4_vz;
+    let curvature_z_3_1 = reactions.reaction_joint_2_wx * three_joint_4_x
+        + reactions.reaction_joint_2_wy * three_joint_4_y
+        + reactions.reaction_joint_2_wz * six_more_joint_4_mz
+        + six_joint_2_mx * screws.connection_joint_4_wx
+        - minus_six_joint_2_my * screws.connection_joint_4_wy
+        - minus_six_joint_2_mz * screws.connection_joint_4_wz
+        + six_joint_2_fx * screws.connection_joint_4_vx
+        + six_joint_2_fy * screws.connection_joint_4_vy
+        - minus_six_joint_2_fz * screws.connection_joint_4_vz;
     curvature[2][1][3] = curvature_z_3_1 + 0.0;
-    let curvature_z_4_1 = reactions.reaction_joint_2_wx * curvature_z_4_0_1
-        + reactions.reaction_joint_2_wy * curvature_z_4_0_3
-        + reactions.reaction_joint_2_wz * wrench_outside_link_4_mz
-        + wrench_link_1_mx * screws.connection_joint_5_wx
-        - minus_wrench_link_1_my * screws.connection_joint_5_wy
-        - minus_wrench_link_1_mz * screws.connection_joint_5_wz
-        + wrench_link_1_fx * screws.connection_joint_5_vx
-        + wrench_link_1_fy * screws.connection_joint_5_vy
-        - minus_wrench_link_1_fz * screws.connection_joint_5_vz;
+    let curvature_z_4_1 = reactions.reaction_joint_2_wx * three_joint_5_x
+        + reactions.reaction_joint_2_wy * three_joint_5_y
+        + reactions.reaction_joint_2_wz * six_more_joint_5_mz
+        + six_joint_2_mx * screws.connection_joint_5_wx
+        - minus_six_joint_2_my * screws.connection_joint_5_wy
+        - minus_six_joint_2_mz * screws.connection_joint_5_wz
+        + six_joint_2_fx * screws.connection_joint_5_vx
+        + six_joint_2_fy * screws.connection_joint_5_vy
+        - minus_six_joint_2_fz * screws.connection_joint_5_vz;
     curvature[2][1][4] = curvature_z_4_1 + 0.0;
-    let curvature_z_5_1 = reactions.reaction_joint_2_wx * curvature_z_5_0_1
-        + reactions.reaction_joint_2_wy * curvature_z_5_0_3
-        + reactions.reaction_joint_2_wz * wrench_outside_link_5_mz
-        + wrench_link_1_mx * screws.connection_joint_6_wx
-        - minus_wrench_link_1_my * screws.connection_joint_6_wy
-        - minus_wrench_link_1_mz * screws.connection_joint_6_wz
-        + wrench_link_1_fx * screws.connection_joint_6_vx
-        + wrench_link_1_fy * screws.connection_joint_6_vy
-        - minus_wrench_link_1_fz * screws.connection_joint_6_vz;
+    let curvature_z_5_1 = reactions.reaction_joint_2_wx * three_joint_6_x
+        + reactions.reaction_joint_2_wy * three_joint_6_y
+        + reactions.reaction_joint_2_wz * six_more_joint_6_mz
+        + six_joint_2_mx * screws.connection_joint_6_wx
+        - minus_six_joint_2_my * screws.connection_joint_6_wy
+        - minus_six_joint_2_mz * screws.connection_joint_6_wz
+        + six_joint_2_fx * screws.connection_joint_6_vx
+        + six_joint_2_fy * screws.connection_joint_6_vy
+        - minus_six_joint_2_fz * screws.connection_joint_6_vz;
     curvature[2][1][5] = curvature_z_5_1 + 0.0;
-    let curvature_z_6_1 = reactions.reaction_joint_2_wx * curvature_z_6_0_1
-        + reactions.reaction_joint_2_wy * curvature_z_6_0_3
-        + reactions.reaction_joint_2_wz * wrench_outside_link_6_mz
-        + wrench_link_1_mx * screws.connection_joint_7_wx
-        - minus_wrench_link_1_my * screws.connection_joint_7_wy
-        - minus_wrench_link_1_mz * screws.connection_joint_7_wz
-        + wrench_link_1_fx * screws.connection_joint_7_vx
-        + wrench_link_1_fy * screws.connection_joint_7_vy
-        - minus_wrench_link_1_fz * screws.connection_joint_7_vz;
+    let curvature_z_6_1 = reactions.reaction_joint_2_wx * three_joint_7_x
+        + reactions.reaction_joint_2_wy * three_joint_7_y
+        + reactions.reaction_joint_2_wz * six_more_joint_7_mz
+        + six_joint_2_mx * screws.connection_joint_7_wx
+        - minus_six_joint_2_my * screws.connection_joint_7_wy
+        - minus_six_joint_2_mz * screws.connection_joint_7_wz
+        + six_joint_2_fx * screws.connection_joint_7_vx
+        + six_joint_2_fy * screws.connection_joint_7_vy
+        - minus_six_joint_2_fz * screws.connection_joint_7_vz;
     curvature[2][1][6] = curvature_z_6_1 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_3
     curvature[2][2][0] = 0.0 - curvature_z_2_0;
     curvature[2][2][1] = 0.0 - curvature_z_2_1;
     curvature[2][2][2] = 0.0;
-    let minus_wrench_link_2_mz = common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0
-        * minus_wrench_base_mz_3 - minus_wrench_link_2_mz_2
-        + common_d_mu_b2_curvature.wrench_link_2_mz_1_1_0
+    let minus_six_joint_3_mz = common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0
+        * minus_six_joint_1_mz_3 - minus_six_joint_3_mz_2
+        + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_1_0_1_1_0
             * inertias.locked_inverse_pivot_z;
-    let wrench_link_2_mx = reactions.reaction_joint_3_wy
-        - (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_0_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_2_mx_1_1_0
+    let six_joint_3_mx = reactions.reaction_joint_3_wy
+        - (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_0_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let minus_wrench_link_2_my = reactions.reaction_joint_3_wx
-        + (common_d_mu_b2_curvature.wrench_link_2_mx_1_0_1_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_2_my_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_2_my_1_1_0
+    let minus_six_joint_3_my = reactions.reaction_joint_3_wx
+        + (common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_0_1_0_1_0_1_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_9_8_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let wrench_link_2_fx = reactions.reaction_joint_3_vy * wrench_link_1_fx_1
-        + reactions.reaction_joint_3_vz * wrench_link_1_fx_3;
-    let wrench_link_2_fy = reactions.reaction_joint_3_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_3_vx * wrench_link_1_fx_1;
-    let minus_wrench_link_2_fz = minus_wrench_link_2_fz_0
-        + reactions.reaction_joint_3_vy * wrench_link_1_fy_1;
-    let curvature_z_3_2 = reactions.reaction_joint_3_wx * curvature_z_3_0_1
-        + reactions.reaction_joint_3_wy * curvature_z_3_0_3
-        + reactions.reaction_joint_3_wz * wrench_outside_link_3_mz
-        + wrench_link_2_mx * screws.connection_joint_4_wx
-        - minus_wrench_link_2_my * screws.connection_joint_4_wy
-        - minus_wrench_link_2_mz * screws.connection_joint_4_wz
-        + wrench_link_2_fx * screws.connection_joint_4_vx
-        + wrench_link_2_fy * screws.connection_joint_4_vy
-        - minus_wrench_link_2_fz * screws.connection_joint_4_vz;
+    let six_joint_3_fx = reactions.reaction_joint_3_vy * six_joint_2_fx_1
+        + reactions.reaction_joint_3_vz * six_joint_2_fx_3;
+    let six_joint_3_fy = reactions.reaction_joint_3_vz * six_joint_2_fy_1
+        - reactions.reaction_joint_3_vx * six_joint_2_fx_1;
+    let minus_six_joint_3_fz = minus_six_joint_3_fz_0
+        + reactions.reaction_joint_3_vy * six_joint_2_fy_1;
+    let curvature_z_3_2 = reactions.reaction_joint_3_wx * three_joint_4_x
+        + reactions.reaction_joint_3_wy * three_joint_4_y
+        + reactions.reaction_joint_3_wz * six_more_joint_4_mz
+        + six_joint_3_mx * screws.connection_joint_4_wx
+        - minus_six_joint_3_my * screws.connection_joint_4_wy
+        - minus_six_joint_3_mz * screws.connection_joint_4_wz
+        + six_joint_3_fx * screws.connection_joint_4_vx
+        + six_joint_3_fy * screws.connection_joint_4_vy
+        - minus_six_joint_3_fz * screws.connection_joint_4_vz;
     curvature[2][2][3] = curvature_z_3_2 + 0.0;
-    let curvature_z_4_2 = reactions.reaction_joint_3_wx * curvature_z_4_0_1
-        + reactions.reaction_joint_3_wy * curvature_z_4_0_3
-        + reactions.reaction_joint_3_wz * wrench_outside_link_4_mz
-        + wrench_link_2_mx * screws.connection_joint_5_wx
-        - minus_wrench_link_2_my * screws.connection_joint_5_wy
-        - minus_wrench_link_2_mz * screws.connection_joint_5_wz
-        + wrench_link_2_fx * screws.connection_joint_5_vx
-        + wrench_link_2_fy * screws.connection_joint_5_vy
-        - minus_wrench_link_2_fz * screws.connection_joint_5_vz;
+    let curvature_z_4_2 = reactions.reaction_joint_3_wx * three_joint_5_x
+        + reactions.reaction_joint_3_wy * three_joint_5_y
+        + reactions.reaction_joint_3_wz * six_more_joint_5_mz
+        + six_joint_3_mx * screws.connection_joint_5_wx
+        - minus_six_joint_3_my * screws.connection_joint_5_wy
+        - minus_six_joint_3_mz * screws.connection_joint_5_wz
+        + six_joint_3_fx * screws.connection_joint_5_vx
+        + six_joint_3_fy * screws.connection_joint_5_vy
+        - minus_six_joint_3_fz * screws.connection_joint_5_vz;
     curvature[2][2][4] = curvature_z_4_2 + 0.0;
-    let curvature_z_5_2 = reactions.reaction_joint_3_wx * curvature_z_5_0_1
-        + reactions.reaction_joint_3_wy * curvature_z_5_0_3
-        + reactions.reaction_joint_3_wz * wrench_outside_link_5_mz
-        + wrench_link_2_mx * screws.connection_joint_6_wx
-        - minus_wrench_link_2_my * screws.connection_joint_6_wy
-        - minus_wrench_link_2_mz * screws.connection_joint_6_wz
-        + wrench_link_2_fx * screws.connection_joint_6_vx
-        + wrench_link_2_fy * screws.connection_joint_6_vy
-        - minus_wrench_link_2_fz * screws.connection_joint_6_vz;
+    let curvature_z_5_2 = reactions.reaction_joint_3_wx * three_joint_6_x
+        + reactions.reaction_joint_3_wy * three_joint_6_y
+        + reactions.reaction_joint_3_wz * six_more_joint_6_mz
+        + six_joint_3_mx * screws.connection_joint_6_wx
+        - minus_six_joint_3_my * screws.connection_joint_6_wy
+        - minus_six_joint_3_mz * screws.connection_joint_6_wz
+        + six_joint_3_fx * screws.connection_joint_6_vx
+        + six_joint_3_fy * screws.connection_joint_6_vy
+        - minus_six_joint_3_fz * screws.connection_joint_6_vz;
     curvature[2][2][5] = curvature_z_5_2 + 0.0;
-    let curvature_z_6_2 = reactions.reaction_joint_3_wx * curvature_z_6_0_1
-        + reactions.reaction_joint_3_wy * curvature_z_6_0_3
-        + reactions.reaction_joint_3_wz * wrench_outside_link_6_mz
-        + wrench_link_2_mx * screws.connection_joint_7_wx
-        - minus_wrench_link_2_my * screws.connection_joint_7_wy
-        - minus_wrench_link_2_mz * screws.connection_joint_7_wz
-        + wrench_link_2_fx * screws.connection_joint_7_vx
-        + wrench_link_2_fy * screws.connection_joint_7_vy
-        - minus_wrench_link_2_fz * screws.connection_joint_7_vz;
+    let curvature_z_6_2 = reactions.reaction_joint_3_wx * three_joint_7_x
+        + reactions.reaction_joint_3_wy * three_joint_7_y
+        + reactions.reaction_joint_3_wz * six_more_joint_7_mz
+        + six_joint_3_mx * screws.connection_joint_7_wx
+        - minus_six_joint_3_my * screws.connection_joint_7_wy
+        - minus_six_joint_3_mz * screws.connection_joint_7_wz
+        + six_joint_3_fx * screws.connection_joint_7_vx
+        + six_joint_3_fy * screws.connection_joint_7_vy
+        - minus_six_joint_3_fz * screws.connection_joint_7_vz;
     curvature[2][2][6] = curvature_z_6_2 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_4
     curvature[2][3][0] = 0.0 - curvature_z_3_0;
     curvature[2][3][1] = 0.0 - curvature_z_3_1;
     curvature[2][3][2] = 0.0 - curvature_z_3_2;
     curvature[2][3][3] = 0.0;
-    let minus_wrench_link_3_mz = common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0
-        * minus_wrench_base_mz_3 - minus_wrench_link_3_mz_2
-        + common_d_mu_b2_curvature.wrench_link_3_mz_1_1_0
+    let minus_six_joint_4_mz = common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0
+        * minus_six_joint_1_mz_3 - minus_six_joint_4_mz_2
+        + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_1_0_1_1_0
             * inertias.locked_inverse_pivot_z;
-    let wrench_link_3_mx = reactions.reaction_joint_4_wy
-        - (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_0_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_3_mx_1_1_0
+    let six_joint_4_mx = reactions.reaction_joint_4_wy
+        - (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_0_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let minus_wrench_link_3_my = reactions.reaction_joint_4_wx
-        + (common_d_mu_b2_curvature.wrench_link_3_mx_1_0_1_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_3_my_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_3_my_1_1_0
+    let minus_six_joint_4_my = reactions.reaction_joint_4_wx
+        + (common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_0_1_0_1_0_1_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_10_9_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let wrench_link_3_fx = reactions.reaction_joint_4_vy * wrench_link_1_fx_1
-        - reactions.minus_reaction_joint_4_vz * wrench_link_1_fx_3;
-    let minus_wrench_link_3_fy = reactions.minus_reaction_joint_4_vz * wrench_link_1_fy_1
-        + reactions.reaction_joint_4_vx * wrench_link_1_fx_1;
-    let minus_wrench_link_3_fz = minus_wrench_link_3_fz_0
-        + reactions.reaction_joint_4_vy * wrench_link_1_fy_1;
-    let curvature_z_4_3 = reactions.reaction_joint_4_wx * curvature_z_4_0_1
-        + reactions.reaction_joint_4_wy * curvature_z_4_0_3
-        + reactions.reaction_joint_4_wz * wrench_outside_link_4_mz
-        + wrench_link_3_mx * screws.connection_joint_5_wx
-        - minus_wrench_link_3_my * screws.connection_joint_5_wy
-        - minus_wrench_link_3_mz * screws.connection_joint_5_wz
-        + wrench_link_3_fx * screws.connection_joint_5_vx
-        - minus_wrench_link_3_fy * screws.connection_joint_5_vy
-        - minus_wrench_link_3_fz * screws.connection_joint_5_vz;
+    let six_joint_4_fx = reactions.reaction_joint_4_vy * six_joint_2_fx_1
+        - reactions.minus_reaction_joint_4_vz * six_joint_2_fx_3;
+    let minus_six_joint_4_fy = reactions.minus_reaction_joint_4_vz * six_joint_2_fy_1
+        + reactions.reaction_joint_4_vx * six_joint_2_fx_1;
+    let minus_six_joint_4_fz = minus_six_joint_4_fz_0
+        + reactions.reaction_joint_4_vy * six_joint_2_fy_1;
+    let curvature_z_4_3 = reactions.reaction_joint_4_wx * three_joint_5_x
+        + reactions.reaction_joint_4_wy * three_joint_5_y
+        + reactions.reaction_joint_4_wz * six_more_joint_5_mz
+        + six_joint_4_mx * screws.connection_joint_5_wx
+        - minus_six_joint_4_my * screws.connection_joint_5_wy
+        - minus_six_joint_4_mz * screws.connection_joint_5_wz
+        + six_joint_4_fx * screws.connection_joint_5_vx
+        - minus_six_joint_4_fy * screws.connection_joint_5_vy
+        - minus_six_joint_4_fz * screws.connection_joint_5_vz;
     curvature[2][3][4] = curvature_z_4_3 + 0.0;
-    let curvature_z_5_3 = reactions.reaction_joint_4_wx * curvature_z_5_0_1
-        + reactions.reaction_joint_4_wy * curvature_z_5_0_3
-        + reactions.reaction_joint_4_wz * wrench_outside_link_5_mz
-        + wrench_link_3_mx * screws.connection_joint_6_wx
-        - minus_wrench_link_3_my * screws.connection_joint_6_wy
-        - minus_wrench_link_3_mz * screws.connection_joint_6_wz
-        + wrench_link_3_fx * screws.connection_joint_6_vx
-        - minus_wrench_link_3_fy * screws.connection_joint_6_vy
-        - minus_wrench_link_3_fz * screws.connection_joint_6_vz;
+    let curvature_z_5_3 = reactions.reaction_joint_4_wx * three_joint_6_x
+        + reactions.reaction_joint_4_wy * three_joint_6_y
+        + reactions.reaction_joint_4_wz * six_more_joint_6_mz
+        + six_joint_4_mx * screws.connection_joint_6_wx
+        - minus_six_joint_4_my * screws.connection_joint_6_wy
+        - minus_six_joint_4_mz * screws.connection_joint_6_wz
+        + six_joint_4_fx * screws.connection_joint_6_vx
+        - minus_six_joint_4_fy * screws.connection_joint_6_vy
+        - minus_six_joint_4_fz * screws.connection_joint_6_vz;
     curvature[2][3][5] = curvature_z_5_3 + 0.0;
-    let curvature_z_6_3 = reactions.reaction_joint_4_wx * curvature_z_6_0_1
-        + reactions.reaction_joint_4_wy * curvature_z_6_0_3
-        + reactions.reaction_joint_4_wz * wrench_outside_link_6_mz
-        + wrench_link_3_mx * screws.connection_joint_7_wx
-        - minus_wrench_link_3_my * screws.connection_joint_7_wy
-        - minus_wrench_link_3_mz * screws.connection_joint_7_wz
-        + wrench_link_3_fx * screws.connection_joint_7_vx
-        - minus_wrench_link_3_fy * screws.connection_joint_7_vy
-        - minus_wrench_link_3_fz * screws.connection_joint_7_vz;
+    let curvature_z_6_3 = reactions.reaction_joint_4_wx * three_joint_7_x
+        + reactions.reaction_joint_4_wy * three_joint_7_y
+        + reactions.reaction_joint_4_wz * six_more_joint_7_mz
+        + six_joint_4_mx * screws.connection_joint_7_wx
+        - minus_six_joint_4_my * screws.connection_joint_7_wy
+        - minus_six_joint_4_mz * screws.connection_joint_7_wz
+        + six_joint_4_fx * screws.connection_joint_7_vx
+        - minus_six_joint_4_fy * screws.connection_joint_7_vy
+        - minus_six_joint_4_fz * screws.connection_joint_7_vz;
     curvature[2][3][6] = curvature_z_6_3 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_5
     curvature[2][4][0] = 0.0 - curvature_z_4_0;
@@ -14058,45 +14073,48 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[2][4][2] = 0.0 - curvature_z_4_2;
     curvature[2][4][3] = 0.0 - curvature_z_4_3;
     curvature[2][4][4] = 0.0;
-    let minus_wrench_link_4_mz = common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0
-        * minus_wrench_base_mz_3 - minus_wrench_link_4_mz_2
-        + common_d_mu_b2_curvature.wrench_link_4_mz_1_1_0
+    let minus_six_joint_5_mz = common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0
+        * minus_six_joint_1_mz_3 - minus_six_joint_5_mz_2
+        + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_1_0_1_1_0
             * inertias.locked_inverse_pivot_z;
-    let wrench_link_4_mx = reactions.reaction_joint_5_wy
-        - (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_0_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_4_mx_1_1_0
+    let six_joint_5_mx = reactions.reaction_joint_5_wy
+        - (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_0_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0
+                * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let minus_wrench_link_4_my = reactions.reaction_joint_5_wx
-        + (common_d_mu_b2_curvature.wrench_link_4_mx_1_0_1_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_4_my_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_4_my_1_1_0
+    let minus_six_joint_5_my = reactions.reaction_joint_5_wx
+        + (common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_0_1_0_1_0_1_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_11_10_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let wrench_link_4_fx = reactions.reaction_joint_5_vy * wrench_link_1_fx_1
-        + reactions.reaction_joint_5_vz * wrench_link_1_fx_3;
-    let wrench_link_4_fy = reactions.reaction_joint_5_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_5_vx * wrench_link_1_fx_1;
-    let minus_wrench_link_4_fz = minus_wrench_link_4_fz_0
-        + reactions.reaction_joint_5_vy * wrench_link_1_fy_1;
-    let curvature_z_5_4 = reactions.reaction_joint_5_wx * curvature_z_5_0_1
-        + reactions.reaction_joint_5_wy * curvature_z_5_0_3
-        + reactions.reaction_joint_5_wz * wrench_outside_link_5_mz
-        + wrench_link_4_mx * screws.connection_joint_6_wx
-        - minus_wrench_link_4_my * screws.connection_joint_6_wy
-        - minus_wrench_link_4_mz * screws.connection_joint_6_wz
-        + wrench_link_4_fx * screws.connection_joint_6_vx
-        + wrench_link_4_fy * screws.connection_joint_6_vy
-        - minus_wrench_link_4_fz * screws.connection_joint_6_vz;
+    let six_joint_5_fx = reactions.reaction_joint_5_vy * six_joint_2_fx_1
+        + reactions.reaction_joint_5_vz * six_joint_2_fx_3;
+    let six_joint_5_fy = reactions.reaction_joint_5_vz * six_joint_2_fy_1
+        - reactions.reaction_joint_5_vx * six_joint_2_fx_1;
+    let minus_six_joint_5_fz = minus_six_joint_5_fz_0
+        + reactions.reaction_joint_5_vy * six_joint_2_fy_1;
+    let curvature_z_5_4 = reactions.reaction_joint_5_wx * three_joint_6_x
+        + reactions.reaction_joint_5_wy * three_joint_6_y
+        + reactions.reaction_joint_5_wz * six_more_joint_6_mz
+        + six_joint_5_mx * screws.connection_joint_6_wx
+        - minus_six_joint_5_my * screws.connection_joint_6_wy
+        - minus_six_joint_5_mz * screws.connection_joint_6_wz
+        + six_joint_5_fx * screws.connection_joint_6_vx
+        + six_joint_5_fy * screws.connection_joint_6_vy
+        - minus_six_joint_5_fz * screws.connection_joint_6_vz;
     curvature[2][4][5] = curvature_z_5_4 + 0.0;
-    let curvature_z_6_4 = reactions.reaction_joint_5_wx * curvature_z_6_0_1
-        + reactions.reaction_joint_5_wy * curvature_z_6_0_3
-        + reactions.reaction_joint_5_wz * wrench_outside_link_6_mz
-        + wrench_link_4_mx * screws.connection_joint_7_wx
-        - minus_wrench_link_4_my * screws.connection_joint_7_wy
-        - minus_wrench_link_4_mz * screws.connection_joint_7_wz
-        + wrench_link_4_fx * screws.connection_joint_7_vx
-        + wrench_link_4_fy * screws.connection_joint_7_vy
-        - minus_wrench_link_4_fz * screws.connection_joint_7_vz;
+    let curvature_z_6_4 = reactions.reaction_joint_5_wx * three_joint_7_x
+        + reactions.reaction_joint_5_wy * three_joint_7_y
+        + reactions.reaction_joint_5_wz * six_more_joint_7_mz
+        + six_joint_5_mx * screws.connection_joint_7_wx
+        - minus_six_joint_5_my * screws.connection_joint_7_wy
+        - minus_six_joint_5_mz * screws.connection_joint_7_wz
+        + six_joint_5_fx * screws.connection_joint_7_vx
+        + six_joint_5_fy * screws.connection_joint_7_vy
+        - minus_six_joint_5_fz * screws.connection_joint_7_vz;
     curvature[2][4][6] = curvature_z_6_4 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_6
     curvature[2][5][0] = 0.0 - curvature_z_5_0;
@@ -14105,35 +14123,38 @@ pub fn curvature(q: &[f64; 7], curvature: &mut [[[f64; 7]; 7]; 3], com: &mut [f6
     curvature[2][5][3] = 0.0 - curvature_z_5_3;
     curvature[2][5][4] = 0.0 - curvature_z_5_4;
     curvature[2][5][5] = 0.0;
-    let minus_wrench_link_5_mz = common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0
-        * minus_wrench_base_mz_3 - minus_wrench_link_5_mz_2
-        + common_d_mu_b2_curvature.wrench_link_5_mz_1_1_0
+    let minus_six_joint_6_mz = common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0
+        * minus_six_joint_1_mz_3 - minus_six_joint_6_mz_2
+        + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_1_0_1_1_0
             * inertias.locked_inverse_pivot_z;
-    let wrench_link_5_mx = reactions.reaction_joint_6_wy
-        - (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_0_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_5_mx_1_1_0
+    let six_joint_6_mx = reactions.reaction_joint_6_wy
+        - (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_0_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0
+                * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let minus_wrench_link_5_my = reactions.reaction_joint_6_wx
-        + (common_d_mu_b2_curvature.wrench_link_5_mx_1_0_1_0 * minus_wrench_base_mz_3
-            - common_d_mu_b2_curvature.wrench_link_5_my_1_0_1_0 * wrench_base_mx_4
-            + common_d_mu_b2_curvature.wrench_link_5_my_1_1_0
+    let minus_six_joint_6_my = reactions.reaction_joint_6_wx
+        + (common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_0_1_0_1_0_1_0
+            * minus_six_joint_1_mz_3
+            - common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_0_1_0 * six_joint_1_mx_4
+            + common_d_mu_b2_curvature.d_mu_12_11_0_0_0_0_1_0_1_1_0
                 * inertias.locked_inverse_pivot_z);
-    let wrench_link_5_fx = reactions.reaction_joint_6_vy * wrench_link_1_fx_1
-        + reactions.reaction_joint_6_vz * wrench_link_1_fx_3;
-    let wrench_link_5_fy = reactions.reaction_joint_6_vz * wrench_link_1_fy_1
-        - reactions.reaction_joint_6_vx * wrench_link_1_fx_1;
-    let minus_wrench_link_5_fz = minus_wrench_link_5_fz_0
-        + reactions.reaction_joint_6_vy * wrench_link_1_fy_1;
-    let curvature_z_6_5 = reactions.reaction_joint_6_wx * curvature_z_6_0_1
-        + reactions.reaction_joint_6_wy * curvature_z_6_0_3
-        + reactions.reaction_joint_6_wz * wrench_outside_link_6_mz
-        + wrench_link_5_mx * screws.connection_joint_7_wx
-        - minus_wrench_link_5_my * screws.connection_joint_7_wy
-        - minus_wrench_link_5_mz * screws.connection_joint_7_wz
-        + wrench_link_5_fx * screws.connection_joint_7_vx
-        + wrench_link_5_fy * screws.connection_joint_7_vy
-        - minus_wrench_link_5_fz * screws.connection_joint_7_vz;
+    let six_joint_6_fx = reactions.reaction_joint_6_vy * six_joint_2_fx_1
+        + reactions.reaction_joint_6_vz * six_joint_2_fx_3;
+    let six_joint_6_fy = reactions.reaction_joint_6_vz * six_joint_2_fy_1
+        - reactions.reaction_joint_6_vx * six_joint_2_fx_1;
+    let minus_six_joint_6_fz = minus_six_joint_6_fz_0
+        + reactions.reaction_joint_6_vy * six_joint_2_fy_1;
+    let curvature_z_6_5 = reactions.reaction_joint_6_wx * three_joint_7_x
+        + reactions.reaction_joint_6_wy * three_joint_7_y
+        + reactions.reaction_joint_6_wz * six_more_joint_7_mz
+        + six_joint_6_mx * screws.connection_joint_7_wx
+        - minus_six_joint_6_my * screws.connection_joint_7_wy
+        - minus_six_joint_6_mz * screws.connection_joint_7_wz
+        + six_joint_6_fx * screws.connection_joint_7_vx
+        + six_joint_6_fy * screws.connection_joint_7_vy
+        - minus_six_joint_6_fz * screws.connection_joint_7_vz;
     curvature[2][5][6] = curvature_z_6_5 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_7
     curvature[2][6][0] = 0.0 - curvature_z_6_0;
@@ -14582,7 +14603,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (7; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (13; rad/s², m/s²)
 ///
-/// 4654 operations: 2297 + −, 2341 ×, 16 ÷; 7 sin cos; about 54.8 KiB of code.
+/// 4390 operations: 2162 + −, 2212 ×, 16 ÷; 7 sin cos; about 51.7 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -14625,61 +14646,52 @@ pub fn forward_dynamics(
     let xi_dot_0_3_3_4_0_6 = xi_dot_0_3_3_4_0_6_0 * 17.5;
     let xi_dot_0_3_3_4_3_0_6 = xi_dot_0_3_3_4_3_0_6_0 * 17.5;
     let xi_dot_0_3_3_4_3_0_4 = xi_dot_0_3_3_4_3_0_4_0 * 17.5;
-    let xi_dot_0_3_3_4_0_30 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
-        + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
-        + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let xi_dot_0_3_3_4_3_0_28 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
-        + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
-        + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let xi_dot_0_3_3_4_3_0_30 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
-        + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
-        + screws.inside_joint_7_fz * qd[6];
     let xi_dot_0_3_3_4_3_0_24 = (inertias.composite_link_1_xx
         - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
-        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
-    let xi_dot_0_3_3_4_3_0_26 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * qd[6];
+    let xi_dot_0_3_3_4_3_0_26 = common_d_mu_and_7_more.three_joint_2_x_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * qd[6];
     let xi_dot_0_3_3_4_0_26 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * qd[6];
+    let xi_dot_0_3_3_4_0_30 = velocities.velocity_base_vx * 17.5;
+    let xi_dot_0_3_3_4_3_0_28 = velocities.minus_velocity_base_vy * 17.5;
+    let xi_dot_0_3_3_4_3_0_30 = velocities.minus_velocity_base_vz * 17.5;
     let xi_dot_0_3_3_4_0_1 = mu[0] - velocities.minus_velocity_base_wx;
     let xi_dot_0_3_3_4_3_0_3 = mu[1] - velocities.minus_velocity_base_wy;
     let xi_dot_0_3_3_4_3_0_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_mx_14 = base_wrench[0]
+    let wrench_base_mx_4 = base_wrench[0]
         + (base_wrench[4] * poses.com_z - base_wrench[5] * poses.com_y);
-    let wrench_base_my_14 = base_wrench[1]
+    let wrench_base_my_4 = base_wrench[1]
         + (base_wrench[5] * poses.com_x - base_wrench[3] * poses.com_z);
-    let wrench_base_mz_14 = base_wrench[2]
+    let wrench_base_mz_4 = base_wrench[2]
         + (base_wrench[3] * poses.com_y - base_wrench[4] * poses.com_x);
     let xi_dot_0_3_3_4_3_0 = xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_3_0_1
         - xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_3_0_3
         + (xi_dot_0_3_3_4_3_0_4 * velocities.minus_velocity_base_vy
             - xi_dot_0_3_3_4_3_0_6 * velocities.minus_velocity_base_vz)
         - (((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_3_0_9) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+            + common_d_mu_and_7_more.three_joint_2_x_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_x_0_0_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_x_0_0_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_x_0_0_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_x_0_0_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_x_0_0_0 * qd[6]) * mu[0]
             + xi_dot_0_3_3_4_3_0_24 * mu[1] + xi_dot_0_3_3_4_3_0_26 * mu[2]
             + (xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_3_0_4_0
                 - xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_3_0_6_0));
@@ -14689,31 +14701,31 @@ pub fn forward_dynamics(
             + xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vz)
         - (xi_dot_0_3_3_4_3_0_24 * mu[0]
             + ((xi_dot_0_3_3_4_3_0_9 - xi_dot_0_3_3_4_0_11) * qd[0]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
-                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
-                + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
-                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
-                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
-                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+                + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * qd[1]
+                + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * qd[2]
+                + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * qd[3]
+                + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * qd[4]
+                + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * qd[5]
+                + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * qd[6]) * mu[1]
             + xi_dot_0_3_3_4_0_26 * mu[2]
             + (xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_0_6_0
-                - xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_4_0));
-    let xi_dot_0_3_3_4_3 = xi_dot_0_3_3_4_3_0 + wrench_base_mx_14;
+                + xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_4_0));
+    let xi_dot_0_3_3_4_3 = xi_dot_0_3_3_4_3_0 + wrench_base_mx_4;
     let xi_dot_0_3_3_0 = xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_3
         - xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_0_1
         - (xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vy
             + xi_dot_0_3_3_4_3_0_6 * velocities.velocity_base_vx)
         - (xi_dot_0_3_3_4_3_0_26 * mu[0] + xi_dot_0_3_3_4_0_26 * mu[1]
             + ((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_0_11) * qd[0]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
-                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
-                - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
-                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
-                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
-                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
-            + (xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_6_0
-                - xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_0_6_0)) + wrench_base_mz_14;
-    let xi_dot_0_3_3_4 = xi_dot_0_3_3_4_0 + wrench_base_my_14
+                + common_d_mu_and_7_more.three_joint_2_z_1_0 * qd[1]
+                + common_d_mu_and_7_more.three_joint_3_z_1_0 * qd[2]
+                - common_d_mu_and_7_more.three_joint_4_z_1_0 * qd[3]
+                + common_d_mu_and_7_more.three_joint_5_z_1_0 * qd[4]
+                + common_d_mu_and_7_more.three_joint_6_z_1_0 * qd[5]
+                + common_d_mu_and_7_more.three_joint_7_z_1_0 * qd[6]) * mu[2]
+            - (xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_6_0
+                + xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_0_6_0)) + wrench_base_mz_4;
+    let xi_dot_0_3_3_4 = xi_dot_0_3_3_4_0 + wrench_base_my_4
         - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_4_3;
     let xi_dot_0_3_3 = (xi_dot_0_3_3_0
         - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_4_3
@@ -14735,14 +14747,122 @@ pub fn forward_dynamics(
         + (xi_dot_0_3_3 * poses.com_y - xi_dot_0_3 * poses.com_z) + gravity[0] + 0.0;
     xi_dot[4] = (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_1
         - xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_1
-        - (mu[2] * xi_dot_0_3_3_4_0_30 - mu[0] * xi_dot_0_3_3_4_3_0_30) + base_wrench[4])
+        + (mu[2] * xi_dot_0_3_3_4_0_30 + mu[0] * xi_dot_0_3_3_4_3_0_30) + base_wrench[4])
         * 0.05714285714285714 + (xi_dot_0 * poses.com_z - xi_dot_0_3_3 * poses.com_x)
         + gravity[1] + 0.0;
     xi_dot[5] = (xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_3
         - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_1
-        - (mu[0] * xi_dot_0_3_3_4_3_0_28 - mu[1] * xi_dot_0_3_3_4_0_30) + base_wrench[5])
+        - (mu[0] * xi_dot_0_3_3_4_3_0_28 + mu[1] * xi_dot_0_3_3_4_0_30) + base_wrench[5])
         * 0.05714285714285714 + (xi_dot_0_3 * poses.com_x - xi_dot_0 * poses.com_y)
         + gravity[2] + 0.0;
+    let wrench_link_2_mx_1 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_1;
+    let wrench_link_2_mx_3 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1;
+    let wrench_link_2_my_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_0_1;
+    let wrench_link_2_mx_9 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1;
+    let wrench_link_2_mx_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_0_1;
+    let wrench_link_3_mx_1 = wrench_link_2_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1;
+    let wrench_link_3_mx_3 = wrench_link_2_mx_3
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1;
+    let wrench_link_3_mx_5 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_1_1_0_0_0_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1;
+    let wrench_link_3_my_7 = wrench_link_2_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_1;
+    let wrench_link_3_mx_9 = wrench_link_2_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_1;
+    let wrench_link_3_mx_7 = wrench_link_2_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_1;
+    let wrench_link_4_mx_1 = wrench_link_3_mx_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_1;
+    let wrench_link_4_mx_3 = wrench_link_3_mx_3
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_1;
+    let wrench_link_4_mx_5 = wrench_link_3_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_1;
+    let wrench_link_4_my_7 = wrench_link_3_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_1;
+    let wrench_link_4_mx_9 = wrench_link_3_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_1;
+    let wrench_link_4_mx_7 = wrench_link_3_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_1;
+    let wrench_link_5_mx_1 = wrench_link_4_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_1;
+    let wrench_link_5_mx_3 = wrench_link_4_mx_3
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_1;
+    let wrench_link_5_mx_5 = wrench_link_4_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_1;
+    let wrench_link_5_my_7 = wrench_link_4_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_1;
+    let wrench_link_5_mx_9 = wrench_link_4_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_1;
+    let wrench_link_5_mx_7 = wrench_link_4_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_1;
+    let wrench_link_6_mx_1 = wrench_link_5_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_1;
+    let wrench_link_6_mx_3 = wrench_link_5_mx_3
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_1;
+    let wrench_link_6_mx_5 = wrench_link_5_mx_5
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_1;
+    let wrench_link_6_my_7 = wrench_link_5_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_1;
+    let wrench_link_6_mx_9 = wrench_link_5_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_1;
+    let wrench_link_6_mx_7 = wrench_link_5_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_1;
+    let wrench_link_7_mx_1 = wrench_link_6_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_1;
+    let wrench_link_7_mx_3 = wrench_link_6_mx_3
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_1;
+    let wrench_link_7_mx_5 = wrench_link_6_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_1;
+    let wrench_link_7_my_7 = wrench_link_6_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_1;
+    let wrench_link_7_mx_9 = wrench_link_6_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_1;
+    let wrench_link_7_mx_7 = wrench_link_6_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_1;
+    let wrench_link_7_mx = inertias.inertia_link_7_xx * wrench_link_7_mx_1
+        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_3
+        + inertias.inertia_link_7_xz * wrench_link_7_mx_5
+        - (inertias.minus_inertia_link_7_hy * wrench_link_7_mx_7
+            + inertias.inertia_link_7_hz * wrench_link_7_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_1;
+    let wrench_link_7_my = inertias.inertia_link_7_yy * wrench_link_7_mx_3
+        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_1
+        + inertias.inertia_link_7_yz * wrench_link_7_mx_5
+        + (inertias.inertia_link_7_hz * wrench_link_7_my_7
+            + inertias.minus_inertia_link_7_hx * wrench_link_7_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_my_1;
+    let wrench_link_7_mz = inertias.inertia_link_7_xz * wrench_link_7_mx_1
+        + inertias.inertia_link_7_yz * wrench_link_7_mx_3
+        + inertias.inertia_link_7_zz * wrench_link_7_mx_5
+        + (inertias.minus_inertia_link_7_hy * wrench_link_7_my_7
+            - inertias.minus_inertia_link_7_hx * wrench_link_7_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mz_1;
+    let wrench_link_7_fx = wrench_link_7_my_7 * 2.0
+        + (wrench_link_7_mx_3 * inertias.inertia_link_7_hz
+            + wrench_link_7_mx_5 * inertias.minus_inertia_link_7_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fx_1;
+    let wrench_link_7_fy = wrench_link_7_mx_9 * 2.0
+        - (wrench_link_7_mx_5 * inertias.minus_inertia_link_7_hx
+            + wrench_link_7_mx_1 * inertias.inertia_link_7_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fy_1;
+    let wrench_link_7_fz = wrench_link_7_mx_7 * 2.0
+        + (wrench_link_7_mx_3 * inertias.minus_inertia_link_7_hx
+            - wrench_link_7_mx_1 * inertias.minus_inertia_link_7_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fz_1;
     let inverse_pivot_joint_7_d = 1.0
         / (poses.rotation_link_6_zy * screws.inside_joint_7_mz
             - (poses.minus_rotation_link_6_xy * screws.inside_joint_7_mx
@@ -14750,99 +14870,50 @@ pub fn forward_dynamics(
             + screws.screw_joint_7_vx * screws.inside_joint_7_fx
             + screws.screw_joint_7_vy * screws.inside_joint_7_fy
             + screws.screw_joint_7_vz * screws.inside_joint_7_fz);
-    let wrench_link_6_mx_12_0 = tau[6]
-        - (poses.minus_rotation_link_6_xy
-            * common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mx
-            + poses.minus_rotation_link_6_yy
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_my
-            - poses.rotation_link_6_zy
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mz
-            - screws.screw_joint_7_vx
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fx
-            - screws.screw_joint_7_vy
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fy
-            - screws.screw_joint_7_vz
-                * common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fz);
-    let wrench_link_6_mx_12 = (wrench_link_6_mx_12_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-            * screws.inside_joint_7_mx
-            - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_1_1
-                * screws.inside_joint_7_my
-            + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
-                * screws.inside_joint_7_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_0_0_1_1_1
-                * screws.inside_joint_7_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_1_1
-                * screws.inside_joint_7_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1
-                * screws.inside_joint_7_fz)) * inverse_pivot_joint_7_d;
-    let wrench_link_6_mx = inertias.inertia_link_7_xx
-        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-        + inertias.minus_inertia_link_7_xy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_1_1
-        + inertias.inertia_link_7_xz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
-        - (inertias.minus_inertia_link_7_hy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1
-            + inertias.inertia_link_7_hz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_1_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mx
-        + screws.inside_joint_7_mx * wrench_link_6_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_1;
-    let wrench_link_6_my = inertias.inertia_link_7_yz
-        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
-        - (inertias.minus_inertia_link_7_xy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-            + inertias.inertia_link_7_yy
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_link_6_mx_0_0_0_0_0_1_1)
-        + (inertias.minus_inertia_link_7_hx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1
-            + inertias.inertia_link_7_hz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_0_0_1_1_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_my
-        + screws.inside_joint_7_my * wrench_link_6_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_my_1;
-    let wrench_link_6_mz = inertias.inertia_link_7_xz
-        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-        - inertias.inertia_link_7_yz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_1_1
-        + inertias.inertia_link_7_zz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
-        + (inertias.minus_inertia_link_7_hy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_0_0_1_1_1
-            - inertias.minus_inertia_link_7_hx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_1_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mz
-        + screws.inside_joint_7_mz * wrench_link_6_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mz_1;
-    let wrench_link_6_fx = inertias.minus_inertia_link_7_hy
-        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
-        - inertias.inertia_link_7_hz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_1_1
-        + 2.0 * common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_0_0_1_1_1
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fx
-        + screws.inside_joint_7_fx * wrench_link_6_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fx_1;
-    let wrench_link_6_fy = 2.0
-        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_1_1
-        - (inertias.inertia_link_7_hz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-            + inertias.minus_inertia_link_7_hx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fy
-        + screws.inside_joint_7_fy * wrench_link_6_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fy_1;
-    let wrench_link_6_fz = 2.0
-        * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1
-        - (inertias.minus_inertia_link_7_hy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-            + inertias.minus_inertia_link_7_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_link_6_mx_0_0_0_0_0_1_1)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fz
-        + screws.inside_joint_7_fz * wrench_link_6_mx_12
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fz_1;
+    let wrench_link_6_mx_13_0 = tau[6]
+        - (poses.rotation_link_6_zy * wrench_link_7_mz
+            - (poses.minus_rotation_link_6_xy * wrench_link_7_mx
+                + poses.minus_rotation_link_6_yy * wrench_link_7_my)
+            + screws.screw_joint_7_vx * wrench_link_7_fx
+            + screws.screw_joint_7_vy * wrench_link_7_fy
+            + screws.screw_joint_7_vz * wrench_link_7_fz);
+    let wrench_link_6_mx_13 = wrench_link_6_mx_13_0 * inverse_pivot_joint_7_d;
+    let wrench_link_6_mx = inertias.inertia_link_6_xx * wrench_link_6_mx_1
+        - inertias.minus_inertia_link_6_xy * wrench_link_6_mx_3
+        + inertias.inertia_link_6_xz * wrench_link_6_mx_5
+        - (inertias.minus_inertia_link_6_hy * wrench_link_6_mx_7
+            + inertias.inertia_link_6_hz * wrench_link_6_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_1
+        + (wrench_link_7_mx + screws.inside_joint_7_mx * wrench_link_6_mx_13);
+    let wrench_link_6_my = inertias.inertia_link_6_yy * wrench_link_6_mx_3
+        - inertias.minus_inertia_link_6_xy * wrench_link_6_mx_1
+        + inertias.inertia_link_6_yz * wrench_link_6_mx_5
+        + (inertias.inertia_link_6_hz * wrench_link_6_my_7
+            + inertias.minus_inertia_link_6_hx * wrench_link_6_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_1
+        + (wrench_link_7_my + screws.inside_joint_7_my * wrench_link_6_mx_13);
+    let wrench_link_6_mz = inertias.inertia_link_6_xz * wrench_link_6_mx_1
+        + inertias.inertia_link_6_yz * wrench_link_6_mx_3
+        + inertias.inertia_link_6_zz * wrench_link_6_mx_5
+        + (inertias.minus_inertia_link_6_hy * wrench_link_6_my_7
+            - inertias.minus_inertia_link_6_hx * wrench_link_6_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mz_0_1
+        + (wrench_link_7_mz + screws.inside_joint_7_mz * wrench_link_6_mx_13);
+    let wrench_link_6_fx = wrench_link_6_my_7 * 2.0
+        + (wrench_link_6_mx_3 * inertias.inertia_link_6_hz
+            + wrench_link_6_mx_5 * inertias.minus_inertia_link_6_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fx_0_1
+        + (wrench_link_7_fx + screws.inside_joint_7_fx * wrench_link_6_mx_13);
+    let wrench_link_6_fy = wrench_link_6_mx_9 * 2.0
+        - (wrench_link_6_mx_5 * inertias.minus_inertia_link_6_hx
+            + wrench_link_6_mx_1 * inertias.inertia_link_6_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fy_0_1
+        + (wrench_link_7_fy + screws.inside_joint_7_fy * wrench_link_6_mx_13);
+    let wrench_link_6_fz = wrench_link_6_mx_7 * 2.0
+        + (wrench_link_6_mx_3 * inertias.minus_inertia_link_6_hx
+            - wrench_link_6_mx_1 * inertias.minus_inertia_link_6_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fz_0_1
+        + (wrench_link_7_fz + screws.inside_joint_7_fz * wrench_link_6_mx_13);
     let minus_articulated_link_6_hxx_0 = screws.inside_joint_7_mx
         * inverse_pivot_joint_7_d;
     let minus_articulated_link_6_hyy_0 = screws.inside_joint_7_my
@@ -14953,129 +15024,50 @@ pub fn forward_dynamics(
             + screws.screw_joint_6_vx * wrench_outside_link_6_fx
             + screws.screw_joint_6_vy * wrench_outside_link_6_fy
             + screws.screw_joint_6_vz * wrench_outside_link_6_fz);
-    let wrench_link_5_mx_14_0 = tau[5]
+    let wrench_link_5_mx_13_0 = tau[5]
         - (poses.rotation_link_6_xz * wrench_link_6_mx
             - poses.rotation_link_5_yy * wrench_link_6_my
             + poses.rotation_link_6_zz * wrench_link_6_mz
             + screws.screw_joint_6_vx * wrench_link_6_fx
             + screws.screw_joint_6_vy * wrench_link_6_fy
             + screws.screw_joint_6_vz * wrench_link_6_fz);
-    let wrench_link_5_mx_14 = (wrench_link_5_mx_14_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            * wrench_outside_link_6_mx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
-                * wrench_outside_link_6_my
-            - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-                * wrench_outside_link_6_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_1_1
-                * wrench_outside_link_6_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_6_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_0_1
-                * wrench_outside_link_6_fz)) * inverse_pivot_joint_6_d;
-    let wrench_link_5_mx = wrench_link_6_mx
-        + (articulated_link_6_jxx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            - minus_articulated_link_6_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
-            - articulated_link_6_jxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-            - (minus_articulated_link_6_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_0_1
-                + (minus_articulated_link_6_hxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_1_0_1
-                    + minus_articulated_link_6_hxx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_5_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_6_mx * wrench_link_5_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_1;
-    let wrench_link_5_my = wrench_link_6_my
-        + (articulated_link_6_jyy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_6_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            - articulated_link_6_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-            + (articulated_link_6_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_0_1
-                + (articulated_link_6_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_1_1_1
-                    - minus_articulated_link_6_hyy
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_5_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_6_my * wrench_link_5_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_my_1;
-    let wrench_link_5_mz = wrench_link_6_mz
-        + (articulated_link_6_jxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            + articulated_link_6_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
-            - articulated_link_6_jzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-            + (articulated_link_6_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_6_hzy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_6_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_0_1))
-        + wrench_outside_link_6_mz * wrench_link_5_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mz_1;
-    let wrench_link_5_fx = wrench_link_6_fx
-        + (articulated_link_6_hyx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_6_hxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            - articulated_link_6_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-            + (articulated_link_6_mxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_6_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_6_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_0_1))
-        + wrench_outside_link_6_fx * wrench_link_5_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fx_1;
-    let wrench_link_5_fy = wrench_link_6_fy
-        + (minus_articulated_link_6_hzy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-            - (minus_articulated_link_6_hxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-                + minus_articulated_link_6_hyy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_0_0_1_1)
-            + (articulated_link_6_myy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_6_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_6_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_0_1))
-        + wrench_outside_link_6_fy * wrench_link_5_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fy_1;
-    let wrench_link_5_fz = wrench_link_6_fz
-        + (articulated_link_6_hyz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_6_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-            + minus_articulated_link_6_hzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-            + (articulated_link_6_mzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_0_1
-                - (minus_articulated_link_6_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_5_mx_0_0_1_1_1_1_1
-                    + minus_articulated_link_6_myz
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_5_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_6_fz * wrench_link_5_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fz_1;
+    let wrench_link_5_mx_13 = wrench_link_5_mx_13_0 * inverse_pivot_joint_6_d;
+    let wrench_link_5_mx = inertias.inertia_link_5_xx * wrench_link_5_mx_1
+        + inertias.inertia_link_5_xy * wrench_link_5_mx_3
+        + inertias.inertia_link_5_xz * wrench_link_5_mx_5
+        + (inertias.inertia_link_5_hy * wrench_link_5_mx_7
+            - inertias.inertia_link_5_hz * wrench_link_5_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_1
+        + (wrench_link_6_mx + wrench_outside_link_6_mx * wrench_link_5_mx_13);
+    let wrench_link_5_my = inertias.inertia_link_5_xy * wrench_link_5_mx_1
+        + inertias.inertia_link_5_yy * wrench_link_5_mx_3
+        + inertias.inertia_link_5_yz * wrench_link_5_mx_5
+        + (inertias.inertia_link_5_hz * wrench_link_5_my_7
+            + inertias.minus_inertia_link_5_hx * wrench_link_5_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_my_0_1
+        + (wrench_link_6_my + wrench_outside_link_6_my * wrench_link_5_mx_13);
+    let wrench_link_5_mz = inertias.inertia_link_5_xz * wrench_link_5_mx_1
+        + inertias.inertia_link_5_yz * wrench_link_5_mx_3
+        + inertias.inertia_link_5_zz * wrench_link_5_mx_5
+        - (inertias.minus_inertia_link_5_hx * wrench_link_5_mx_9
+            + inertias.inertia_link_5_hy * wrench_link_5_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mz_0_1
+        + (wrench_link_6_mz + wrench_outside_link_6_mz * wrench_link_5_mx_13);
+    let wrench_link_5_fx = wrench_link_5_my_7 * 2.0
+        + (wrench_link_5_mx_3 * inertias.inertia_link_5_hz
+            - wrench_link_5_mx_5 * inertias.inertia_link_5_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fx_0_1
+        + (wrench_link_6_fx + wrench_outside_link_6_fx * wrench_link_5_mx_13);
+    let wrench_link_5_fy = wrench_link_5_mx_9 * 2.0
+        - (wrench_link_5_mx_5 * inertias.minus_inertia_link_5_hx
+            + wrench_link_5_mx_1 * inertias.inertia_link_5_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fy_0_1
+        + (wrench_link_6_fy + wrench_outside_link_6_fy * wrench_link_5_mx_13);
+    let wrench_link_5_fz = wrench_link_5_mx_7 * 2.0
+        + (wrench_link_5_mx_1 * inertias.inertia_link_5_hy
+            + wrench_link_5_mx_3 * inertias.minus_inertia_link_5_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fz_0_1
+        + (wrench_link_6_fz + wrench_outside_link_6_fz * wrench_link_5_mx_13);
     let minus_articulated_link_5_hxx_1 = wrench_outside_link_6_mx
         * inverse_pivot_joint_6_d;
     let minus_articulated_link_5_hyy_1 = wrench_outside_link_6_my
@@ -15188,129 +15180,50 @@ pub fn forward_dynamics(
             + screws.screw_joint_5_vx * wrench_outside_link_5_fx
             + screws.screw_joint_5_vy * wrench_outside_link_5_fy
             + screws.screw_joint_5_vz * wrench_outside_link_5_fz);
-    let wrench_link_4_mx_14_0 = tau[4]
+    let wrench_link_4_mx_13_0 = tau[4]
         - (poses.rotation_link_5_zz * wrench_link_5_mz
             - (poses.rotation_link_4_xy * wrench_link_5_mx
                 + poses.rotation_link_4_yy * wrench_link_5_my)
             + screws.screw_joint_5_vx * wrench_link_5_fx
             + screws.screw_joint_5_vy * wrench_link_5_fy
             + screws.screw_joint_5_vz * wrench_link_5_fz);
-    let wrench_link_4_mx_14 = (wrench_link_4_mx_14_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-            * wrench_outside_link_5_mx
-            - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1
-                * wrench_outside_link_5_my
-            + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-                * wrench_outside_link_5_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_1_1
-                * wrench_outside_link_5_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_5_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_0_1
-                * wrench_outside_link_5_fz)) * inverse_pivot_joint_5_d;
-    let wrench_link_4_mx = wrench_link_5_mx
-        + (articulated_link_5_jxx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-            - articulated_link_5_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1
-            + articulated_link_5_jxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-            + (articulated_link_5_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_0_1
-                - (minus_articulated_link_5_hxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_1_0_1
-                    + minus_articulated_link_5_hxx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_4_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_5_mx * wrench_link_4_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_1;
-    let wrench_link_4_my = wrench_link_5_my
-        + (articulated_link_5_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-            - articulated_link_5_jyy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1
-            + articulated_link_5_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-            + (articulated_link_5_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_0_1
-                + (articulated_link_5_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_1_1_1
-                    - minus_articulated_link_5_hyy
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_4_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_5_my * wrench_link_4_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_my_1;
-    let wrench_link_4_mz = wrench_link_5_mz
-        + (articulated_link_5_jxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-            - articulated_link_5_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1
-            + articulated_link_5_jzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-            + (articulated_link_5_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_5_hzy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_5_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_0_1))
-        + wrench_outside_link_5_mz * wrench_link_4_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mz_1;
-    let wrench_link_4_fx = wrench_link_5_fx
-        + (articulated_link_5_hzx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-            - (minus_articulated_link_5_hxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-                + articulated_link_5_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_0_0_1_1)
-            + (articulated_link_5_mxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_5_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_5_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_0_1))
-        + wrench_outside_link_5_fx * wrench_link_4_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fx_1;
-    let wrench_link_4_fy = wrench_link_5_fy
-        + (minus_articulated_link_5_hyy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_5_hxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-            - minus_articulated_link_5_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-            + (articulated_link_5_myy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_5_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_5_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_0_1))
-        + wrench_outside_link_5_fy * wrench_link_4_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fy_1;
-    let wrench_link_4_fz = wrench_link_5_fz
-        + (articulated_link_5_hxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-            - articulated_link_5_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_5_hzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-            + (articulated_link_5_mzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_0_1
-                - (minus_articulated_link_5_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_4_mx_0_0_1_1_1_1_1
-                    + minus_articulated_link_5_myz
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_4_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_5_fz * wrench_link_4_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fz_1;
+    let wrench_link_4_mx_13 = wrench_link_4_mx_13_0 * inverse_pivot_joint_5_d;
+    let wrench_link_4_mx = inertias.inertia_link_4_xx * wrench_link_4_mx_1
+        + inertias.inertia_link_4_xy * wrench_link_4_mx_3
+        + inertias.inertia_link_4_xz * wrench_link_4_mx_5
+        + (inertias.inertia_link_4_hy * wrench_link_4_mx_7
+            - inertias.inertia_link_4_hz * wrench_link_4_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_1
+        + (wrench_link_5_mx + wrench_outside_link_5_mx * wrench_link_4_mx_13);
+    let wrench_link_4_my = inertias.inertia_link_4_xy * wrench_link_4_mx_1
+        + inertias.inertia_link_4_yy * wrench_link_4_mx_3
+        + inertias.inertia_link_4_yz * wrench_link_4_mx_5
+        + (inertias.inertia_link_4_hz * wrench_link_4_my_7
+            + inertias.minus_inertia_link_4_hx * wrench_link_4_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_my_0_1
+        + (wrench_link_5_my + wrench_outside_link_5_my * wrench_link_4_mx_13);
+    let wrench_link_4_mz = inertias.inertia_link_4_xz * wrench_link_4_mx_1
+        + inertias.inertia_link_4_yz * wrench_link_4_mx_3
+        + inertias.inertia_link_4_zz * wrench_link_4_mx_5
+        - (inertias.minus_inertia_link_4_hx * wrench_link_4_mx_9
+            + inertias.inertia_link_4_hy * wrench_link_4_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mz_0_1
+        + (wrench_link_5_mz + wrench_outside_link_5_mz * wrench_link_4_mx_13);
+    let wrench_link_4_fx = wrench_link_4_my_7 * 2.0
+        + (wrench_link_4_mx_3 * inertias.inertia_link_4_hz
+            - wrench_link_4_mx_5 * inertias.inertia_link_4_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fx_0_1
+        + (wrench_link_5_fx + wrench_outside_link_5_fx * wrench_link_4_mx_13);
+    let wrench_link_4_fy = wrench_link_4_mx_9 * 2.0
+        - (wrench_link_4_mx_5 * inertias.minus_inertia_link_4_hx
+            + wrench_link_4_mx_1 * inertias.inertia_link_4_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fy_0_1
+        + (wrench_link_5_fy + wrench_outside_link_5_fy * wrench_link_4_mx_13);
+    let wrench_link_4_fz = wrench_link_4_mx_7 * 2.0
+        + (wrench_link_4_mx_1 * inertias.inertia_link_4_hy
+            + wrench_link_4_mx_3 * inertias.minus_inertia_link_4_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fz_0_1
+        + (wrench_link_5_fz + wrench_outside_link_5_fz * wrench_link_4_mx_13);
     let minus_articulated_link_4_hxx_1 = wrench_outside_link_5_mx
         * inverse_pivot_joint_5_d;
     let minus_articulated_link_4_hyy_1 = wrench_outside_link_5_my
@@ -15424,128 +15337,50 @@ pub fn forward_dynamics(
             + screws.screw_joint_4_vx * wrench_outside_link_4_fx
             - screws.minus_screw_joint_4_vy * wrench_outside_link_4_fy
             - screws.minus_screw_joint_4_vz * wrench_outside_link_4_fz);
-    let wrench_link_3_mx_14_0 = tau[3]
+    let wrench_link_3_mx_13_0 = tau[3]
         - (poses.rotation_link_3_yy * wrench_link_4_my
             - poses.minus_rotation_link_3_xy * wrench_link_4_mx
             - poses.minus_rotation_link_3_zy * wrench_link_4_mz
             + screws.screw_joint_4_vx * wrench_link_4_fx
             - screws.minus_screw_joint_4_vy * wrench_link_4_fy
             - screws.minus_screw_joint_4_vz * wrench_link_4_fz);
-    let wrench_link_3_mx_14 = (wrench_link_3_mx_14_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-            * wrench_outside_link_4_my
-            - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-                * wrench_outside_link_4_mx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-                * wrench_outside_link_4_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_1_1
-                * wrench_outside_link_4_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_4_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0_1
-                * wrench_outside_link_4_fz)) * inverse_pivot_joint_4_d;
-    let wrench_link_3_mx = wrench_link_4_mx
-        + (articulated_link_4_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-            - articulated_link_4_jxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-            + articulated_link_4_jxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-            + (articulated_link_4_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0_1
-                - (minus_articulated_link_4_hxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_1_0_1
-                    + minus_articulated_link_4_hxx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_3_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_4_mx * wrench_link_3_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_1;
-    let wrench_link_3_my = wrench_link_4_my
-        + (articulated_link_4_jyy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-            - articulated_link_4_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-            + articulated_link_4_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-            + (articulated_link_4_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0_1
-                + (articulated_link_4_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_1_1_1
-                    - minus_articulated_link_4_hyy
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_3_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_4_my * wrench_link_3_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_1;
-    let wrench_link_3_mz = wrench_link_4_mz
-        + (articulated_link_4_jyz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-            - articulated_link_4_jxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-            + articulated_link_4_jzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-            + (articulated_link_4_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_4_hzy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_4_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_0_1))
-        + wrench_outside_link_4_mz * wrench_link_3_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_1;
-    let wrench_link_3_fx = wrench_link_4_fx
-        + (minus_articulated_link_4_hxx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-            + articulated_link_4_hyx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-            + articulated_link_4_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-            + (articulated_link_4_mxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_4_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_4_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_0_1))
-        + wrench_outside_link_4_fx * wrench_link_3_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_1;
-    let wrench_link_3_fy = wrench_link_4_fy
-        + (minus_articulated_link_4_hxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_4_hyy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-            - minus_articulated_link_4_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-            + (articulated_link_4_myy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_4_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_4_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_0_1))
-        + wrench_outside_link_4_fy * wrench_link_3_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_1;
-    let wrench_link_3_fz = wrench_link_4_fz
-        + (articulated_link_4_hyz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-            - articulated_link_4_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_4_hzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-            + (articulated_link_4_mzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0_1
-                - (minus_articulated_link_4_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_3_mx_0_0_1_1_1_1_1
-                    + minus_articulated_link_4_myz
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_3_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_4_fz * wrench_link_3_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_1;
+    let wrench_link_3_mx_13 = wrench_link_3_mx_13_0 * inverse_pivot_joint_4_d;
+    let wrench_link_3_mx = inertias.inertia_link_3_xx * wrench_link_3_mx_1
+        + inertias.inertia_link_3_xy * wrench_link_3_mx_3
+        + inertias.inertia_link_3_xz * wrench_link_3_mx_5
+        - (inertias.minus_inertia_link_3_hy * wrench_link_3_mx_7
+            + inertias.inertia_link_3_hz * wrench_link_3_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1
+        + (wrench_link_4_mx + wrench_outside_link_4_mx * wrench_link_3_mx_13);
+    let wrench_link_3_my = inertias.inertia_link_3_xy * wrench_link_3_mx_1
+        + inertias.inertia_link_3_yy * wrench_link_3_mx_3
+        + inertias.inertia_link_3_yz * wrench_link_3_mx_5
+        + (inertias.inertia_link_3_hz * wrench_link_3_my_7
+            - inertias.inertia_link_3_hx * wrench_link_3_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1
+        + (wrench_link_4_my + wrench_outside_link_4_my * wrench_link_3_mx_13);
+    let wrench_link_3_mz = inertias.inertia_link_3_xz * wrench_link_3_mx_1
+        + inertias.inertia_link_3_yz * wrench_link_3_mx_3
+        + inertias.inertia_link_3_zz * wrench_link_3_mx_5
+        + (inertias.inertia_link_3_hx * wrench_link_3_mx_9
+            + inertias.minus_inertia_link_3_hy * wrench_link_3_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_0_1
+        + (wrench_link_4_mz + wrench_outside_link_4_mz * wrench_link_3_mx_13);
+    let wrench_link_3_fx = wrench_link_3_my_7 * 2.0
+        + (wrench_link_3_mx_3 * inertias.inertia_link_3_hz
+            + wrench_link_3_mx_5 * inertias.minus_inertia_link_3_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_0_1
+        + (wrench_link_4_fx + wrench_outside_link_4_fx * wrench_link_3_mx_13);
+    let wrench_link_3_fy = wrench_link_3_mx_9 * 2.0
+        + (wrench_link_3_mx_5 * inertias.inertia_link_3_hx
+            - wrench_link_3_mx_1 * inertias.inertia_link_3_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_0_1
+        + (wrench_link_4_fy + wrench_outside_link_4_fy * wrench_link_3_mx_13);
+    let wrench_link_3_fz = wrench_link_3_mx_7 * 2.0
+        - (wrench_link_3_mx_1 * inertias.minus_inertia_link_3_hy
+            + wrench_link_3_mx_3 * inertias.inertia_link_3_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_0_1
+        + (wrench_link_4_fz + wrench_outside_link_4_fz * wrench_link_3_mx_13);
     let minus_articulated_link_3_hxx_1 = wrench_outside_link_4_mx
         * inverse_pivot_joint_4_d;
     let minus_articulated_link_3_hyy_1 = wrench_outside_link_4_my
@@ -15659,129 +15494,55 @@ pub fn forward_dynamics(
             + screws.screw_joint_3_vx * wrench_outside_link_3_fx
             + screws.screw_joint_3_vy * wrench_outside_link_3_fy
             + screws.screw_joint_3_vz * wrench_outside_link_3_fz);
-    let wrench_link_2_mx_14_0 = tau[2]
+    let wrench_link_2_mx_13_0 = tau[2]
         - (poses.cos_joint_2 * wrench_link_3_mz
             - (poses.minus_rotation_link_2_xy * wrench_link_3_mx
                 + poses.minus_rotation_link_2_yy * wrench_link_3_my)
             + screws.screw_joint_3_vx * wrench_link_3_fx
             + screws.screw_joint_3_vy * wrench_link_3_fy
             + screws.screw_joint_3_vz * wrench_link_3_fz);
-    let wrench_link_2_mx_14 = (wrench_link_2_mx_14_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-            * wrench_outside_link_3_mx
-            - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1
-                * wrench_outside_link_3_my
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-                * wrench_outside_link_3_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_1_1
-                * wrench_outside_link_3_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_3_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_0_1
-                * wrench_outside_link_3_fz)) * inverse_pivot_joint_3_d;
-    let wrench_link_2_mx = wrench_link_3_mx
-        + (articulated_link_3_jxx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-            - articulated_link_3_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1
-            + articulated_link_3_jxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-            + (articulated_link_3_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_0_1
-                - (minus_articulated_link_3_hxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_1_0_1
-                    + minus_articulated_link_3_hxx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_2_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_3_mx * wrench_link_2_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_1;
-    let wrench_link_2_my = wrench_link_3_my
-        + (articulated_link_3_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-            - articulated_link_3_jyy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1
-            + articulated_link_3_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-            + (articulated_link_3_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_0_1
-                + (articulated_link_3_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_1_1_1
-                    - minus_articulated_link_3_hyy
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_2_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_3_my * wrench_link_2_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_1;
-    let wrench_link_2_mz = wrench_link_3_mz
-        + (articulated_link_3_jxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-            - articulated_link_3_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1
-            + articulated_link_3_jzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-            + (articulated_link_3_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_0_1
-                + articulated_link_3_hzx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_3_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_0_1))
-        + wrench_outside_link_3_mz * wrench_link_2_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_1;
-    let wrench_link_2_fx = wrench_link_3_fx
-        + (articulated_link_3_hzx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-            - (minus_articulated_link_3_hxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-                + articulated_link_3_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_0_0_1_1)
-            + (articulated_link_3_mxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_3_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_3_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_0_1))
-        + wrench_outside_link_3_fx * wrench_link_2_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_1;
-    let wrench_link_2_fy = wrench_link_3_fy
-        + (minus_articulated_link_3_hyy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_3_hxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-            + articulated_link_3_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-            + (articulated_link_3_myy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_3_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_3_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_0_1))
-        + wrench_outside_link_3_fy * wrench_link_2_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_1;
-    let wrench_link_2_fz = wrench_link_3_fz
-        + (articulated_link_3_hxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-            - articulated_link_3_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_3_hzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-            + (articulated_link_3_mzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_0_1
-                - (minus_articulated_link_3_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_2_mx_0_0_1_1_1_1_1
-                    + minus_articulated_link_3_myz
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_2_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_3_fz * wrench_link_2_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_1;
+    let wrench_link_2_mx_13 = wrench_link_2_mx_13_0 * inverse_pivot_joint_3_d;
+    let wrench_link_2_mx = inertias.inertia_link_2_xx * wrench_link_2_mx_1
+        + inertias.inertia_link_2_xy * wrench_link_2_mx_3
+        - inertias.inertia_link_2_xz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+        - (inertias.minus_inertia_link_2_hy * wrench_link_2_mx_7
+            + inertias.inertia_link_2_hz * wrench_link_2_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_1
+        + (wrench_link_3_mx + wrench_outside_link_3_mx * wrench_link_2_mx_13);
+    let wrench_link_2_my = inertias.inertia_link_2_xy * wrench_link_2_mx_1
+        + inertias.inertia_link_2_yy * wrench_link_2_mx_3
+        - inertias.inertia_link_2_yz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+        + (inertias.inertia_link_2_hz * wrench_link_2_my_7
+            - inertias.inertia_link_2_hx * wrench_link_2_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_1
+        + (wrench_link_3_my + wrench_outside_link_3_my * wrench_link_2_mx_13);
+    let wrench_link_2_mz = inertias.inertia_link_2_xz * wrench_link_2_mx_1
+        + inertias.inertia_link_2_yz * wrench_link_2_mx_3
+        - inertias.inertia_link_2_zz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+        + (inertias.inertia_link_2_hx * wrench_link_2_mx_9
+            + inertias.minus_inertia_link_2_hy * wrench_link_2_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_0_1
+        + (wrench_link_3_mz + wrench_outside_link_3_mz * wrench_link_2_mx_13);
+    let wrench_link_2_fx = wrench_link_2_my_7 * 2.0
+        + (wrench_link_2_mx_3 * inertias.inertia_link_2_hz
+            - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+                * inertias.minus_inertia_link_2_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_0_1
+        + (wrench_link_3_fx + wrench_outside_link_3_fx * wrench_link_2_mx_13);
+    let wrench_link_2_fy = wrench_link_2_mx_9 * 2.0
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+            * inertias.inertia_link_2_hx
+            + wrench_link_2_mx_1 * inertias.inertia_link_2_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_0_1
+        + (wrench_link_3_fy + wrench_outside_link_3_fy * wrench_link_2_mx_13);
+    let wrench_link_2_fz = wrench_link_2_mx_7 * 2.0
+        - (wrench_link_2_mx_1 * inertias.minus_inertia_link_2_hy
+            + wrench_link_2_mx_3 * inertias.inertia_link_2_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_0_1
+        + (wrench_link_3_fz + wrench_outside_link_3_fz * wrench_link_2_mx_13);
     let minus_articulated_link_2_hxx_1 = wrench_outside_link_3_mx
         * inverse_pivot_joint_3_d;
     let minus_articulated_link_2_hyy_1 = wrench_outside_link_3_my
@@ -15886,126 +15647,73 @@ pub fn forward_dynamics(
             + screws.screw_joint_2_vx * wrench_outside_link_2_fx
             + screws.screw_joint_2_vy * wrench_outside_link_2_fy
             + screws.screw_joint_2_vz * wrench_outside_link_2_fz);
-    let wrench_link_1_mx_14_0 = tau[1]
+    let wrench_link_1_mx_11_0 = tau[1]
         - (poses.sin_joint_1 * wrench_link_2_mx - poses.cos_joint_1 * wrench_link_2_my
             + screws.screw_joint_2_vx * wrench_link_2_fx
             + screws.screw_joint_2_vy * wrench_link_2_fy
             + screws.screw_joint_2_vz * wrench_link_2_fz);
-    let wrench_link_1_mx_14 = (wrench_link_1_mx_14_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            * wrench_outside_link_2_mx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-                * wrench_outside_link_2_my
-            - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-                * wrench_outside_link_2_mz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
-                * wrench_outside_link_2_fx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_2_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-                * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
-    let wrench_link_1_mx = wrench_link_2_mx
-        + (articulated_link_2_jxx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            + articulated_link_2_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            - articulated_link_2_jxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (articulated_link_2_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-                - (minus_articulated_link_2_hxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_0_1
-                    + minus_articulated_link_2_hxx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_1_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_2_mx * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_1;
-    let wrench_link_1_my = wrench_link_2_my
-        + (articulated_link_2_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            + articulated_link_2_jyy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            - articulated_link_2_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (articulated_link_2_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-                + (articulated_link_2_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_1_1
-                    - minus_articulated_link_2_hyy
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_1_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_2_my * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_1;
-    let wrench_link_1_mz = wrench_link_2_mz
-        + (articulated_link_2_jxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            + articulated_link_2_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            - articulated_link_2_jzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (articulated_link_2_hzy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-                + articulated_link_2_hzx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_2_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_0_1))
-        + wrench_outside_link_2_mz * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_1;
-    let wrench_link_1_fx = wrench_link_2_fx
-        + (articulated_link_2_hyx
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            - minus_articulated_link_2_hxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            - articulated_link_2_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (articulated_link_2_mxx
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
-                - minus_articulated_link_2_mxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_2_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_0_1))
-        + wrench_outside_link_2_fx * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_1;
+    let wrench_link_1_mx_11 = wrench_link_1_mx_11_0 * inverse_pivot_joint_2_d;
+    let wrench_link_1_mx = inertias.inertia_link_1_xx
+        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        - inertias.inertia_link_1_xy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+        + (inertias.inertia_link_1_hy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0
+            + inertias.inertia_link_1_hz
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_1
+        + (wrench_link_2_mx + wrench_outside_link_2_mx * wrench_link_1_mx_11);
+    let wrench_link_1_my = inertias.inertia_link_1_xy
+        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        - inertias.inertia_link_1_yy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+        + (inertias.inertia_link_1_hz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0
+            + inertias.minus_inertia_link_1_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_0_1
+        + (wrench_link_2_my + wrench_outside_link_2_my * wrench_link_1_mx_11);
+    let wrench_link_1_mz = inertias.inertia_link_1_xz
+        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        + inertias.minus_inertia_link_1_yz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+        + (inertias.minus_inertia_link_1_hx
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1
+            - inertias.inertia_link_1_hy
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_0_1
+        + (wrench_link_2_mz + wrench_outside_link_2_mz * wrench_link_1_mx_11);
+    let wrench_link_1_fx = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0 * 2.0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+            * inertias.inertia_link_1_hz
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_0_1
+        + (wrench_link_2_fx + wrench_outside_link_2_fx * wrench_link_1_mx_11);
     let wrench_link_1_fy = wrench_link_2_fy
-        + (articulated_link_2_myy
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-            - minus_articulated_link_2_mxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
-            - minus_articulated_link_2_myz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-            - (minus_articulated_link_2_hxy
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-                + minus_articulated_link_2_hyy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_0_1_1
-                + articulated_link_2_hzy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_0_1_1))
-        + wrench_outside_link_2_fy * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1;
-    let wrench_link_1_fz = wrench_link_2_fz
-        + (articulated_link_2_hxz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-            + articulated_link_2_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1
-            + minus_articulated_link_2_hzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1
-            + (articulated_link_2_mzz
-                * common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-                - (minus_articulated_link_2_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_link_1_mx_0_0_1_1_1_1_1
-                    + minus_articulated_link_2_myz
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_link_1_mx_0_0_1_1_1_0_1)))
-        + wrench_outside_link_2_fz * wrench_link_1_mx_14
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_1;
+        + wrench_outside_link_2_fy * wrench_link_1_mx_11
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1
+            * 2.0
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 * inertias.inertia_link_1_hz
+            + common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1_1);
+    let wrench_link_1_fz = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0 * 2.0
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 * inertias.inertia_link_1_hy
+            - common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+                * inertias.minus_inertia_link_1_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_0_1
+        + (wrench_link_2_fz + wrench_outside_link_2_fz * wrench_link_1_mx_11);
     let minus_articulated_link_1_hxx_1 = wrench_outside_link_2_mx
         * inverse_pivot_joint_2_d;
     let minus_articulated_link_1_hyy_1 = wrench_outside_link_2_my
@@ -16097,111 +15805,24 @@ pub fn forward_dynamics(
         / (wrench_outside_link_1_mz
             - poses.minus_origin_base_y * wrench_outside_link_1_fx
             + poses.minus_origin_base_x * wrench_outside_link_1_fy);
-    let wrench_base_mx_12_0 = tau[0]
+    let wrench_base_mx_2_0 = tau[0]
         - (wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
             + poses.minus_origin_base_x * wrench_link_1_fy);
-    let wrench_base_mx_12 = (wrench_base_mx_12_0
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            * wrench_outside_link_1_mx
-            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-                * wrench_outside_link_1_my
-            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-                * wrench_outside_link_1_fx
-            - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-                * wrench_outside_link_1_fy
-            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                * wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
-    let wrench_base_mx = wrench_link_1_mx
-        + (articulated_link_1_jxx
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jxy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hxz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                + (minus_articulated_link_1_hxy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_0_1
-                    - minus_articulated_link_1_hxx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_base_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_1_mx * wrench_base_mx_12
+    let wrench_base_mx_2 = wrench_base_mx_2_0 * inverse_pivot_joint_1_d;
+    let wrench_base_mx = wrench_link_1_mx + wrench_outside_link_1_mx * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_1_0
-            + wrench_base_mx_14);
-    let wrench_base_my = wrench_link_1_my
-        + (articulated_link_1_jxy
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jyy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-                + (minus_articulated_link_1_hyy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_0_1
-                    + articulated_link_1_hyx
-                        * common_forward_dynamics_inverse_dynamics
-                            .wrench_base_mx_0_0_1_1_1_1_1)))
-        + wrench_outside_link_1_my * wrench_base_mx_12
+            + wrench_base_mx_4);
+    let wrench_base_my = wrench_link_1_my + wrench_outside_link_1_my * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_my_1_0
-            + wrench_base_my_14);
-    let wrench_base_mz = wrench_link_1_mz
-        + (articulated_link_1_jxz
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_jyz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (articulated_link_1_hzx
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-                - articulated_link_1_hzy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_1_hzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_0_1))
-        + wrench_outside_link_1_mz * wrench_base_mx_12
+            + wrench_base_my_4);
+    let wrench_base_mz = wrench_link_1_mz + wrench_outside_link_1_mz * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_mz_1_0
-            + wrench_base_mz_14);
-    let wrench_base_fx = wrench_link_1_fx
-        + (articulated_link_1_mxx
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-            + minus_articulated_link_1_mxy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-            - minus_articulated_link_1_mxz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_0_1
-            - (minus_articulated_link_1_hxx
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-                + articulated_link_1_hyx
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_0_1_1))
-        + wrench_outside_link_1_fx * wrench_base_mx_12
+            + wrench_base_mz_4);
+    let wrench_base_fx = wrench_link_1_fx + wrench_outside_link_1_fx * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fx_1_0 + base_wrench[3]);
-    let wrench_base_fy = wrench_link_1_fy
-        + (minus_articulated_link_1_hyy
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            - minus_articulated_link_1_hxy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - (minus_articulated_link_1_mxy
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-                + articulated_link_1_myy
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_0_1
-                + minus_articulated_link_1_myz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_0_1))
-        + wrench_outside_link_1_fy * wrench_base_mx_12
+    let wrench_base_fy = wrench_link_1_fy + wrench_outside_link_1_fy * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0 + base_wrench[4]);
-    let wrench_base_fz = wrench_link_1_fz
-        + (articulated_link_1_hxz
-            * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_0_1
-            - articulated_link_1_hyz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1
-            + (minus_articulated_link_1_myz
-                * common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1
-                - minus_articulated_link_1_mxz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_1_1_1
-                + articulated_link_1_mzz
-                    * common_forward_dynamics_inverse_dynamics
-                        .wrench_base_mx_0_0_1_1_0_1))
-        + wrench_outside_link_1_fz * wrench_base_mx_12
+    let wrench_base_fz = wrench_link_1_fz + wrench_outside_link_1_fz * wrench_base_mx_2
         - (common_forward_dynamics_inverse_dynamics.wrench_base_fz_1_0 + base_wrench[5]);
     let minus_articulated_base_hxx_1 = wrench_outside_link_1_mx
         * inverse_pivot_joint_1_d;
@@ -16393,203 +16014,104 @@ pub fn forward_dynamics(
     let minus_twist_base_vx = minus_twist_base_vz_8 * twist_base_wz_15
         + twist_base_wz_16 * minus_twist_base_vy
         + twist_base_wz_18 * minus_twist_base_vz;
-    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
-    let twist_link_1_wy = twist_base_wy
-        - common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
-    let twist_link_1_vx_0 = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_1_1_1 - minus_twist_base_vx;
-    let twist_link_1_vy_2 = minus_twist_base_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1;
-    let twist_link_1_vz = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_0_1 - minus_twist_base_vz;
-    let twist_link_1_wz_1 = (wrench_base_mx_12_0
-        - (twist_link_1_wx * wrench_outside_link_1_mx
-            + twist_link_1_wy * wrench_outside_link_1_my
+    let twist_link_1_wz_1 = (wrench_base_mx_2_0
+        - (twist_base_wy * wrench_outside_link_1_my
+            - minus_twist_base_wx * wrench_outside_link_1_mx
             + twist_base_wz * wrench_outside_link_1_mz
-            + twist_link_1_vx_0 * wrench_outside_link_1_fx
-            - twist_link_1_vy_2 * wrench_outside_link_1_fy
-            + twist_link_1_vz * wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
+            - minus_twist_base_vx * wrench_outside_link_1_fx
+            - minus_twist_base_vy * wrench_outside_link_1_fy
+            - minus_twist_base_vz * wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
     xi_dot[6] = twist_link_1_wz_1 + 0.0;
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
-    let twist_link_1_vx = twist_link_1_vx_0
-        - poses.minus_origin_base_y * twist_link_1_wz_1;
+    let minus_twist_link_1_vx = minus_twist_base_vx
+        + poses.minus_origin_base_y * twist_link_1_wz_1;
     let twist_link_1_vy = poses.minus_origin_base_x * twist_link_1_wz_1
-        - twist_link_1_vy_2;
-    let twist_link_2_wx_0 = twist_link_1_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1;
-    let twist_link_2_wy_0 = twist_link_1_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_1_1;
-    let twist_link_2_wz = twist_link_1_wz
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1;
-    let twist_link_2_vx_0 = twist_link_1_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1;
-    let twist_link_2_vy_0 = twist_link_1_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1;
-    let twist_link_2_vz_0 = twist_link_1_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1;
-    let twist_link_2_wx_2 = (wrench_link_1_mx_14_0
-        - (twist_link_2_wx_0 * wrench_outside_link_2_mx
-            + twist_link_2_wy_0 * wrench_outside_link_2_my
-            + twist_link_2_wz * wrench_outside_link_2_mz
-            + twist_link_2_vx_0 * wrench_outside_link_2_fx
-            + twist_link_2_vy_0 * wrench_outside_link_2_fy
-            + twist_link_2_vz_0 * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
-    xi_dot[7] = twist_link_2_wx_2 + 0.0;
-    let twist_link_2_wx = twist_link_2_wx_0 + poses.sin_joint_1 * twist_link_2_wx_2;
-    let twist_link_2_wy = twist_link_2_wy_0 - poses.cos_joint_1 * twist_link_2_wx_2;
-    let twist_link_2_vx = twist_link_2_vx_0
-        + screws.screw_joint_2_vx * twist_link_2_wx_2;
-    let twist_link_2_vy = twist_link_2_vy_0
-        + screws.screw_joint_2_vy * twist_link_2_wx_2;
-    let twist_link_2_vz = twist_link_2_vz_0
-        + screws.screw_joint_2_vz * twist_link_2_wx_2;
-    let twist_link_3_wx_0 = twist_link_2_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1;
-    let twist_link_3_wy_0 = twist_link_2_wy
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1;
-    let twist_link_3_wz_0 = twist_link_2_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1;
-    let twist_link_3_vx_0 = twist_link_2_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_1_1;
-    let twist_link_3_vy_0 = twist_link_2_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_0_1;
-    let twist_link_3_vz_0 = twist_link_2_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_0_1;
-    let twist_link_3_wx_2 = (wrench_link_2_mx_14_0
-        - (twist_link_3_wx_0 * wrench_outside_link_3_mx
-            + twist_link_3_wy_0 * wrench_outside_link_3_my
-            + twist_link_3_wz_0 * wrench_outside_link_3_mz
-            + twist_link_3_vx_0 * wrench_outside_link_3_fx
-            + twist_link_3_vy_0 * wrench_outside_link_3_fy
-            + twist_link_3_vz_0 * wrench_outside_link_3_fz)) * inverse_pivot_joint_3_d;
+        - minus_twist_base_vy;
+    let twist_link_2_wx_1 = (wrench_link_1_mx_11_0
+        - (twist_base_wy * wrench_outside_link_2_my
+            - minus_twist_base_wx * wrench_outside_link_2_mx
+            + twist_link_1_wz * wrench_outside_link_2_mz
+            - minus_twist_link_1_vx * wrench_outside_link_2_fx
+            + twist_link_1_vy * wrench_outside_link_2_fy
+            - minus_twist_base_vz * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
+    xi_dot[7] = twist_link_2_wx_1 + 0.0;
+    let twist_link_2_wx = poses.sin_joint_1 * twist_link_2_wx_1 - minus_twist_base_wx;
+    let twist_link_2_wy = twist_base_wy - poses.cos_joint_1 * twist_link_2_wx_1;
+    let twist_link_2_vx = screws.screw_joint_2_vx * twist_link_2_wx_1
+        - minus_twist_link_1_vx;
+    let twist_link_2_vy = twist_link_1_vy + screws.screw_joint_2_vy * twist_link_2_wx_1;
+    let twist_link_2_vz = screws.screw_joint_2_vz * twist_link_2_wx_1
+        - minus_twist_base_vz;
+    let twist_link_3_wx_2 = (wrench_link_2_mx_13_0
+        - (twist_link_2_wx * wrench_outside_link_3_mx
+            + twist_link_2_wy * wrench_outside_link_3_my
+            + twist_link_1_wz * wrench_outside_link_3_mz
+            + twist_link_2_vx * wrench_outside_link_3_fx
+            + twist_link_2_vy * wrench_outside_link_3_fy
+            + twist_link_2_vz * wrench_outside_link_3_fz)) * inverse_pivot_joint_3_d;
     xi_dot[8] = twist_link_3_wx_2 + 0.0;
-    let twist_link_3_wx = twist_link_3_wx_0
+    let twist_link_3_wx = twist_link_2_wx
         - poses.minus_rotation_link_2_xy * twist_link_3_wx_2;
-    let twist_link_3_wy = twist_link_3_wy_0
+    let twist_link_3_wy = twist_link_2_wy
         - poses.minus_rotation_link_2_yy * twist_link_3_wx_2;
-    let twist_link_3_wz = twist_link_3_wz_0 + poses.cos_joint_2 * twist_link_3_wx_2;
-    let twist_link_3_vx = twist_link_3_vx_0
-        + screws.screw_joint_3_vx * twist_link_3_wx_2;
-    let twist_link_3_vy = twist_link_3_vy_0
-        + screws.screw_joint_3_vy * twist_link_3_wx_2;
-    let twist_link_3_vz = twist_link_3_vz_0
-        + screws.screw_joint_3_vz * twist_link_3_wx_2;
-    let twist_link_4_wx_0 = twist_link_3_wx
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1;
-    let twist_link_4_wy_0 = twist_link_3_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1;
-    let twist_link_4_wz_0 = twist_link_3_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1;
-    let twist_link_4_vx_0 = twist_link_3_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_1_1;
-    let twist_link_4_vy_0 = twist_link_3_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_0_1;
-    let twist_link_4_vz_0 = twist_link_3_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0_1;
-    let twist_link_4_wx_2 = (wrench_link_3_mx_14_0
-        - (twist_link_4_wx_0 * wrench_outside_link_4_mx
-            + twist_link_4_wy_0 * wrench_outside_link_4_my
-            + twist_link_4_wz_0 * wrench_outside_link_4_mz
-            + twist_link_4_vx_0 * wrench_outside_link_4_fx
-            + twist_link_4_vy_0 * wrench_outside_link_4_fy
-            + twist_link_4_vz_0 * wrench_outside_link_4_fz)) * inverse_pivot_joint_4_d;
+    let twist_link_3_wz = twist_link_1_wz + poses.cos_joint_2 * twist_link_3_wx_2;
+    let twist_link_3_vx = twist_link_2_vx + screws.screw_joint_3_vx * twist_link_3_wx_2;
+    let twist_link_3_vy = twist_link_2_vy + screws.screw_joint_3_vy * twist_link_3_wx_2;
+    let twist_link_3_vz = twist_link_2_vz + screws.screw_joint_3_vz * twist_link_3_wx_2;
+    let twist_link_4_wx_2 = (wrench_link_3_mx_13_0
+        - (twist_link_3_wx * wrench_outside_link_4_mx
+            + twist_link_3_wy * wrench_outside_link_4_my
+            + twist_link_3_wz * wrench_outside_link_4_mz
+            + twist_link_3_vx * wrench_outside_link_4_fx
+            + twist_link_3_vy * wrench_outside_link_4_fy
+            + twist_link_3_vz * wrench_outside_link_4_fz)) * inverse_pivot_joint_4_d;
     xi_dot[9] = twist_link_4_wx_2 + 0.0;
-    let twist_link_4_wx = twist_link_4_wx_0
+    let twist_link_4_wx = twist_link_3_wx
         - poses.minus_rotation_link_3_xy * twist_link_4_wx_2;
-    let twist_link_4_wy = twist_link_4_wy_0
-        + poses.rotation_link_3_yy * twist_link_4_wx_2;
-    let twist_link_4_wz = twist_link_4_wz_0
+    let twist_link_4_wy = twist_link_3_wy + poses.rotation_link_3_yy * twist_link_4_wx_2;
+    let twist_link_4_wz = twist_link_3_wz
         - poses.minus_rotation_link_3_zy * twist_link_4_wx_2;
-    let twist_link_4_vx = twist_link_4_vx_0
-        + screws.screw_joint_4_vx * twist_link_4_wx_2;
-    let twist_link_4_vy = twist_link_4_vy_0
+    let twist_link_4_vx = twist_link_3_vx + screws.screw_joint_4_vx * twist_link_4_wx_2;
+    let twist_link_4_vy = twist_link_3_vy
         - screws.minus_screw_joint_4_vy * twist_link_4_wx_2;
-    let twist_link_4_vz = twist_link_4_vz_0
+    let twist_link_4_vz = twist_link_3_vz
         - screws.minus_screw_joint_4_vz * twist_link_4_wx_2;
-    let twist_link_5_wx_0 = twist_link_4_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1;
-    let twist_link_5_wy_0 = twist_link_4_wy
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1;
-    let twist_link_5_wz_0 = twist_link_4_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1;
-    let twist_link_5_vx_0 = twist_link_4_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_1_1;
-    let twist_link_5_vy_0 = twist_link_4_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_0_1;
-    let twist_link_5_vz_0 = twist_link_4_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_0_1;
-    let twist_link_5_wx_2 = (wrench_link_4_mx_14_0
-        - (twist_link_5_wx_0 * wrench_outside_link_5_mx
-            + twist_link_5_wy_0 * wrench_outside_link_5_my
-            + twist_link_5_wz_0 * wrench_outside_link_5_mz
-            + twist_link_5_vx_0 * wrench_outside_link_5_fx
-            + twist_link_5_vy_0 * wrench_outside_link_5_fy
-            + twist_link_5_vz_0 * wrench_outside_link_5_fz)) * inverse_pivot_joint_5_d;
+    let twist_link_5_wx_2 = (wrench_link_4_mx_13_0
+        - (twist_link_4_wx * wrench_outside_link_5_mx
+            + twist_link_4_wy * wrench_outside_link_5_my
+            + twist_link_4_wz * wrench_outside_link_5_mz
+            + twist_link_4_vx * wrench_outside_link_5_fx
+            + twist_link_4_vy * wrench_outside_link_5_fy
+            + twist_link_4_vz * wrench_outside_link_5_fz)) * inverse_pivot_joint_5_d;
     xi_dot[10] = twist_link_5_wx_2 + 0.0;
-    let twist_link_5_wx = twist_link_5_wx_0
-        - poses.rotation_link_4_xy * twist_link_5_wx_2;
-    let twist_link_5_wy = twist_link_5_wy_0
-        - poses.rotation_link_4_yy * twist_link_5_wx_2;
-    let twist_link_5_wz = twist_link_5_wz_0
-        + poses.rotation_link_5_zz * twist_link_5_wx_2;
-    let twist_link_5_vx = twist_link_5_vx_0
-        + screws.screw_joint_5_vx * twist_link_5_wx_2;
-    let twist_link_5_vy = twist_link_5_vy_0
-        + screws.screw_joint_5_vy * twist_link_5_wx_2;
-    let twist_link_5_vz = twist_link_5_vz_0
-        + screws.screw_joint_5_vz * twist_link_5_wx_2;
-    let twist_link_6_wx_0 = twist_link_5_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1;
-    let twist_link_6_wy_0 = twist_link_5_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1;
-    let twist_link_6_wz_0 = twist_link_5_wz
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1;
-    let twist_link_6_vx_0 = twist_link_5_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_1_1;
-    let twist_link_6_vy_0 = twist_link_5_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_0_1;
-    let twist_link_6_vz_0 = twist_link_5_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_0_1;
-    let twist_link_6_wx_2 = (wrench_link_5_mx_14_0
-        - (twist_link_6_wx_0 * wrench_outside_link_6_mx
-            + twist_link_6_wy_0 * wrench_outside_link_6_my
-            + twist_link_6_wz_0 * wrench_outside_link_6_mz
-            + twist_link_6_vx_0 * wrench_outside_link_6_fx
-            + twist_link_6_vy_0 * wrench_outside_link_6_fy
-            + twist_link_6_vz_0 * wrench_outside_link_6_fz)) * inverse_pivot_joint_6_d;
+    let twist_link_5_wx = twist_link_4_wx - poses.rotation_link_4_xy * twist_link_5_wx_2;
+    let twist_link_5_wy = twist_link_4_wy - poses.rotation_link_4_yy * twist_link_5_wx_2;
+    let twist_link_5_wz = twist_link_4_wz + poses.rotation_link_5_zz * twist_link_5_wx_2;
+    let twist_link_5_vx = twist_link_4_vx + screws.screw_joint_5_vx * twist_link_5_wx_2;
+    let twist_link_5_vy = twist_link_4_vy + screws.screw_joint_5_vy * twist_link_5_wx_2;
+    let twist_link_5_vz = twist_link_4_vz + screws.screw_joint_5_vz * twist_link_5_wx_2;
+    let twist_link_6_wx_2 = (wrench_link_5_mx_13_0
+        - (twist_link_5_wx * wrench_outside_link_6_mx
+            + twist_link_5_wy * wrench_outside_link_6_my
+            + twist_link_5_wz * wrench_outside_link_6_mz
+            + twist_link_5_vx * wrench_outside_link_6_fx
+            + twist_link_5_vy * wrench_outside_link_6_fy
+            + twist_link_5_vz * wrench_outside_link_6_fz)) * inverse_pivot_joint_6_d;
     xi_dot[11] = twist_link_6_wx_2 + 0.0;
-    let twist_link_6_wx = twist_link_6_wx_0
-        + poses.rotation_link_6_xz * twist_link_6_wx_2;
-    let twist_link_6_wy = twist_link_6_wy_0
-        - poses.rotation_link_5_yy * twist_link_6_wx_2;
-    let twist_link_6_wz = twist_link_6_wz_0
-        + poses.rotation_link_6_zz * twist_link_6_wx_2;
-    let twist_link_6_vx = twist_link_6_vx_0
-        + screws.screw_joint_6_vx * twist_link_6_wx_2;
-    let twist_link_6_vy = twist_link_6_vy_0
-        + screws.screw_joint_6_vy * twist_link_6_wx_2;
-    let twist_link_6_vz = twist_link_6_vz_0
-        + screws.screw_joint_6_vz * twist_link_6_wx_2;
-    xi_dot[12] = (wrench_link_6_mx_12_0
-        - ((twist_link_6_wx
-            + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1)
-            * screws.inside_joint_7_mx
-            + (twist_link_6_wy
-                - common_forward_dynamics_inverse_dynamics
-                    .wrench_link_6_mx_0_0_0_0_0_1_1) * screws.inside_joint_7_my
-            + (twist_link_6_wz
-                + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1)
-                * screws.inside_joint_7_mz
-            + (twist_link_6_vx
-                + common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_0_0_1_1_1)
-                * screws.inside_joint_7_fx
-            + (twist_link_6_vy
-                + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_1_1)
-                * screws.inside_joint_7_fy
-            + (twist_link_6_vz
-                + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1)
-                * screws.inside_joint_7_fz)) * inverse_pivot_joint_7_d + 0.0;
+    let twist_link_6_wx = twist_link_5_wx + poses.rotation_link_6_xz * twist_link_6_wx_2;
+    let twist_link_6_wy = twist_link_5_wy - poses.rotation_link_5_yy * twist_link_6_wx_2;
+    let twist_link_6_wz = twist_link_5_wz + poses.rotation_link_6_zz * twist_link_6_wx_2;
+    let twist_link_6_vx = twist_link_5_vx + screws.screw_joint_6_vx * twist_link_6_wx_2;
+    let twist_link_6_vy = twist_link_5_vy + screws.screw_joint_6_vy * twist_link_6_wx_2;
+    let twist_link_6_vz = twist_link_5_vz + screws.screw_joint_6_vz * twist_link_6_wx_2;
+    xi_dot[12] = (wrench_link_6_mx_13_0
+        - (twist_link_6_wx * screws.inside_joint_7_mx
+            + twist_link_6_wy * screws.inside_joint_7_my
+            + twist_link_6_wz * screws.inside_joint_7_mz
+            + twist_link_6_vx * screws.inside_joint_7_fx
+            + twist_link_6_vy * screws.inside_joint_7_fy
+            + twist_link_6_vz * screws.inside_joint_7_fz)) * inverse_pivot_joint_7_d
+        + 0.0;
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
 ///
@@ -16601,7 +16123,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (7; N·m, N)
 ///
-/// 3845 operations: 1903 + −, 1939 ×, 3 ÷; 7 sin cos; about 45.3 KiB of code.
+/// 3811 operations: 1886 + −, 1922 ×, 3 ÷; 7 sin cos; about 44.9 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 7],
     qd: &[f64; 7],
@@ -16641,46 +16163,37 @@ pub fn inverse_dynamics(
     let base_wrench_0_3_13 = base_wrench_0_3_13_0 * 17.5;
     let base_wrench_0_0_7 = base_wrench_0_0_7_0 * 17.5;
     let base_wrench_0_0_5 = base_wrench_0_0_5_0 * 17.5;
-    let base_wrench_0_3_8 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0] + screws.inside_joint_3_fx * qd[2]
-        + screws.inside_joint_4_fx * qd[3] + screws.inside_joint_5_fx * qd[4]
-        + screws.inside_joint_6_fx * qd[5] + screws.inside_joint_7_fx * qd[6];
-    let base_wrench_0_0_0_26 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1] + screws.inside_joint_3_fy * qd[2]
-        + screws.inside_joint_4_fy * qd[3] + screws.inside_joint_5_fy * qd[4]
-        + screws.inside_joint_6_fy * qd[5] + screws.inside_joint_7_fy * qd[6];
-    let base_wrench_0_0_0_28 = screws.inside_joint_2_fz * qd[1]
-        + screws.inside_joint_3_fz * qd[2] + screws.inside_joint_4_fz * qd[3]
-        + screws.inside_joint_5_fz * qd[4] + screws.inside_joint_6_fz * qd[5]
-        + screws.inside_joint_7_fz * qd[6];
     let base_wrench_0_0_0_22 = (inertias.composite_link_1_xx
         - inertias.composite_link_1_yy
         - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
-        - common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_1_0 * qd[6];
-    let base_wrench_0_0_0_24 = common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_1_0 * qd[1]
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * qd[6];
+    let base_wrench_0_0_0_24 = common_d_mu_and_7_more.three_joint_2_x_1_0 * qd[1]
         - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * qd[6];
+    let base_wrench_0_3_8 = velocities.velocity_base_vx * 17.5;
+    let base_wrench_0_0_0_26 = velocities.minus_velocity_base_vy * 17.5;
+    let base_wrench_0_0_0_28 = velocities.minus_velocity_base_vz * 17.5;
     let base_wrench_0_3_12 = mu[0] - velocities.minus_velocity_base_wx;
     let base_wrench_0_0_4 = mu[1] - velocities.minus_velocity_base_wy;
     let base_wrench_0_0_2 = mu[2] - velocities.minus_velocity_base_wz;
     let base_wrench_0_0_0 = inertias.composite_base_xx * xi_dot[0]
         + inertias.composite_base_xy * xi_dot[1] + inertias.composite_base_xz * xi_dot[2]
         + (((base_wrench_0_0_0_6 - base_wrench_0_0_0_7) * qd[0]
-            + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_0_1_0_0_0 * qd[1]
-            + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_0_1_0_0_0 * qd[2]
-            + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_0_1_0_0_0 * qd[3]
-            + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_0_1_0_0_0 * qd[4]
-            + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_0_1_0_0_0 * qd[5]
-            + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_0_1_0_0_0 * qd[6]) * mu[0]
+            + common_d_mu_and_7_more.three_joint_2_x_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_x_0_0_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_x_0_0_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_x_0_0_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_x_0_0_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_x_0_0_0 * qd[6]) * mu[0]
             + base_wrench_0_0_0_22 * mu[1] + base_wrench_0_0_0_24 * mu[2]
             + (base_wrench_0_0_0_26 * base_wrench_0_0_5_0
                 - base_wrench_0_0_0_28 * base_wrench_0_0_7_0));
@@ -16690,12 +16203,12 @@ pub fn inverse_dynamics(
                 - base_wrench_0_0_7 * velocities.minus_velocity_base_vz));
     let base_wrench_0_3 = (xi_dot[4] - gravity[1]
         + (xi_dot[2] * poses.com_x - xi_dot[0] * poses.com_z)) * 17.5
-        + (mu[2] * base_wrench_0_3_8 - mu[0] * base_wrench_0_0_0_28)
+        - (mu[2] * base_wrench_0_3_8 + mu[0] * base_wrench_0_0_0_28)
         - (base_wrench_0_0_5 * base_wrench_0_3_12
             - base_wrench_0_3_13 * base_wrench_0_0_2);
     let base_wrench_0_1 = (xi_dot[5] - gravity[2]
         + (xi_dot[0] * poses.com_y - xi_dot[1] * poses.com_x)) * 17.5
-        + (mu[0] * base_wrench_0_0_0_26 - mu[1] * base_wrench_0_3_8)
+        + (mu[0] * base_wrench_0_0_0_26 + mu[1] * base_wrench_0_3_8)
         - (base_wrench_0_3_13 * base_wrench_0_0_4
             - base_wrench_0_0_7 * base_wrench_0_3_12);
     // F₁
@@ -16706,25 +16219,25 @@ pub fn inverse_dynamics(
     let base_wrench_1_0_0_9_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let base_wrench_1_0_0_9 = base_wrench_1_0_0_9_1 + base_wrench_1_0_0_9_1;
     let base_wrench_1_0_0_24 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_1_0 * qd[1]
-        + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_1_0 * qd[2]
-        + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_1_0 * qd[3]
-        + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_1_0 * qd[4]
-        + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_1_0 * qd[5]
-        + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_1_0 * qd[6];
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * qd[6];
     let base_wrench_1_0_0 = inertias.composite_base_xy * xi_dot[0]
         + inertias.composite_base_yy * xi_dot[1] + inertias.composite_base_yz * xi_dot[2]
         + (base_wrench_0_0_0_22 * mu[0]
             + ((base_wrench_0_0_0_7 - base_wrench_1_0_0_9) * qd[0]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_0_1_1_0_0_0 * qd[1]
-                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_0_1_1_0_1_0 * qd[2]
-                + common_d_mu_and_7_more.d_mu_9_6_0_0_0_0_1_1_0_1_0 * qd[3]
-                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_0_1_1_0_1_0 * qd[4]
-                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_0_1_1_0_1_0 * qd[5]
-                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_0_1_1_0_1_0 * qd[6]) * mu[1]
+                + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * qd[1]
+                + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * qd[2]
+                + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * qd[3]
+                + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * qd[4]
+                + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * qd[5]
+                + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * qd[6]) * mu[1]
             + base_wrench_1_0_0_24 * mu[2]
             + (base_wrench_0_0_0_28 * base_wrench_0_3_13_0
-                - base_wrench_0_3_8 * base_wrench_0_0_5_0));
+                + base_wrench_0_3_8 * base_wrench_0_0_5_0));
     let base_wrench_1_0 = base_wrench_1_0_0
         - (base_wrench_0_0_3 * base_wrench_0_3_12 - base_wrench_1_0_3 * base_wrench_0_0_2
             + (base_wrench_0_0_5 * velocities.velocity_base_vx
@@ -16740,14 +16253,14 @@ pub fn inverse_dynamics(
         + inertias.composite_base_yz * xi_dot[1] + inertias.composite_base_zz * xi_dot[2]
         + (base_wrench_0_0_0_24 * mu[0] + base_wrench_1_0_0_24 * mu[1]
             + ((base_wrench_0_0_0_6 - base_wrench_1_0_0_9) * qd[0]
-                + common_d_mu_and_7_more.d_mu_7_6_0_0_0_1_1_1_0 * qd[1]
-                + common_d_mu_and_7_more.d_mu_8_6_0_0_0_1_1_1_0 * qd[2]
-                - common_d_mu_and_7_more.d_mu_9_6_0_0_0_1_1_1_0 * qd[3]
-                + common_d_mu_and_7_more.d_mu_10_6_0_0_0_1_1_1_0 * qd[4]
-                + common_d_mu_and_7_more.d_mu_11_6_0_0_0_1_1_1_0 * qd[5]
-                + common_d_mu_and_7_more.d_mu_12_6_0_0_0_1_1_1_0 * qd[6]) * mu[2]
-            + (base_wrench_0_3_8 * base_wrench_0_0_7_0
-                - base_wrench_0_0_0_26 * base_wrench_0_3_13_0))
+                + common_d_mu_and_7_more.three_joint_2_z_1_0 * qd[1]
+                + common_d_mu_and_7_more.three_joint_3_z_1_0 * qd[2]
+                - common_d_mu_and_7_more.three_joint_4_z_1_0 * qd[3]
+                + common_d_mu_and_7_more.three_joint_5_z_1_0 * qd[4]
+                + common_d_mu_and_7_more.three_joint_6_z_1_0 * qd[5]
+                + common_d_mu_and_7_more.three_joint_7_z_1_0 * qd[6]) * mu[2]
+            - (base_wrench_0_3_8 * base_wrench_0_0_7_0
+                + base_wrench_0_0_0_26 * base_wrench_0_3_13_0))
         - (base_wrench_1_0_3 * base_wrench_0_0_4 - base_wrench_0_0_1 * base_wrench_0_3_12
             - (base_wrench_0_3_13 * velocities.minus_velocity_base_vy
                 + base_wrench_0_0_7 * velocities.velocity_base_vx));
@@ -16797,6 +16310,127 @@ pub fn inverse_dynamics(
         + screws.connection_joint_5_vz * xi_dot[10]
         + screws.connection_joint_6_vz * xi_dot[11]
         + screws.connection_joint_7_vz * xi_dot[12];
+    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 - minus_twist_base_wx;
+    let minus_twist_link_1_wy = minus_twist_base_wy
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1;
+    let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
+    let twist_link_1_vx = twist_base_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_0_0
+            - poses.minus_origin_base_y * xi_dot[6]);
+    let twist_link_1_vy = poses.minus_origin_base_x * xi_dot[6]
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1
+        - minus_twist_base_vy;
+    let twist_link_1_vz = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0 - minus_twist_base_vz;
+    let twist_link_2_wx = twist_link_1_wx
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_1 + poses.sin_joint_1 * xi_dot[7]);
+    let twist_link_2_wy = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_0 - poses.cos_joint_1 * xi_dot[7]
+        - minus_twist_link_1_wy;
+    let twist_link_2_wz = twist_link_1_wz
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1;
+    let twist_link_2_vx = twist_link_1_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_0_1
+            + screws.screw_joint_2_vx * xi_dot[7]);
+    let twist_link_2_vy = twist_link_1_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_0
+            + screws.screw_joint_2_vy * xi_dot[7]);
+    let twist_link_2_vz = twist_link_1_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_0_1
+            + screws.screw_joint_2_vz * xi_dot[7]);
+    let twist_link_3_wx = twist_link_2_wx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1
+            - poses.minus_rotation_link_2_xy * xi_dot[8]);
+    let twist_link_3_wy = twist_link_2_wy
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1
+            + poses.minus_rotation_link_2_yy * xi_dot[8]);
+    let twist_link_3_wz = twist_link_2_wz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_0
+            + poses.cos_joint_2 * xi_dot[8]);
+    let twist_link_3_vx = twist_link_2_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_1
+            + screws.screw_joint_3_vx * xi_dot[8]);
+    let twist_link_3_vy = twist_link_2_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_1
+            + screws.screw_joint_3_vy * xi_dot[8]);
+    let twist_link_3_vz = twist_link_2_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_1
+            + screws.screw_joint_3_vz * xi_dot[8]);
+    let twist_link_4_wx = twist_link_3_wx
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_1
+            + poses.minus_rotation_link_3_xy * xi_dot[9]);
+    let twist_link_4_wy = twist_link_3_wy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_1
+            + poses.rotation_link_3_yy * xi_dot[9]);
+    let twist_link_4_wz = twist_link_3_wz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_1
+            - poses.minus_rotation_link_3_zy * xi_dot[9]);
+    let twist_link_4_vx = twist_link_3_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_1
+            + screws.screw_joint_4_vx * xi_dot[9]);
+    let twist_link_4_vy = twist_link_3_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_1
+            - screws.minus_screw_joint_4_vy * xi_dot[9]);
+    let twist_link_4_vz = twist_link_3_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_1
+            - screws.minus_screw_joint_4_vz * xi_dot[9]);
+    let twist_link_5_wx = twist_link_4_wx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_1
+            - poses.rotation_link_4_xy * xi_dot[10]);
+    let twist_link_5_wy = twist_link_4_wy
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_1
+            + poses.rotation_link_4_yy * xi_dot[10]);
+    let twist_link_5_wz = twist_link_4_wz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_1
+            + poses.rotation_link_5_zz * xi_dot[10]);
+    let twist_link_5_vx = twist_link_4_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_1
+            + screws.screw_joint_5_vx * xi_dot[10]);
+    let twist_link_5_vy = twist_link_4_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_1
+            + screws.screw_joint_5_vy * xi_dot[10]);
+    let twist_link_5_vz = twist_link_4_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_1
+            + screws.screw_joint_5_vz * xi_dot[10]);
+    let twist_link_6_wx = twist_link_5_wx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_1
+            + poses.rotation_link_6_xz * xi_dot[11]);
+    let twist_link_6_wy = twist_link_5_wy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_1
+            - poses.rotation_link_5_yy * xi_dot[11]);
+    let twist_link_6_wz = twist_link_5_wz
+        + (poses.rotation_link_6_zz * xi_dot[11]
+            - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_1);
+    let twist_link_6_vx = twist_link_5_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_1
+            + screws.screw_joint_6_vx * xi_dot[11]);
+    let twist_link_6_vy = twist_link_5_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_1
+            + screws.screw_joint_6_vy * xi_dot[11]);
+    let twist_link_6_vz = twist_link_5_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_1
+            + screws.screw_joint_6_vz * xi_dot[11]);
+    let twist_link_7_wx = twist_link_6_wx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_1
+            - poses.minus_rotation_link_6_xy * xi_dot[12]);
+    let twist_link_7_wy = twist_link_6_wy
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_1
+            + poses.minus_rotation_link_6_yy * xi_dot[12]);
+    let twist_link_7_wz = twist_link_6_wz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_1
+            + poses.rotation_link_6_zy * xi_dot[12]);
+    let twist_link_7_vx = twist_link_6_vx
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_1
+            + screws.screw_joint_7_vx * xi_dot[12]);
+    let twist_link_7_vy = twist_link_6_vy
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_1
+            + screws.screw_joint_7_vy * xi_dot[12]);
+    let twist_link_7_vz = twist_link_6_vz
+        + (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_1
+            + screws.screw_joint_7_vz * xi_dot[12]);
     let wrench_outside_link_1_mx = inertias.minus_inertia_base_xy * minus_twist_base_wy
         - inertias.inertia_base_xx * minus_twist_base_wx
         + inertias.minus_inertia_base_xz * minus_twist_base_wz
@@ -16823,252 +16457,132 @@ pub fn inverse_dynamics(
         - minus_twist_base_wx * inertias.minus_inertia_base_hz
         - minus_twist_base_vy * 3.5
         - common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0;
-    let twist_link_1_wx = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_0_0_1 - minus_twist_base_wx;
-    let minus_twist_link_1_wy = minus_twist_base_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_0_1_1;
-    let twist_link_1_vz = common_forward_dynamics_inverse_dynamics
-        .wrench_base_mx_0_0_1_1_0_1 - minus_twist_base_vz;
-    let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
-    let twist_link_1_vx = twist_base_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_1_1
-        - poses.minus_origin_base_y * xi_dot[6];
-    let twist_link_1_vy = poses.minus_origin_base_x * xi_dot[6]
-        - (minus_twist_base_vy
-            + common_forward_dynamics_inverse_dynamics.wrench_base_mx_0_0_1_1_1_0_1);
     let wrench_link_1_mx_0 = inertias.inertia_link_1_xx * twist_link_1_wx
         - inertias.inertia_link_1_xy * minus_twist_link_1_wy
         + inertias.inertia_link_1_xz * twist_link_1_wz
         + (inertias.inertia_link_1_hy * twist_link_1_vz
             - inertias.inertia_link_1_hz * twist_link_1_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_1;
     let wrench_link_1_my_0 = inertias.inertia_link_1_xy * twist_link_1_wx
         - inertias.inertia_link_1_yy * minus_twist_link_1_wy
         - inertias.minus_inertia_link_1_yz * twist_link_1_wz
         + (inertias.inertia_link_1_hz * twist_link_1_vx
             + inertias.minus_inertia_link_1_hx * twist_link_1_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_0_1;
     let wrench_link_1_mz_0 = inertias.inertia_link_1_xz * twist_link_1_wx
         + inertias.minus_inertia_link_1_yz * minus_twist_link_1_wy
         + inertias.inertia_link_1_zz * twist_link_1_wz
         - (inertias.minus_inertia_link_1_hx * twist_link_1_vy
             + inertias.inertia_link_1_hy * twist_link_1_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_1;
-    let twist_link_2_wz = twist_link_1_wz
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_1_1;
-    let twist_link_2_wx = twist_link_1_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_0_0_0_1
-        + poses.sin_joint_1 * xi_dot[7];
-    let twist_link_2_wy = common_forward_dynamics_inverse_dynamics
-        .wrench_link_1_mx_0_0_1_0_0_1_1 - minus_twist_link_1_wy
-        - poses.cos_joint_1 * xi_dot[7];
-    let twist_link_2_vx = twist_link_1_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_1_1
-        + screws.screw_joint_2_vx * xi_dot[7];
-    let twist_link_2_vy = twist_link_1_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_1_0_1
-        + screws.screw_joint_2_vy * xi_dot[7];
-    let twist_link_2_vz = twist_link_1_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_0_1_1_0_1
-        + screws.screw_joint_2_vz * xi_dot[7];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_0_1;
     let wrench_link_2_mx_0 = inertias.inertia_link_2_xx * twist_link_2_wx
         + inertias.inertia_link_2_xy * twist_link_2_wy
         + inertias.inertia_link_2_xz * twist_link_2_wz
         - (inertias.minus_inertia_link_2_hy * twist_link_2_vz
             + inertias.inertia_link_2_hz * twist_link_2_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_1;
     let wrench_link_2_my_0 = inertias.inertia_link_2_xy * twist_link_2_wx
         + inertias.inertia_link_2_yy * twist_link_2_wy
         + inertias.inertia_link_2_yz * twist_link_2_wz
         + (inertias.inertia_link_2_hz * twist_link_2_vx
             - inertias.inertia_link_2_hx * twist_link_2_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_1;
     let wrench_link_2_mz_0 = inertias.inertia_link_2_xz * twist_link_2_wx
         + inertias.inertia_link_2_yz * twist_link_2_wy
         + inertias.inertia_link_2_zz * twist_link_2_wz
         + (inertias.inertia_link_2_hx * twist_link_2_vy
             + inertias.minus_inertia_link_2_hy * twist_link_2_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_1;
-    let twist_link_3_wx = twist_link_2_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_0_1
-        - poses.minus_rotation_link_2_xy * xi_dot[8];
-    let twist_link_3_wy = twist_link_2_wy
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_0_1_1
-        - poses.minus_rotation_link_2_yy * xi_dot[8];
-    let twist_link_3_wz = twist_link_2_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_0_1_1
-        + poses.cos_joint_2 * xi_dot[8];
-    let twist_link_3_vx = twist_link_2_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_1_1
-        + screws.screw_joint_3_vx * xi_dot[8];
-    let twist_link_3_vy = twist_link_2_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_1_0_1
-        + screws.screw_joint_3_vy * xi_dot[8];
-    let twist_link_3_vz = twist_link_2_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_0_1_1_0_1
-        + screws.screw_joint_3_vz * xi_dot[8];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_0_1;
     let wrench_link_3_mx_0 = inertias.inertia_link_3_xx * twist_link_3_wx
         + inertias.inertia_link_3_xy * twist_link_3_wy
         + inertias.inertia_link_3_xz * twist_link_3_wz
         - (inertias.minus_inertia_link_3_hy * twist_link_3_vz
             + inertias.inertia_link_3_hz * twist_link_3_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1;
     let wrench_link_3_my_0 = inertias.inertia_link_3_xy * twist_link_3_wx
         + inertias.inertia_link_3_yy * twist_link_3_wy
         + inertias.inertia_link_3_yz * twist_link_3_wz
         + (inertias.inertia_link_3_hz * twist_link_3_vx
             - inertias.inertia_link_3_hx * twist_link_3_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1;
     let wrench_link_3_mz_0 = inertias.inertia_link_3_xz * twist_link_3_wx
         + inertias.inertia_link_3_yz * twist_link_3_wy
         + inertias.inertia_link_3_zz * twist_link_3_wz
         + (inertias.inertia_link_3_hx * twist_link_3_vy
             + inertias.minus_inertia_link_3_hy * twist_link_3_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_1;
-    let twist_link_4_wx = twist_link_3_wx
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_1_1
-        - poses.minus_rotation_link_3_xy * xi_dot[9];
-    let twist_link_4_wy = twist_link_3_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_0_0_1
-        + poses.rotation_link_3_yy * xi_dot[9];
-    let twist_link_4_wz = twist_link_3_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_0_1_1
-        - poses.minus_rotation_link_3_zy * xi_dot[9];
-    let twist_link_4_vx = twist_link_3_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_1_1
-        + screws.screw_joint_4_vx * xi_dot[9];
-    let twist_link_4_vy = twist_link_3_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_1_0_1
-        - screws.minus_screw_joint_4_vy * xi_dot[9];
-    let twist_link_4_vz = twist_link_3_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_0_1_1_0_1
-        - screws.minus_screw_joint_4_vz * xi_dot[9];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_0_1;
     let wrench_link_4_mx_0 = inertias.inertia_link_4_xx * twist_link_4_wx
         + inertias.inertia_link_4_xy * twist_link_4_wy
         + inertias.inertia_link_4_xz * twist_link_4_wz
         + (inertias.inertia_link_4_hy * twist_link_4_vz
             - inertias.inertia_link_4_hz * twist_link_4_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_1;
     let wrench_link_4_my_0 = inertias.inertia_link_4_xy * twist_link_4_wx
         + inertias.inertia_link_4_yy * twist_link_4_wy
         + inertias.inertia_link_4_yz * twist_link_4_wz
         + (inertias.inertia_link_4_hz * twist_link_4_vx
             + inertias.minus_inertia_link_4_hx * twist_link_4_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_my_0_1;
     let wrench_link_4_mz_0 = inertias.inertia_link_4_xz * twist_link_4_wx
         + inertias.inertia_link_4_yz * twist_link_4_wy
         + inertias.inertia_link_4_zz * twist_link_4_wz
         - (inertias.minus_inertia_link_4_hx * twist_link_4_vy
             + inertias.inertia_link_4_hy * twist_link_4_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mz_1;
-    let twist_link_5_wx = twist_link_4_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_0_1
-        - poses.rotation_link_4_xy * xi_dot[10];
-    let twist_link_5_wy = twist_link_4_wy
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_0_1_1
-        - poses.rotation_link_4_yy * xi_dot[10];
-    let twist_link_5_wz = twist_link_4_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_0_1_1
-        + poses.rotation_link_5_zz * xi_dot[10];
-    let twist_link_5_vx = twist_link_4_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_1_1
-        + screws.screw_joint_5_vx * xi_dot[10];
-    let twist_link_5_vy = twist_link_4_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_1_0_1
-        + screws.screw_joint_5_vy * xi_dot[10];
-    let twist_link_5_vz = twist_link_4_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_0_1_1_0_1
-        + screws.screw_joint_5_vz * xi_dot[10];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mz_0_1;
     let wrench_link_5_mx_0 = inertias.inertia_link_5_xx * twist_link_5_wx
         + inertias.inertia_link_5_xy * twist_link_5_wy
         + inertias.inertia_link_5_xz * twist_link_5_wz
         + (inertias.inertia_link_5_hy * twist_link_5_vz
             - inertias.inertia_link_5_hz * twist_link_5_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_1;
     let wrench_link_5_my_0 = inertias.inertia_link_5_xy * twist_link_5_wx
         + inertias.inertia_link_5_yy * twist_link_5_wy
         + inertias.inertia_link_5_yz * twist_link_5_wz
         + (inertias.inertia_link_5_hz * twist_link_5_vx
             + inertias.minus_inertia_link_5_hx * twist_link_5_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_my_0_1;
     let wrench_link_5_mz_0 = inertias.inertia_link_5_xz * twist_link_5_wx
         + inertias.inertia_link_5_yz * twist_link_5_wy
         + inertias.inertia_link_5_zz * twist_link_5_wz
         - (inertias.minus_inertia_link_5_hx * twist_link_5_vy
             + inertias.inertia_link_5_hy * twist_link_5_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mz_1;
-    let twist_link_6_wx = twist_link_5_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_0_1
-        + poses.rotation_link_6_xz * xi_dot[11];
-    let twist_link_6_wy = twist_link_5_wy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_0_1_1
-        - poses.rotation_link_5_yy * xi_dot[11];
-    let twist_link_6_wz = twist_link_5_wz
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_0_1_1
-        + poses.rotation_link_6_zz * xi_dot[11];
-    let twist_link_6_vx = twist_link_5_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_1_1
-        + screws.screw_joint_6_vx * xi_dot[11];
-    let twist_link_6_vy = twist_link_5_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_1_0_1
-        + screws.screw_joint_6_vy * xi_dot[11];
-    let twist_link_6_vz = twist_link_5_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_0_1_1_0_1
-        + screws.screw_joint_6_vz * xi_dot[11];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mz_0_1;
     let wrench_link_6_mx_0 = inertias.inertia_link_6_xx * twist_link_6_wx
         - inertias.minus_inertia_link_6_xy * twist_link_6_wy
         + inertias.inertia_link_6_xz * twist_link_6_wz
         - (inertias.minus_inertia_link_6_hy * twist_link_6_vz
             + inertias.inertia_link_6_hz * twist_link_6_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_1;
     let wrench_link_6_my_0 = inertias.inertia_link_6_yy * twist_link_6_wy
         - inertias.minus_inertia_link_6_xy * twist_link_6_wx
         + inertias.inertia_link_6_yz * twist_link_6_wz
         + (inertias.inertia_link_6_hz * twist_link_6_vx
             + inertias.minus_inertia_link_6_hx * twist_link_6_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_my_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_1;
     let wrench_link_6_mz_0 = inertias.inertia_link_6_xz * twist_link_6_wx
         + inertias.inertia_link_6_yz * twist_link_6_wy
         + inertias.inertia_link_6_zz * twist_link_6_wz
         + (inertias.minus_inertia_link_6_hy * twist_link_6_vx
             - inertias.minus_inertia_link_6_hx * twist_link_6_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mz_1;
-    let twist_link_7_wx = twist_link_6_wx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_0_1
-        - poses.minus_rotation_link_6_xy * xi_dot[12];
-    let twist_link_7_wy = twist_link_6_wy
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_0_1_1
-        - poses.minus_rotation_link_6_yy * xi_dot[12];
-    let twist_link_7_wz = twist_link_6_wz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_0_1_1
-        + poses.rotation_link_6_zy * xi_dot[12];
-    let twist_link_7_vx = twist_link_6_vx
-        + common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_0_0_1_1_1
-        + screws.screw_joint_7_vx * xi_dot[12];
-    let twist_link_7_vy = twist_link_6_vy
-        + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_1_1
-        + screws.screw_joint_7_vy * xi_dot[12];
-    let twist_link_7_vz = twist_link_6_vz
-        + common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_0_0_1_0_1
-        + screws.screw_joint_7_vz * xi_dot[12];
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mz_0_1;
     let wrench_link_7_mx = inertias.inertia_link_7_xx * twist_link_7_wx
         - inertias.minus_inertia_link_7_xy * twist_link_7_wy
         + inertias.inertia_link_7_xz * twist_link_7_wz
         - (inertias.minus_inertia_link_7_hy * twist_link_7_vz
             + inertias.inertia_link_7_hz * twist_link_7_vy)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mx;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_1;
     let wrench_link_7_my = inertias.inertia_link_7_yy * twist_link_7_wy
         - inertias.minus_inertia_link_7_xy * twist_link_7_wx
         + inertias.inertia_link_7_yz * twist_link_7_wz
         + (inertias.inertia_link_7_hz * twist_link_7_vx
             + inertias.minus_inertia_link_7_hx * twist_link_7_vz)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_my;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_my_1;
     let wrench_link_7_mz = inertias.inertia_link_7_xz * twist_link_7_wx
         + inertias.inertia_link_7_yz * twist_link_7_wy
         + inertias.inertia_link_7_zz * twist_link_7_wz
         + (inertias.minus_inertia_link_7_hy * twist_link_7_vx
             - inertias.minus_inertia_link_7_hx * twist_link_7_vy)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_mz;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mz_1;
     let wrench_link_6_mx = wrench_link_6_mx_0 + wrench_link_7_mx;
     let wrench_link_6_my = wrench_link_6_my_0 + wrench_link_7_my;
     let wrench_link_6_mz = wrench_link_6_mz_0 + wrench_link_7_mz;
@@ -17108,75 +16622,75 @@ pub fn inverse_dynamics(
     let wrench_link_2_fx_0 = twist_link_2_vx * 2.0
         + (twist_link_2_wy * inertias.inertia_link_2_hz
             + twist_link_2_wz * inertias.minus_inertia_link_2_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_0_1;
     let wrench_link_2_fy_0 = twist_link_2_vy * 2.0
         + (twist_link_2_wz * inertias.inertia_link_2_hx
             - twist_link_2_wx * inertias.inertia_link_2_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_0_1;
     let wrench_link_2_fz_0 = twist_link_2_vz * 2.0
         - (twist_link_2_wx * inertias.minus_inertia_link_2_hy
             + twist_link_2_wy * inertias.inertia_link_2_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_0_1;
     let wrench_link_3_fx_0 = twist_link_3_vx * 2.0
         + (twist_link_3_wy * inertias.inertia_link_3_hz
             + twist_link_3_wz * inertias.minus_inertia_link_3_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_0_1;
     let wrench_link_3_fy_0 = twist_link_3_vy * 2.0
         + (twist_link_3_wz * inertias.inertia_link_3_hx
             - twist_link_3_wx * inertias.inertia_link_3_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_0_1;
     let wrench_link_3_fz_0 = twist_link_3_vz * 2.0
         - (twist_link_3_wx * inertias.minus_inertia_link_3_hy
             + twist_link_3_wy * inertias.inertia_link_3_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_0_1;
     let wrench_link_4_fx_0 = twist_link_4_vx * 2.0
         + (twist_link_4_wy * inertias.inertia_link_4_hz
             - twist_link_4_wz * inertias.inertia_link_4_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fx_0_1;
     let wrench_link_4_fy_0 = twist_link_4_vy * 2.0
         - (twist_link_4_wz * inertias.minus_inertia_link_4_hx
             + twist_link_4_wx * inertias.inertia_link_4_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fy_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fy_0_1;
     let wrench_link_4_fz_0 = twist_link_4_vz * 2.0
         + (twist_link_4_wx * inertias.inertia_link_4_hy
             + twist_link_4_wy * inertias.minus_inertia_link_4_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fz_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fz_0_1;
     let wrench_link_5_fx_0 = twist_link_5_vx * 2.0
         + (twist_link_5_wy * inertias.inertia_link_5_hz
             - twist_link_5_wz * inertias.inertia_link_5_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fx_0_1;
     let wrench_link_5_fy_0 = twist_link_5_vy * 2.0
         - (twist_link_5_wz * inertias.minus_inertia_link_5_hx
             + twist_link_5_wx * inertias.inertia_link_5_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fy_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fy_0_1;
     let wrench_link_5_fz_0 = twist_link_5_vz * 2.0
         + (twist_link_5_wx * inertias.inertia_link_5_hy
             + twist_link_5_wy * inertias.minus_inertia_link_5_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fz_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fz_0_1;
     let wrench_link_6_fx_0 = twist_link_6_vx * 2.0
         + (twist_link_6_wy * inertias.inertia_link_6_hz
             + twist_link_6_wz * inertias.minus_inertia_link_6_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fx_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fx_0_1;
     let wrench_link_6_fy_0 = twist_link_6_vy * 2.0
         - (twist_link_6_wz * inertias.minus_inertia_link_6_hx
             + twist_link_6_wx * inertias.inertia_link_6_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fy_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fy_0_1;
     let wrench_link_6_fz_0 = twist_link_6_vz * 2.0
         + (twist_link_6_wy * inertias.minus_inertia_link_6_hx
             - twist_link_6_wx * inertias.minus_inertia_link_6_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fz_1;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fz_0_1;
     let wrench_link_7_fx = twist_link_7_vx * 2.0
         + (twist_link_7_wy * inertias.inertia_link_7_hz
             + twist_link_7_wz * inertias.minus_inertia_link_7_hy)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fx;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fx_1;
     let wrench_link_7_fy = twist_link_7_vy * 2.0
         - (twist_link_7_wz * inertias.minus_inertia_link_7_hx
             + twist_link_7_wx * inertias.inertia_link_7_hz)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fy;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fy_1;
     let wrench_link_7_fz = twist_link_7_vz * 2.0
         + (twist_link_7_wy * inertias.minus_inertia_link_7_hx
             - twist_link_7_wx * inertias.minus_inertia_link_7_hy)
-        - common_forward_dynamics_inverse_dynamics.minus_wrench_link_7_fz;
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fz_1;
     let wrench_link_6_fx = wrench_link_6_fx_0 + wrench_link_7_fx;
     let wrench_link_6_fy = wrench_link_6_fy_0 + wrench_link_7_fy;
     let wrench_link_6_fz = wrench_link_6_fz_0 + wrench_link_7_fz;
@@ -17198,17 +16712,17 @@ pub fn inverse_dynamics(
     let wrench_outside_link_2_fx = twist_link_1_vx * 2.0
         - (minus_twist_link_1_wy * inertias.inertia_link_1_hz
             + twist_link_1_wz * inertias.inertia_link_1_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_0_1
         + wrench_outside_link_1_fx;
     let wrench_outside_link_2_fy = twist_link_1_vy * 2.0
         - (twist_link_1_wz * inertias.minus_inertia_link_1_hx
             + twist_link_1_wx * inertias.inertia_link_1_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1_1
         + wrench_outside_link_1_fy;
     let wrench_outside_link_2_fz = twist_link_1_vz * 2.0
         + (twist_link_1_wx * inertias.inertia_link_1_hy
             - minus_twist_link_1_wy * inertias.minus_inertia_link_1_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_0_1
         + wrench_outside_link_1_fz;
     tau[1] = reactions.reaction_joint_2_wx * wrench_link_2_mx
         + reactions.reaction_joint_2_wy * wrench_link_2_my

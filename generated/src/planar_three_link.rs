@@ -299,10 +299,10 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_base_xx = 0.25 + inertia_base_xx_1;
     let inertia_base_yy = 0.375 + inertia_base_yy_1;
     let inertia_base_zz = 0.5 + (inertia_base_yy_1 + inertia_base_xx_1);
+    let inertia_link_1_xx_0 = 0.0625 * poses.sin_joint_1;
     // link_1
     let inertia_link_1_hx = poses.minus_origin_base_x_1_0 - poses.minus_origin_base_x_1;
     let inertia_link_1_hy = poses.minus_origin_base_y_1_0 - poses.minus_origin_base_y_1;
-    let inertia_link_1_xx_0 = 0.0625 * poses.sin_joint_1;
     let inertia_link_1_yy_4 = inertia_link_1_hx * inertia_link_1_hx;
     let inertia_link_1_xx_3 = inertia_link_1_hy * inertia_link_1_hy;
     let inertia_link_1_xx = inertia_link_1_xx_0 * poses.sin_joint_1 + 0.125
@@ -312,11 +312,11 @@ fn inertias(poses: &Poses) -> Inertias {
     let inertia_link_1_yy = 0.0625 * poses.cos_joint_1 * poses.cos_joint_1 + 0.125
         + inertia_link_1_yy_4;
     let inertia_link_1_zz = 0.25 + (inertia_link_1_yy_4 + inertia_link_1_xx_3);
+    let inertia_link_2_xx_0 = 0.03125 * poses.rotation_link_2_yx;
     let inertia_link_2_hx_0 = poses.minus_origin_base_x_1_3
         - poses.minus_origin_base_x_1;
     let inertia_link_2_hy_0 = poses.minus_origin_base_y_1_3
         - poses.minus_origin_base_y_1;
-    let inertia_link_2_xx_0 = 0.03125 * poses.rotation_link_2_yx;
     // link_2
     let inertia_link_2_hx = inertia_link_2_hx_0 * 0.75;
     let inertia_link_2_hy = inertia_link_2_hy_0 * 0.75;
@@ -675,117 +675,126 @@ fn d_mu_itself(
         + inertias.composite_base_zz) * 0.5;
     let d_mu_1_0 = mu[2] * d_mu_1_0_1 - inertias.composite_base_zz * mu[2];
     d_mu[0][1] = 0.0 - d_mu_1_0;
-    let d_mu_2_0_1 = poses.com_x + 0.25;
-    let d_mu_2_0_0_2 = inertias.composite_base_yy * mu[1]
+    let six_joint_1_my_12 = poses.com_x + 0.25;
+    let six_joint_1_mx_7 = inertias.composite_base_yy * mu[1]
         - inertias.minus_composite_base_xy * mu[0];
-    let d_mu_2_0_0 = mu[1] * d_mu_1_0_1 - d_mu_2_0_0_2;
+    let d_mu_2_0_0 = mu[1] * d_mu_1_0_1 - six_joint_1_mx_7;
     let d_mu_2_0_4_0 = mu[1] * 3.75;
     let d_mu_2_0_2_0 = mu[0] * 3.75;
     let d_mu_2_0_4 = d_mu_2_0_4_0 * poses.com_y;
     let d_mu_2_0_2 = d_mu_2_0_2_0 * poses.com_y;
-    d_mu[0][2] = d_mu_2_0_0 + (d_mu_2_0_1 * d_mu_2_0_2 + poses.com_y * d_mu_2_0_4) + 0.0;
+    d_mu[0][2] = d_mu_2_0_0 + (six_joint_1_my_12 * d_mu_2_0_2 + poses.com_y * d_mu_2_0_4)
+        + 0.0;
     d_mu[0][3] = 0.0 - d_mu_2_0_4;
     d_mu[0][4] = d_mu_2_0_2 + 0.0;
     d_mu[0][5] = 0.0;
-    let d_mu_6_0_0 = inertias.minus_composite_link_1_xy
+    let six_joint_1_mx_0 = inertias.minus_composite_link_1_xy
         + inertias.minus_composite_link_1_xy;
-    let d_mu_6_0_1_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
-    let d_mu_6_0_1 = d_mu_6_0_1_1 + d_mu_6_0_1_1;
-    let d_mu_6_0_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
+    let six_joint_1_mx_1_1 = inertias.composite_link_1_hy * poses.origin_link_1_x;
+    let six_joint_1_mx_1 = six_joint_1_mx_1_1 + six_joint_1_mx_1_1;
+    let six_joint_1_mx_3 = inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0);
-    let d_mu_6_0_9_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_mu_2_0_1);
-    let d_mu_6_0_9 = d_mu_6_0_9_0 * 3.75;
-    let d_mu_6_0_11_0 = mu[0] * 0.5;
-    let d_mu_6_0_11_2 = mu[1] * 0.5;
-    let d_mu_6_0_6 = d_mu_6_0_9_0 * 0.5;
-    let d_mu_6_0_11 = d_mu_6_0_11_0 * screws.inside_joint_1_fy
-        + d_mu_6_0_11_2 * screws.minus_inside_joint_1_fx;
-    let d_mu_6_0 = (d_mu_6_0_0 - d_mu_6_0_1) * d_mu_6_0_11_0 + d_mu_6_0_3 * d_mu_6_0_11_2
-        + screws.inside_joint_1_fy * d_mu_6_0_6
-        + (d_mu_2_0_0_2 * screws.connection_joint_1_wz
-            - d_mu_6_0_9 * screws.connection_joint_1_vy) + d_mu_6_0_11 * poses.com_y;
-    d_mu[0][6] = d_mu_6_0 + 0.0;
-    let d_mu_7_0_0 = inertias.minus_inertia_link_2_xy + inertias.minus_inertia_link_2_xy;
-    let d_mu_7_0_1_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let d_mu_7_0_1 = d_mu_7_0_1_1 + d_mu_7_0_1_1;
-    let d_mu_7_0_3 = inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
+    let six_joint_1_mx_9_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * six_joint_1_my_12);
+    let six_joint_1_mx_9 = six_joint_1_mx_9_0 * 3.75;
+    let six_joint_1_fz_0 = mu[0] * 0.5;
+    let six_joint_1_fz_2 = mu[1] * 0.5;
+    let six_joint_1_mx_6 = six_joint_1_mx_9_0 * 0.5;
+    let six_joint_1_fz = six_joint_1_fz_0 * screws.inside_joint_1_fy
+        + six_joint_1_fz_2 * screws.minus_inside_joint_1_fx;
+    let six_joint_1_mx = (six_joint_1_mx_0 - six_joint_1_mx_1) * six_joint_1_fz_0
+        + six_joint_1_mx_3 * six_joint_1_fz_2
+        + screws.inside_joint_1_fy * six_joint_1_mx_6
+        + (six_joint_1_mx_7 * screws.connection_joint_1_wz
+            - six_joint_1_mx_9 * screws.connection_joint_1_vy)
+        + six_joint_1_fz * poses.com_y;
+    d_mu[0][6] = six_joint_1_mx + 0.0;
+    let six_joint_2_mx_0 = inertias.minus_inertia_link_2_xy
+        + inertias.minus_inertia_link_2_xy;
+    let six_joint_2_mx_1_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let six_joint_2_mx_1 = six_joint_2_mx_1_1 + six_joint_2_mx_1_1;
+    let six_joint_2_mx_3 = inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
         - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0);
-    let d_mu_7_0_11 = d_mu_6_0_11_0 * screws.inside_joint_2_fy
-        - d_mu_6_0_11_2 * screws.inside_joint_2_fx;
-    let d_mu_7_0 = (d_mu_7_0_0 - d_mu_7_0_1) * d_mu_6_0_11_0 + d_mu_7_0_3 * d_mu_6_0_11_2
-        + screws.inside_joint_2_fy * d_mu_6_0_6
-        + (d_mu_2_0_0_2 * screws.connection_joint_2_wz
-            - d_mu_6_0_9 * screws.connection_joint_2_vy) + d_mu_7_0_11 * poses.com_y;
-    d_mu[0][7] = d_mu_7_0 + 0.0;
+    let six_joint_2_fz = six_joint_1_fz_0 * screws.inside_joint_2_fy
+        - six_joint_1_fz_2 * screws.inside_joint_2_fx;
+    let six_joint_2_mx = (six_joint_2_mx_0 - six_joint_2_mx_1) * six_joint_1_fz_0
+        + six_joint_2_mx_3 * six_joint_1_fz_2
+        + screws.inside_joint_2_fy * six_joint_1_mx_6
+        + (six_joint_1_mx_7 * screws.connection_joint_2_wz
+            - six_joint_1_mx_9 * screws.connection_joint_2_vy)
+        + six_joint_2_fz * poses.com_y;
+    d_mu[0][7] = six_joint_2_mx + 0.0;
     // D_μ column 1
     d_mu[1][0] = d_mu_1_0 + 0.0;
     d_mu[1][1] = 0.0;
-    let d_mu_2_1_0_2 = inertias.composite_base_xx * mu[0]
+    let six_joint_1_my_7 = inertias.composite_base_xx * mu[0]
         - inertias.minus_composite_base_xy * mu[1];
-    let d_mu_2_1_0 = mu[0] * d_mu_1_0_1 - d_mu_2_1_0_2;
-    let d_mu_2_1_4 = d_mu_2_0_4_0 * d_mu_2_0_1;
-    let d_mu_2_1_2 = d_mu_2_0_2_0 * d_mu_2_0_1;
+    let d_mu_2_1_0 = mu[0] * d_mu_1_0_1 - six_joint_1_my_7;
+    let d_mu_2_1_4 = d_mu_2_0_4_0 * six_joint_1_my_12;
+    let d_mu_2_1_2 = d_mu_2_0_2_0 * six_joint_1_my_12;
     d_mu[1][2] = 0.0
-        - (d_mu_2_1_0 + (d_mu_2_0_1 * d_mu_2_1_2 + poses.com_y * d_mu_2_1_4));
+        - (d_mu_2_1_0 + (six_joint_1_my_12 * d_mu_2_1_2 + poses.com_y * d_mu_2_1_4));
     d_mu[1][3] = d_mu_2_1_4 + 0.0;
     d_mu[1][4] = 0.0 - d_mu_2_1_2;
     d_mu[1][5] = 0.0;
-    let d_mu_6_1_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
-    let d_mu_6_1_3 = d_mu_6_1_3_1 + d_mu_6_1_3_1;
-    let d_mu_6_1 = d_mu_6_0_3 * d_mu_6_0_11_0 - (d_mu_6_0_0 + d_mu_6_1_3) * d_mu_6_0_11_2
-        + screws.minus_inside_joint_1_fx * d_mu_6_0_6
-        - (d_mu_2_1_0_2 * screws.connection_joint_1_wz
-            + d_mu_6_0_9 * screws.minus_connection_joint_1_vx)
-        - d_mu_6_0_11 * d_mu_2_0_1;
-    d_mu[1][6] = d_mu_6_1 + 0.0;
-    let d_mu_7_1_2_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let d_mu_7_1_2 = d_mu_7_1_2_1 + d_mu_7_1_2_1;
-    let d_mu_7_1 = d_mu_7_0_3 * d_mu_6_0_11_0 + (d_mu_7_1_2 - d_mu_7_0_0) * d_mu_6_0_11_2
-        - screws.inside_joint_2_fx * d_mu_6_0_6
-        + (d_mu_6_0_9 * screws.connection_joint_2_vx
-            - d_mu_2_1_0_2 * screws.connection_joint_2_wz) - d_mu_7_0_11 * d_mu_2_0_1;
-    d_mu[1][7] = d_mu_7_1 + 0.0;
+    let six_joint_1_my_3_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+    let six_joint_1_my_3 = six_joint_1_my_3_1 + six_joint_1_my_3_1;
+    let six_joint_1_my = six_joint_1_mx_3 * six_joint_1_fz_0
+        - (six_joint_1_mx_0 + six_joint_1_my_3) * six_joint_1_fz_2
+        + screws.minus_inside_joint_1_fx * six_joint_1_mx_6
+        - (six_joint_1_my_7 * screws.connection_joint_1_wz
+            + six_joint_1_mx_9 * screws.minus_connection_joint_1_vx)
+        - six_joint_1_fz * six_joint_1_my_12;
+    d_mu[1][6] = six_joint_1_my + 0.0;
+    let six_joint_2_my_2_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let six_joint_2_my_2 = six_joint_2_my_2_1 + six_joint_2_my_2_1;
+    let six_joint_2_my = six_joint_2_mx_3 * six_joint_1_fz_0
+        + (six_joint_2_my_2 - six_joint_2_mx_0) * six_joint_1_fz_2
+        - screws.inside_joint_2_fx * six_joint_1_mx_6
+        + (six_joint_1_mx_9 * screws.connection_joint_2_vx
+            - six_joint_1_my_7 * screws.connection_joint_2_wz)
+        - six_joint_2_fz * six_joint_1_my_12;
+    d_mu[1][7] = six_joint_2_my + 0.0;
     let d_mu_0_2_2 = d_mu_2_1_2 + d_mu_2_0_4;
     // D_μ column 2
     d_mu[2][0] = 0.0 - (d_mu_2_0_0 + poses.com_y * d_mu_0_2_2);
-    d_mu[2][1] = d_mu_2_1_0 + d_mu_2_0_1 * d_mu_0_2_2 + 0.0;
+    d_mu[2][1] = d_mu_2_1_0 + six_joint_1_my_12 * d_mu_0_2_2 + 0.0;
     let d_mu_2_2_3_0 = mu[2] * 3.75;
     let d_mu_2_2_3 = d_mu_2_2_3_0 * poses.com_y;
-    let d_mu_2_2_1 = d_mu_2_2_3_0 * d_mu_2_0_1;
-    d_mu[2][2] = 0.0 - (poses.com_y * d_mu_2_2_1 - d_mu_2_0_1 * d_mu_2_2_3);
+    let d_mu_2_2_1 = d_mu_2_2_3_0 * six_joint_1_my_12;
+    d_mu[2][2] = 0.0 - (poses.com_y * d_mu_2_2_1 - six_joint_1_my_12 * d_mu_2_2_3);
     d_mu[2][3] = d_mu_2_2_1 + 0.0;
     d_mu[2][4] = d_mu_2_2_3 + 0.0;
     d_mu[2][5] = 0.0 - d_mu_0_2_2;
-    let d_mu_6_2_13_2_0 = mu[3] - mu[2] * poses.com_y;
-    let d_mu_6_2_11_0_0 = mu[4] + mu[2] * d_mu_2_0_1;
-    let d_mu_6_2_13_2 = d_mu_6_2_13_2_0 * 3.75;
-    let d_mu_6_2_11_0 = d_mu_6_2_11_0_0 * 3.75;
-    let d_mu_6_2_11_2 = mu[2] * 0.5;
-    let d_mu_6_2_10 = d_mu_6_2_13_2_0 * 0.5;
-    let d_mu_6_2_8 = d_mu_6_2_11_0_0 * 0.5;
-    let d_mu_6_2_11 = d_mu_6_2_11_0 * screws.connection_joint_1_wz
-        - d_mu_6_2_11_2 * screws.inside_joint_1_fy;
-    let d_mu_6_2_13 = d_mu_6_2_11_2 * screws.minus_inside_joint_1_fx
-        + d_mu_6_2_13_2 * screws.connection_joint_1_wz;
-    let d_mu_6_2 = d_mu_6_2_13_2 * screws.connection_joint_1_vy
-        + d_mu_6_2_11_0 * screws.minus_connection_joint_1_vx
-        - ((d_mu_6_1_3 + d_mu_6_0_1) * d_mu_6_2_11_2
-            + (screws.minus_inside_joint_1_fx * d_mu_6_2_8
-                + screws.inside_joint_1_fy * d_mu_6_2_10))
-        - (d_mu_6_2_11 * poses.com_y + d_mu_6_2_13 * d_mu_2_0_1);
-    d_mu[2][6] = d_mu_6_2 + 0.0;
-    let wrench_outside_link_1_mz_0 = d_mu_7_1_2 - d_mu_7_0_1;
-    let d_mu_7_2_12 = d_mu_6_2_11_0 * screws.connection_joint_2_wz
-        - d_mu_6_2_11_2 * screws.inside_joint_2_fy;
-    let d_mu_7_2_10 = d_mu_6_2_11_2 * screws.inside_joint_2_fx
-        - d_mu_6_2_13_2 * screws.connection_joint_2_wz;
-    let d_mu_7_2 = wrench_outside_link_1_mz_0 * d_mu_6_2_11_2
-        + (screws.inside_joint_2_fx * d_mu_6_2_8
-            - screws.inside_joint_2_fy * d_mu_6_2_10)
-        + (d_mu_6_2_13_2 * screws.connection_joint_2_vy
-            - d_mu_6_2_11_0 * screws.connection_joint_2_vx)
-        + (d_mu_7_2_10 * d_mu_2_0_1 - d_mu_7_2_12 * poses.com_y);
-    d_mu[2][7] = d_mu_7_2 + 0.0;
+    let minus_six_joint_1_fy_2_0 = mu[3] - mu[2] * poses.com_y;
+    let six_joint_1_fx_0_0 = mu[4] + mu[2] * six_joint_1_my_12;
+    let minus_six_joint_1_fy_2 = minus_six_joint_1_fy_2_0 * 3.75;
+    let six_joint_1_fx_0 = six_joint_1_fx_0_0 * 3.75;
+    let six_joint_1_fx_2 = mu[2] * 0.5;
+    let six_joint_1_mz_10 = minus_six_joint_1_fy_2_0 * 0.5;
+    let six_joint_1_mz_8 = six_joint_1_fx_0_0 * 0.5;
+    let six_joint_1_fx = six_joint_1_fx_0 * screws.connection_joint_1_wz
+        - six_joint_1_fx_2 * screws.inside_joint_1_fy;
+    let minus_six_joint_1_fy = six_joint_1_fx_2 * screws.minus_inside_joint_1_fx
+        + minus_six_joint_1_fy_2 * screws.connection_joint_1_wz;
+    let six_joint_1_mz = minus_six_joint_1_fy_2 * screws.connection_joint_1_vy
+        + six_joint_1_fx_0 * screws.minus_connection_joint_1_vx
+        - ((six_joint_1_my_3 + six_joint_1_mx_1) * six_joint_1_fx_2
+            + (screws.minus_inside_joint_1_fx * six_joint_1_mz_8
+                + screws.inside_joint_1_fy * six_joint_1_mz_10))
+        - (six_joint_1_fx * poses.com_y + minus_six_joint_1_fy * six_joint_1_my_12);
+    d_mu[2][6] = six_joint_1_mz + 0.0;
+    let six_joint_2_mz_0 = six_joint_2_my_2 - six_joint_2_mx_1;
+    let six_joint_2_fx = six_joint_1_fx_0 * screws.connection_joint_2_wz
+        - six_joint_1_fx_2 * screws.inside_joint_2_fy;
+    let six_joint_2_fy = six_joint_1_fx_2 * screws.inside_joint_2_fx
+        - minus_six_joint_1_fy_2 * screws.connection_joint_2_wz;
+    let six_joint_2_mz = six_joint_2_mz_0 * six_joint_1_fx_2
+        + (screws.inside_joint_2_fx * six_joint_1_mz_8
+            - screws.inside_joint_2_fy * six_joint_1_mz_10)
+        + (minus_six_joint_1_fy_2 * screws.connection_joint_2_vy
+            - six_joint_1_fx_0 * screws.connection_joint_2_vx)
+        + (six_joint_2_fy * six_joint_1_my_12 - six_joint_2_fx * poses.com_y);
+    d_mu[2][7] = six_joint_2_mz + 0.0;
     // D_μ column 3
     d_mu[3][0] = d_mu_2_0_4 + 0.0;
     d_mu[3][1] = 0.0 - d_mu_2_1_4;
@@ -793,8 +802,8 @@ fn d_mu_itself(
     d_mu[3][3] = 0.0;
     d_mu[3][4] = 0.0 - d_mu_2_2_3_0;
     d_mu[3][5] = d_mu_2_0_4_0 + 0.0;
-    d_mu[3][6] = d_mu_6_2_11 + 0.0;
-    d_mu[3][7] = d_mu_7_2_12 + 0.0;
+    d_mu[3][6] = six_joint_1_fx + 0.0;
+    d_mu[3][7] = six_joint_2_fx + 0.0;
     // D_μ column 4
     d_mu[4][0] = 0.0 - d_mu_2_0_2;
     d_mu[4][1] = d_mu_2_1_2 + 0.0;
@@ -802,8 +811,8 @@ fn d_mu_itself(
     d_mu[4][3] = d_mu_2_2_3_0 + 0.0;
     d_mu[4][4] = 0.0;
     d_mu[4][5] = 0.0 - d_mu_2_0_2_0;
-    d_mu[4][6] = 0.0 - d_mu_6_2_13;
-    d_mu[4][7] = d_mu_7_2_10 + 0.0;
+    d_mu[4][6] = 0.0 - minus_six_joint_1_fy;
+    d_mu[4][7] = six_joint_2_fy + 0.0;
     // D_μ column 5
     d_mu[5][0] = 0.0;
     d_mu[5][1] = 0.0;
@@ -811,33 +820,31 @@ fn d_mu_itself(
     d_mu[5][3] = 0.0 - d_mu_2_0_4_0;
     d_mu[5][4] = d_mu_2_0_2_0 + 0.0;
     d_mu[5][5] = 0.0;
-    d_mu[5][6] = d_mu_6_0_11 + 0.0;
-    d_mu[5][7] = d_mu_7_0_11 + 0.0;
+    d_mu[5][6] = six_joint_1_fz + 0.0;
+    d_mu[5][7] = six_joint_2_fz + 0.0;
     // D_μ column joint_1
-    d_mu[6][0] = 0.0 - d_mu_6_0;
-    d_mu[6][1] = 0.0 - d_mu_6_1;
-    d_mu[6][2] = 0.0 - d_mu_6_2;
-    d_mu[6][3] = 0.0 - d_mu_6_2_11;
-    d_mu[6][4] = d_mu_6_2_13 + 0.0;
-    d_mu[6][5] = 0.0 - d_mu_6_0_11;
+    d_mu[6][0] = 0.0 - six_joint_1_mx;
+    d_mu[6][1] = 0.0 - six_joint_1_my;
+    d_mu[6][2] = 0.0 - six_joint_1_mz;
+    d_mu[6][3] = 0.0 - six_joint_1_fx;
+    d_mu[6][4] = minus_six_joint_1_fy + 0.0;
+    d_mu[6][5] = 0.0 - six_joint_1_fz;
     d_mu[6][6] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
-    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
-        + inertias.minus_inertia_base_xy
-        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3)) * mu[2];
-    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
-    let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0 * mu[2];
-    let d_mu_7_6 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - minus_wrench_base_mz * screws.connection_joint_2_wz
-        - minus_wrench_base_fx * screws.connection_joint_2_vx;
+    let d_mu_7_6_5 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let six_more_joint_2_mz = six_joint_2_mz_0 * mu[2];
+    let d_mu_7_6 = reactions.reaction_joint_1_wz * six_more_joint_2_mz
+        - (inertias.minus_inertia_base_xy + inertias.minus_inertia_base_xy
+            + (d_mu_7_6_5 + d_mu_7_6_5)) * mu[2] * screws.connection_joint_2_wz
+        - reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5)
+            * screws.connection_joint_2_vx;
     d_mu[6][7] = d_mu_7_6 + 0.0;
     // D_μ column joint_2
-    d_mu[7][0] = 0.0 - d_mu_7_0;
-    d_mu[7][1] = 0.0 - d_mu_7_1;
-    d_mu[7][2] = 0.0 - d_mu_7_2;
-    d_mu[7][3] = 0.0 - d_mu_7_2_12;
-    d_mu[7][4] = 0.0 - d_mu_7_2_10;
-    d_mu[7][5] = 0.0 - d_mu_7_0_11;
+    d_mu[7][0] = 0.0 - six_joint_2_mx;
+    d_mu[7][1] = 0.0 - six_joint_2_my;
+    d_mu[7][2] = 0.0 - six_joint_2_mz;
+    d_mu[7][3] = 0.0 - six_joint_2_fx;
+    d_mu[7][4] = 0.0 - six_joint_2_fy;
+    d_mu[7][5] = 0.0 - six_joint_2_fz;
     d_mu[7][6] = 0.0 - d_mu_7_6;
     d_mu[7][7] = 0.0;
 }
@@ -852,19 +859,18 @@ fn b2_itself(
 ) {
     // B_2(μ) column joint_1
     b2[0][0] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
-    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
+    let minus_six_joint_1_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let minus_six_joint_1_mz = (inertias.minus_inertia_base_xy
         + inertias.minus_inertia_base_xy
-        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3)) * mu[2];
-    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
-    let wrench_outside_link_1_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let wrench_outside_link_1_mz = (wrench_outside_link_1_mz_1
-        + wrench_outside_link_1_mz_1
-        - (wrench_outside_link_1_mz_3 + wrench_outside_link_1_mz_3)) * mu[2];
-    let b2_1_0 = (reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - minus_wrench_base_mz * screws.connection_joint_2_wz
-        - minus_wrench_base_fx * screws.connection_joint_2_vx) * 0.5;
+        + (minus_six_joint_1_mz_3 + minus_six_joint_1_mz_3)) * mu[2];
+    let minus_six_joint_1_fx = reactions.minus_reaction_joint_1_vy * (mu[2] * 7.5);
+    let six_more_joint_2_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let six_more_joint_2_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let six_more_joint_2_mz = (six_more_joint_2_mz_1 + six_more_joint_2_mz_1
+        - (six_more_joint_2_mz_3 + six_more_joint_2_mz_3)) * mu[2];
+    let b2_1_0 = (reactions.reaction_joint_1_wz * six_more_joint_2_mz
+        - minus_six_joint_1_mz * screws.connection_joint_2_wz
+        - minus_six_joint_1_fx * screws.connection_joint_2_vx) * 0.5;
     b2[0][1] = 0.0 - b2_1_0;
     // B_2(μ) column joint_2
     b2[1][0] = b2_1_0 + 0.0;
@@ -975,7 +981,7 @@ pub fn matrices(
 /// - `qd`: shape velocity (2; rad/s, m/s)
 /// - `d_qdot`: D_q̇, diag(½ P(q̇), Γ'_q(q̇)), base frame (8×8, by columns; Λ's · 1/s)
 ///
-/// 348 operations: 177 + −, 168 ×, 3 ÷; 2 sin cos; about 4.2 KiB of code.
+/// 344 operations: 175 + −, 166 ×, 3 ÷; 2 sin cos; about 4.1 KiB of code.
 pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -992,8 +998,7 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
         + inertias.minus_inertia_link_2_xy;
     let d_qdot_0_0_4_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_qdot_0_0_4 = d_qdot_0_0_4_1 + d_qdot_0_0_4_1;
-    let d_qdot_0_0_8_0 = (screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1]) * 0.5;
+    let d_qdot_0_0_8_0 = velocities.minus_velocity_base_vy * 3.75 * 0.5;
     let d_qdot_0_0_8 = d_qdot_0_0_8_0 * poses.com_y;
     // D_q\u{307} column 0
     d_qdot[0][0] = ((d_qdot_0_0_0 - d_qdot_0_0_1) * qd[0]
@@ -1005,11 +1010,10 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1])
         * 0.5;
-    let d_qdot_1_0_1_0 = (screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0]) * 0.5;
+    let d_qdot_1_0_1_0 = velocities.velocity_base_vx * 3.75 * 0.5;
     let d_qdot_1_0_1 = d_qdot_1_0_1_0 * poses.com_y;
     let d_qdot_1_0_2 = d_qdot_0_0_8_0 * d_qdot_1_0_2_1;
-    d_qdot[0][1] = d_qdot_1_0_0 - d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
+    d_qdot[0][1] = d_qdot_1_0_0 + d_qdot_1_0_1 - d_qdot_1_0_2 + 0.0;
     d_qdot[0][2] = 0.0;
     d_qdot[0][3] = 0.0;
     d_qdot[0][4] = 0.0;
@@ -1017,30 +1021,30 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[0][6] = 0.0;
     d_qdot[0][7] = 0.0;
     // D_q\u{307} column 1
-    d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 - d_qdot_1_0_1 + 0.0;
+    d_qdot[1][0] = d_qdot_1_0_0 - d_qdot_1_0_2 + d_qdot_1_0_1 + 0.0;
     let d_qdot_1_1_4_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
     let d_qdot_1_1_4 = d_qdot_1_1_4_1 + d_qdot_1_1_4_1;
     let d_qdot_1_1_0_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
     let d_qdot_1_1_0 = d_qdot_1_1_0_1 + d_qdot_1_1_0_1;
     let d_qdot_1_1_8 = d_qdot_1_0_1_0 * d_qdot_1_0_2_1;
     d_qdot[1][1] = ((d_qdot_1_1_0 - d_qdot_0_0_3) * qd[1]
-        - (d_qdot_0_0_0 + d_qdot_1_1_4) * qd[0]) * 0.5 + d_qdot_1_1_8 + d_qdot_1_1_8
+        - (d_qdot_0_0_0 + d_qdot_1_1_4) * qd[0]) * 0.5 - d_qdot_1_1_8 - d_qdot_1_1_8
         + 0.0;
     d_qdot[1][2] = 0.0;
     d_qdot[1][3] = 0.0;
     d_qdot[1][4] = 0.0;
-    d_qdot[1][5] = 0.0 - d_qdot_1_0_1_0;
+    d_qdot[1][5] = d_qdot_1_0_1_0 + 0.0;
     d_qdot[1][6] = 0.0;
     d_qdot[1][7] = 0.0;
     // D_q\u{307} column 2
     d_qdot[2][0] = 0.0;
     d_qdot[2][1] = 0.0;
-    let d_qdot_2_2_8 = d_qdot_1_1_8 + d_qdot_0_0_8;
+    let d_qdot_2_2_8 = d_qdot_1_1_8 - d_qdot_0_0_8;
     d_qdot[2][2] = ((d_qdot_1_1_0 - d_qdot_0_0_4) * qd[1]
-        - (d_qdot_1_1_4 + d_qdot_0_0_1) * qd[0]) * 0.5 + d_qdot_2_2_8 + d_qdot_2_2_8
+        - (d_qdot_1_1_4 + d_qdot_0_0_1) * qd[0]) * 0.5 - d_qdot_2_2_8 - d_qdot_2_2_8
         + 0.0;
     d_qdot[2][3] = 0.0 - d_qdot_0_0_8_0;
-    d_qdot[2][4] = d_qdot_1_0_1_0 + 0.0;
+    d_qdot[2][4] = 0.0 - d_qdot_1_0_1_0;
     d_qdot[2][5] = 0.0;
     d_qdot[2][6] = 0.0;
     d_qdot[2][7] = 0.0;
@@ -1056,7 +1060,7 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     // D_q\u{307} column 4
     d_qdot[4][0] = 0.0;
     d_qdot[4][1] = 0.0;
-    d_qdot[4][2] = d_qdot_1_0_1_0 + 0.0;
+    d_qdot[4][2] = 0.0 - d_qdot_1_0_1_0;
     d_qdot[4][3] = 0.0;
     d_qdot[4][4] = 0.0;
     d_qdot[4][5] = 0.0;
@@ -1064,7 +1068,7 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[4][7] = 0.0;
     // D_q\u{307} column 5
     d_qdot[5][0] = d_qdot_0_0_8_0 + 0.0;
-    d_qdot[5][1] = 0.0 - d_qdot_1_0_1_0;
+    d_qdot[5][1] = d_qdot_1_0_1_0 + 0.0;
     d_qdot[5][2] = 0.0;
     d_qdot[5][3] = 0.0;
     d_qdot[5][4] = 0.0;
@@ -1095,43 +1099,43 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
         - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
     let factor_link_1_zz = factor_link_1_zz_0 + factor_link_2_zz;
     let factor_link_1_px = factor_link_1_px_0 + factor_link_2_px;
-    let wrench_base_mz_4 = velocities.velocity_link_1_wz * poses.origin_link_1_x
+    let six_joint_1_mz_4 = velocities.velocity_link_1_wz * poses.origin_link_1_x
         - velocities.minus_velocity_link_1_vy;
-    let wrench_base_mz_2 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
+    let six_joint_1_mz_2 = velocities.velocity_link_1_wz * poses.minus_origin_base_y
         + velocities.velocity_link_1_vx;
-    let wrench_base_mz = factor_link_1_zz
-        - (inertias.composite_link_1_hx * wrench_base_mz_2
-            + inertias.composite_link_1_hy * wrench_base_mz_4);
-    let wrench_base_fy = factor_link_1_px - wrench_base_mz_2 * 1.75;
-    let turn_joint_1_z_0 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
-    let turn_joint_1_z_5 = factor_link_1_zz * reactions.reaction_joint_1_wz;
-    let turn_joint_1_z = turn_joint_1_z_0
+    let three_joint_1_z_0 = factor_outside_link_1_zz * screws.connection_joint_1_wz;
+    let three_joint_1_z_5 = factor_link_1_zz * reactions.reaction_joint_1_wz;
+    let three_joint_1_z = three_joint_1_z_0
         + (factor_outside_link_1_px * screws.connection_joint_1_vy
             + factor_outside_link_1_py * screws.minus_connection_joint_1_vx)
-        - (turn_joint_1_z_5 - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
-    d_qdot[6][6] = reactions.reaction_joint_1_wz * wrench_base_mz
-        - reactions.minus_reaction_joint_1_vy * wrench_base_fy
-        + turn_joint_1_z * screws.connection_joint_1_wz + 0.0;
+        - (three_joint_1_z_5 - factor_link_1_px * reactions.minus_reaction_joint_1_vy);
+    let six_joint_1_mz = factor_link_1_zz
+        - (inertias.composite_link_1_hx * six_joint_1_mz_2
+            + inertias.composite_link_1_hy * six_joint_1_mz_4);
+    let six_joint_1_fy = factor_link_1_px - six_joint_1_mz_2 * 1.75;
+    d_qdot[6][6] = reactions.reaction_joint_1_wz * six_joint_1_mz
+        - reactions.minus_reaction_joint_1_vy * six_joint_1_fy
+        + three_joint_1_z * screws.connection_joint_1_wz + 0.0;
     let factor_link_1_py_0 = velocities.velocity_link_1_wz * inertias.inertia_link_1_hx
         - velocities.minus_velocity_link_1_vy;
     let factor_link_2_py = velocities.velocity_link_2_wz * inertias.inertia_link_2_hx
         - velocities.minus_velocity_link_2_vy * 0.75;
     let factor_link_1_py = factor_link_1_py_0 + factor_link_2_py;
-    let wrench_outside_base_mz = turn_joint_1_z_0 - turn_joint_1_z_5
-        + (inertias.minus_inertia_base_hx * wrench_base_mz_2
-            + inertias.minus_inertia_base_hy * wrench_base_mz_4);
-    let wrench_outside_base_fx = reactions.reaction_joint_1_wz * factor_link_1_py
+    let six_more_joint_1_mz = three_joint_1_z_0 - three_joint_1_z_5
+        + (inertias.minus_inertia_base_hx * six_joint_1_mz_2
+            + inertias.minus_inertia_base_hy * six_joint_1_mz_4);
+    let six_more_joint_1_fx = reactions.reaction_joint_1_wz * factor_link_1_py
         - screws.connection_joint_1_wz * factor_outside_link_1_py
-        + wrench_base_mz_4 * 2.0;
-    let wrench_outside_base_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
-        - reactions.reaction_joint_1_wz * factor_link_1_px - wrench_base_mz_2 * 2.0;
-    let three_joint_2_z = factor_link_2_zz
+        + six_joint_1_mz_4 * 2.0;
+    let six_more_joint_1_fy = screws.connection_joint_1_wz * factor_outside_link_1_px
+        - reactions.reaction_joint_1_wz * factor_link_1_px - six_joint_1_mz_2 * 2.0;
+    let three_more_joint_2_z = factor_link_2_zz
         - (factor_link_2_px * poses.origin_link_2_x
             + factor_link_2_py * poses.origin_link_2_y);
-    d_qdot[6][7] = wrench_outside_base_mz * screws.connection_joint_2_wz
-        + wrench_outside_base_fx * screws.connection_joint_2_vx
-        + wrench_outside_base_fy * screws.connection_joint_2_vy
-        + reactions.reaction_joint_1_wz * three_joint_2_z + 0.0;
+    d_qdot[6][7] = six_more_joint_1_mz * screws.connection_joint_2_wz
+        + six_more_joint_1_fx * screws.connection_joint_2_vx
+        + six_more_joint_1_fy * screws.connection_joint_2_vy
+        + reactions.reaction_joint_1_wz * three_more_joint_2_z + 0.0;
     // D_q\u{307} column joint_2
     d_qdot[7][0] = 0.0;
     d_qdot[7][1] = 0.0;
@@ -1139,31 +1143,31 @@ pub fn d_qdot(q: &[f64; 2], qd: &[f64; 2], d_qdot: &mut [[f64; 8]; 8]) {
     d_qdot[7][3] = 0.0;
     d_qdot[7][4] = 0.0;
     d_qdot[7][5] = 0.0;
-    let wrench_link_1_mz_4 = velocities.velocity_link_2_wz * poses.origin_link_2_x
+    let six_joint_2_mz_4 = velocities.velocity_link_2_wz * poses.origin_link_2_x
         - velocities.minus_velocity_link_2_vy;
-    let wrench_link_1_mz_2 = velocities.velocity_link_2_wz * poses.origin_link_2_y
+    let six_joint_2_mz_2 = velocities.velocity_link_2_wz * poses.origin_link_2_y
         - velocities.velocity_link_2_vx;
-    let wrench_link_1_mz = factor_link_2_zz
-        + (inertias.inertia_link_2_hx * wrench_link_1_mz_2
-            - inertias.inertia_link_2_hy * wrench_link_1_mz_4);
-    let wrench_link_1_fy = factor_link_2_px + wrench_link_1_mz_2 * 0.75;
-    d_qdot[7][6] = reactions.reaction_joint_1_wz * wrench_link_1_mz
-        - reactions.minus_reaction_joint_1_vy * wrench_link_1_fy
-        + turn_joint_1_z * screws.connection_joint_2_wz + 0.0;
+    let six_joint_2_mz = factor_link_2_zz
+        + (inertias.inertia_link_2_hx * six_joint_2_mz_2
+            - inertias.inertia_link_2_hy * six_joint_2_mz_4);
+    let six_joint_2_fy = factor_link_2_px + six_joint_2_mz_2 * 0.75;
+    d_qdot[7][6] = reactions.reaction_joint_1_wz * six_joint_2_mz
+        - reactions.minus_reaction_joint_1_vy * six_joint_2_fy
+        + three_joint_1_z * screws.connection_joint_2_wz + 0.0;
     let factor_outside_link_2_zz = factor_link_1_zz_0 + factor_outside_link_1_zz;
     let factor_outside_link_2_px = factor_link_1_px_0 + factor_outside_link_1_px;
     let factor_outside_link_2_py = factor_link_1_py_0 + factor_outside_link_1_py;
-    let wrench_link_1_fx = wrench_link_1_mz_4 * 0.75 - factor_link_2_py;
-    let turn_joint_2_z = factor_outside_link_2_zz * screws.connection_joint_2_wz
+    let three_joint_2_z = factor_outside_link_2_zz * screws.connection_joint_2_wz
         + (factor_outside_link_2_px * screws.connection_joint_2_vy
             - factor_outside_link_2_py * screws.connection_joint_2_vx)
         - (factor_link_2_zz * reactions.reaction_joint_2_wz
             + (factor_link_2_px * reactions.reaction_joint_2_vy
                 - factor_link_2_py * reactions.reaction_joint_2_vx));
-    d_qdot[7][7] = reactions.reaction_joint_2_wz * wrench_link_1_mz
-        + reactions.reaction_joint_2_vx * wrench_link_1_fx
-        + reactions.reaction_joint_2_vy * wrench_link_1_fy
-        + turn_joint_2_z * screws.connection_joint_2_wz + 0.0;
+    let six_joint_2_fx = six_joint_2_mz_4 * 0.75 - factor_link_2_py;
+    d_qdot[7][7] = reactions.reaction_joint_2_wz * six_joint_2_mz
+        + reactions.reaction_joint_2_vx * six_joint_2_fx
+        + reactions.reaction_joint_2_vy * six_joint_2_fy
+        + three_joint_2_z * screws.connection_joint_2_wz + 0.0;
 }
 /// The (μ, μ) term of the shape equation.
 ///
@@ -1234,7 +1238,7 @@ pub fn coupling_torque(q: &[f64; 2], mu: &[f64; 6], coupling_torque: &mut [f64; 
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_mu_xi`: D_μ ξ, D_μ on ξ = [μ; q̇], base frame (8; N·m, N)
 ///
-/// 458 operations: 205 + −, 250 ×, 3 ÷; 2 sin cos; about 5.4 KiB of code.
+/// 454 operations: 203 + −, 248 ×, 3 ÷; 2 sin cos; about 5.4 KiB of code.
 pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1261,17 +1265,15 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
     let d_mu_xi_0_18_0 = d_mu_xi_0_18_0_0 * 3.75;
     let d_mu_xi_0_18_2 = d_mu_xi_0_18_2_0 * 3.75;
     let d_mu_xi_0_4 = d_mu_xi_0_4_0 * 3.75;
-    let d_mu_xi_0_18_7 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0];
-    let d_mu_xi_0_18_5 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1];
     let d_mu_xi_0_13 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
+    let d_mu_xi_0_18_7 = velocities.velocity_base_vx * 3.75;
+    let d_mu_xi_0_18_5 = velocities.minus_velocity_base_vy * 3.75;
     let d_mu_xi_0_1 = mu[2] - velocities.minus_velocity_base_wz;
     let d_mu_xi_0_18 = d_mu_xi_0_18_0 * mu[1] - d_mu_xi_0_18_2 * mu[0]
-        - (mu[0] * d_mu_xi_0_18_5 - mu[1] * d_mu_xi_0_18_7) * 0.5;
+        - (mu[0] * d_mu_xi_0_18_5 + mu[1] * d_mu_xi_0_18_7) * 0.5;
     // D_μ ξ
     d_mu_xi[0] = d_mu_xi_0_0 * d_mu_xi_0_1 - d_mu_xi_0_2 * mu[1]
         + d_mu_xi_0_4 * velocities.minus_velocity_base_vy
@@ -1289,18 +1291,18 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
         - (d_mu_xi_0_13 * mu[0]
             + ((d_mu_xi_1_8 - d_mu_xi_0_9) * qd[1]
                 - (d_mu_xi_0_6 + d_mu_xi_1_12) * qd[0]) * mu[1]
-            - d_mu_xi_0_18_7 * d_mu_xi_0_4_0) * 0.5 - d_mu_xi_0_18 * d_mu_xi_0_18_2_0_2
+            + d_mu_xi_0_18_7 * d_mu_xi_0_4_0) * 0.5 - d_mu_xi_0_18 * d_mu_xi_0_18_2_0_2
         + 0.0;
     let d_mu_xi_2_22 = d_mu_xi_0_18_2 * d_mu_xi_0_1 - d_mu_xi_0_4 * mu[1]
         + mu[2] * d_mu_xi_0_18_5 * 0.5;
     let d_mu_xi_2_20 = d_mu_xi_0_4 * mu[0] - d_mu_xi_0_18_0 * d_mu_xi_0_1
-        - mu[2] * d_mu_xi_0_18_7 * 0.5;
+        + mu[2] * d_mu_xi_0_18_7 * 0.5;
     d_mu_xi[2] = d_mu_xi_1_2 * mu[1] - d_mu_xi_0_0 * mu[0]
         - (d_mu_xi_0_18_0 * velocities.minus_velocity_base_vy
             + d_mu_xi_0_18_2 * velocities.velocity_base_vx)
         - (((d_mu_xi_1_8 - d_mu_xi_0_10) * qd[1] - (d_mu_xi_1_12 + d_mu_xi_0_7) * qd[0])
             * mu[2]
-            + (d_mu_xi_0_18_7 * d_mu_xi_0_18_2_0 - d_mu_xi_0_18_5 * d_mu_xi_0_18_0_0))
+            - (d_mu_xi_0_18_7 * d_mu_xi_0_18_2_0 + d_mu_xi_0_18_5 * d_mu_xi_0_18_0_0))
             * 0.5 + (d_mu_xi_2_20 * d_mu_xi_0_18_2_0_2 - d_mu_xi_2_22 * poses.com_y)
         + 0.0;
     d_mu_xi[3] = d_mu_xi_2_22 + 0.0;
@@ -1402,7 +1404,7 @@ pub fn d_mu_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_mu_xi: &mut [f64; 8
 /// - `mu`: locked velocity, base frame (6; rad/s, m/s)
 /// - `d_qdot_xi`: D_q̇ ξ, D_q̇ on ξ, base frame (8; N·m, N)
 ///
-/// 337 operations: 164 + −, 170 ×, 3 ÷; 2 sin cos; about 4.0 KiB of code.
+/// 333 operations: 162 + −, 168 ×, 3 ÷; 2 sin cos; about 4.0 KiB of code.
 pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f64; 8]) {
     let poses = poses(q);
     let inertias = inertias(&poses);
@@ -1421,15 +1423,13 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
     let d_qdot_xi_0_4_1 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
     let d_qdot_xi_0_4 = d_qdot_xi_0_4_1 + d_qdot_xi_0_4_1;
     let d_qdot_xi_0_10 = mu[5] + (mu[0] * poses.com_y - mu[1] * d_qdot_xi_0_10_4);
-    let d_qdot_xi_0_12_3 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0];
-    let d_qdot_xi_0_12_1 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1];
     let d_qdot_xi_0_7 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
-    let d_qdot_xi_0_12 = (mu[0] * d_qdot_xi_0_12_1 - mu[1] * d_qdot_xi_0_12_3) * 0.5;
+    let d_qdot_xi_0_12_3 = velocities.velocity_base_vx * 3.75;
+    let d_qdot_xi_0_12_1 = velocities.minus_velocity_base_vy * 3.75;
+    let d_qdot_xi_0_12 = (mu[0] * d_qdot_xi_0_12_1 + mu[1] * d_qdot_xi_0_12_3) * 0.5;
     // D_q\u{307} ξ
     d_qdot_xi[0] = (((d_qdot_xi_0_0 - d_qdot_xi_0_1) * qd[0]
         + (d_qdot_xi_0_3 - d_qdot_xi_0_4) * qd[1]) * mu[0] + d_qdot_xi_0_7 * mu[1]
@@ -1441,17 +1441,17 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
     d_qdot_xi[1] = (d_qdot_xi_0_7 * mu[0]
         + ((d_qdot_xi_1_2 - d_qdot_xi_0_3) * qd[1]
             - (d_qdot_xi_0_0 + d_qdot_xi_1_6) * qd[0]) * mu[1]
-        - d_qdot_xi_0_12_3 * d_qdot_xi_0_10) * 0.5 - d_qdot_xi_0_12 * d_qdot_xi_0_10_4
+        + d_qdot_xi_0_12_3 * d_qdot_xi_0_10) * 0.5 - d_qdot_xi_0_12 * d_qdot_xi_0_10_4
         + 0.0;
     let d_qdot_xi_2_16 = mu[2] * d_qdot_xi_0_12_1 * 0.5;
     let d_qdot_xi_2_18 = mu[2] * d_qdot_xi_0_12_3 * 0.5;
     d_qdot_xi[2] = (((d_qdot_xi_1_2 - d_qdot_xi_0_4) * qd[1]
         - (d_qdot_xi_1_6 + d_qdot_xi_0_1) * qd[0]) * mu[2]
-        + (d_qdot_xi_0_12_3 * (mu[4] + mu[2] * d_qdot_xi_0_10_4)
-            - d_qdot_xi_0_12_1 * (mu[3] - mu[2] * poses.com_y))) * 0.5
-        + (d_qdot_xi_2_16 * poses.com_y + d_qdot_xi_2_18 * d_qdot_xi_0_10_4) + 0.0;
+        - (d_qdot_xi_0_12_3 * (mu[4] + mu[2] * d_qdot_xi_0_10_4)
+            + d_qdot_xi_0_12_1 * (mu[3] - mu[2] * poses.com_y))) * 0.5
+        + (d_qdot_xi_2_16 * poses.com_y - d_qdot_xi_2_18 * d_qdot_xi_0_10_4) + 0.0;
     d_qdot_xi[3] = 0.0 - d_qdot_xi_2_16;
-    d_qdot_xi[4] = d_qdot_xi_2_18 + 0.0;
+    d_qdot_xi[4] = 0.0 - d_qdot_xi_2_18;
     d_qdot_xi[5] = d_qdot_xi_0_12 + 0.0;
     let wrench_outside_link_1_mz_0 = velocities.velocity_base_vx * 2.0
         - velocities.minus_velocity_base_wz * inertias.minus_inertia_base_hy;
@@ -1465,6 +1465,15 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
         - velocities.velocity_link_2_wz * inertias.inertia_link_2_hy;
     let wrench_link_2_mz_6 = velocities.velocity_link_2_wz * inertias.inertia_link_2_hx
         - velocities.minus_velocity_link_2_vy * 0.75;
+    let twist_link_1_vx = (velocities.velocity_link_1_wz * poses.origin_link_1_x
+        - velocities.minus_velocity_link_1_vy) * qd[0];
+    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz
+        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
+    let twist_link_2_vx = twist_link_1_vx
+        + (velocities.velocity_link_2_wz * poses.origin_link_2_x
+            - velocities.minus_velocity_link_2_vy) * qd[1];
+    let twist_link_2_vy = (velocities.velocity_link_2_wz * poses.origin_link_2_y
+        - velocities.velocity_link_2_vx) * qd[1] - minus_twist_link_1_vy;
     let wrench_outside_link_1_mz = wrench_outside_link_1_mz_0
         * velocities.minus_velocity_base_vy
         + wrench_outside_link_1_mz_2 * velocities.velocity_base_vx;
@@ -1472,21 +1481,12 @@ pub fn d_qdot_xi(q: &[f64; 2], qd: &[f64; 2], mu: &[f64; 6], d_qdot_xi: &mut [f6
         * velocities.minus_velocity_base_wz;
     let minus_wrench_outside_link_1_fy = wrench_outside_link_1_mz_0
         * velocities.minus_velocity_base_wz;
-    let twist_link_1_vx = (velocities.velocity_link_1_wz * poses.origin_link_1_x
-        - velocities.minus_velocity_link_1_vy) * qd[0];
-    let minus_twist_link_1_vy = (velocities.velocity_link_1_wz
-        * poses.minus_origin_base_y + velocities.velocity_link_1_vx) * qd[0];
     let wrench_link_1_mz_0 = wrench_link_1_mz_0_0 * velocities.minus_velocity_link_1_vy
         + wrench_outside_link_2_fx_1 * velocities.velocity_link_1_vx
         - (inertias.inertia_link_1_hx * minus_twist_link_1_vy
             + inertias.inertia_link_1_hy * twist_link_1_vx);
     let wrench_link_1_fy_0 = wrench_link_1_mz_0_0 * velocities.velocity_link_1_wz
         - minus_twist_link_1_vy;
-    let twist_link_2_vx = twist_link_1_vx
-        + (velocities.velocity_link_2_wz * poses.origin_link_2_x
-            - velocities.minus_velocity_link_2_vy) * qd[1];
-    let twist_link_2_vy = (velocities.velocity_link_2_wz * poses.origin_link_2_y
-        - velocities.velocity_link_2_vx) * qd[1] - minus_twist_link_1_vy;
     let wrench_link_2_mz = inertias.inertia_link_2_hx * twist_link_2_vy
         - inertias.inertia_link_2_hy * twist_link_2_vx
         + (wrench_link_2_mz_4 * velocities.minus_velocity_link_2_vy
@@ -1549,6 +1549,27 @@ pub fn hamel_bias(
         + minus_wrench_outside_link_1_my_5_1;
     let minus_wrench_outside_link_1_mx_7 = minus_wrench_outside_link_1_mx_7_0
         - velocities.minus_velocity_base_vy;
+    let wrench_outside_link_2_mx_7 = velocities.velocity_link_1_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let minus_wrench_outside_link_2_my_11 = velocities.velocity_link_1_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let wrench_outside_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0
+        - velocities.minus_velocity_link_1_vy;
+    let twist_link_1_wx = base_twist[1] * qd[0];
+    let minus_twist_link_1_wy = base_twist[0] * qd[0];
+    let twist_link_1_vz = (base_twist[1] * poses.minus_origin_base_y
+        - base_twist[0] * poses.origin_link_1_x) * qd[0];
+    let wrench_link_2_mx_7 = velocities.velocity_link_2_wz
+        + minus_wrench_outside_link_1_mx_1_0;
+    let minus_wrench_link_2_my_11 = velocities.velocity_link_2_vx
+        + minus_wrench_outside_link_1_my_5_1;
+    let wrench_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0
+        - velocities.minus_velocity_link_2_vy;
+    let twist_link_2_wx = twist_link_1_wx + base_twist[1] * qd[1];
+    let minus_twist_link_2_wy = minus_twist_link_1_wy + base_twist[0] * qd[1];
+    let twist_link_2_vz = twist_link_1_vz
+        - (base_twist[0] * poses.origin_link_2_x + base_twist[1] * poses.origin_link_2_y)
+            * qd[1];
     let minus_wrench_outside_link_1_mx_0 = inertias.inertia_base_yy * base_twist[1]
         - inertias.minus_inertia_base_xy * base_twist[0]
         + inertias.minus_inertia_base_hx * minus_wrench_outside_link_1_mx_5;
@@ -1570,16 +1591,6 @@ pub fn hamel_bias(
             - minus_wrench_outside_link_1_mx_6 * minus_wrench_outside_link_1_mx_7);
     let minus_wrench_outside_link_1_fz = minus_wrench_outside_link_1_fz_0 * base_twist[1]
         - minus_wrench_outside_link_1_mx_4 * base_twist[0];
-    let wrench_outside_link_2_mx_7 = velocities.velocity_link_1_wz
-        + minus_wrench_outside_link_1_mx_1_0;
-    let minus_wrench_outside_link_2_my_11 = velocities.velocity_link_1_vx
-        + minus_wrench_outside_link_1_my_5_1;
-    let wrench_outside_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0
-        - velocities.minus_velocity_link_1_vy;
-    let twist_link_1_wx = base_twist[1] * qd[0];
-    let minus_twist_link_1_wy = base_twist[0] * qd[0];
-    let twist_link_1_vz = (base_twist[1] * poses.minus_origin_base_y
-        - base_twist[0] * poses.origin_link_1_x) * qd[0];
     let wrench_outside_link_2_mx_6 = inertias.inertia_link_1_yy * base_twist[1]
         - inertias.minus_inertia_link_1_xy * base_twist[0]
         - inertias.inertia_link_1_hx * minus_wrench_outside_link_1_mx_5;
@@ -1606,17 +1617,6 @@ pub fn hamel_bias(
             + minus_twist_link_1_wy * inertias.inertia_link_1_hx)
         - (wrench_outside_link_2_fz_5 * base_twist[1]
             - wrench_outside_link_2_mx_10 * base_twist[0]);
-    let wrench_link_2_mx_7 = velocities.velocity_link_2_wz
-        + minus_wrench_outside_link_1_mx_1_0;
-    let minus_wrench_link_2_my_11 = velocities.velocity_link_2_vx
-        + minus_wrench_outside_link_1_my_5_1;
-    let wrench_link_2_mx_13 = minus_wrench_outside_link_1_mx_7_0
-        - velocities.minus_velocity_link_2_vy;
-    let twist_link_2_wx = twist_link_1_wx + base_twist[1] * qd[1];
-    let minus_twist_link_2_wy = minus_twist_link_1_wy + base_twist[0] * qd[1];
-    let twist_link_2_vz = twist_link_1_vz
-        - (base_twist[0] * poses.origin_link_2_x + base_twist[1] * poses.origin_link_2_y)
-            * qd[1];
     let wrench_link_2_mx_6 = inertias.inertia_link_2_yy * base_twist[1]
         - inertias.minus_inertia_link_2_xy * base_twist[0]
         - inertias.inertia_link_2_hx * minus_wrench_outside_link_1_mx_5;
@@ -1677,6 +1677,14 @@ pub fn hamel_bias(
     let minus_wrench_base_my = minus_wrench_outside_link_1_my + minus_wrench_link_1_my;
     hamel_bias[1] = 0.0
         - (minus_wrench_base_my + wrench_base_fz * minus_wrench_outside_link_1_mx_5_4);
+    let twist_link_1_vx = (wrench_outside_link_2_mx_7 * poses.origin_link_1_x
+        + wrench_outside_link_2_mx_13) * qd[0];
+    let minus_twist_link_1_vy = (wrench_outside_link_2_mx_7 * poses.minus_origin_base_y
+        + minus_wrench_outside_link_2_my_11) * qd[0];
+    let twist_link_2_vx = twist_link_1_vx
+        + (wrench_link_2_mx_7 * poses.origin_link_2_x + wrench_link_2_mx_13) * qd[1];
+    let twist_link_2_vy = (wrench_link_2_mx_7 * poses.origin_link_2_y
+        - minus_wrench_link_2_my_11) * qd[1] - minus_twist_link_1_vy;
     let minus_wrench_outside_link_1_mz = minus_wrench_outside_link_1_my_2 * base_twist[1]
         - minus_wrench_outside_link_1_mx_0 * base_twist[0]
         + (minus_wrench_outside_link_1_fz_0 * minus_wrench_outside_link_1_mx_7
@@ -1686,10 +1694,6 @@ pub fn hamel_bias(
         - minus_wrench_outside_link_1_mx_6 * base_twist[1];
     let minus_wrench_outside_link_1_fy = minus_wrench_outside_link_1_mx_6 * base_twist[0]
         - minus_wrench_outside_link_1_fz_0 * minus_wrench_outside_link_1_mx_1;
-    let twist_link_1_vx = (wrench_outside_link_2_mx_7 * poses.origin_link_1_x
-        + wrench_outside_link_2_mx_13) * qd[0];
-    let minus_twist_link_1_vy = (wrench_outside_link_2_mx_7 * poses.minus_origin_base_y
-        + minus_wrench_outside_link_2_my_11) * qd[0];
     let minus_wrench_outside_link_2_mz = inertias.inertia_link_1_hx
         * minus_twist_link_1_vy + inertias.inertia_link_1_hy * twist_link_1_vx
         + (minus_wrench_outside_link_2_my_8 * base_twist[1]
@@ -1702,10 +1706,6 @@ pub fn hamel_bias(
     let minus_wrench_outside_link_2_fy = minus_twist_link_1_vy
         + (wrench_outside_link_2_mx_12 * base_twist[0]
             - wrench_outside_link_2_fz_5 * wrench_outside_link_2_mx_7);
-    let twist_link_2_vx = twist_link_1_vx
-        + (wrench_link_2_mx_7 * poses.origin_link_2_x + wrench_link_2_mx_13) * qd[1];
-    let twist_link_2_vy = (wrench_link_2_mx_7 * poses.origin_link_2_y
-        - minus_wrench_link_2_my_11) * qd[1] - minus_twist_link_1_vy;
     let wrench_link_2_mz = inertias.inertia_link_2_hx * twist_link_2_vy
         - inertias.inertia_link_2_hy * twist_link_2_vx
         - (minus_wrench_link_2_my_8 * base_twist[1] - wrench_link_2_mx_6 * base_twist[0]
@@ -1762,22 +1762,21 @@ pub fn curvature(q: &[f64; 2], curvature: &mut [[[f64; 2]; 2]; 3], com: &mut [f6
     curvature[1][1][1] = 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_1
     curvature[2][0][0] = 0.0;
-    let minus_wrench_base_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
-    let wrench_outside_link_1_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
-    let wrench_outside_link_1_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
-    let minus_wrench_base_mz = (inertias.minus_inertia_base_xy
+    let minus_six_joint_1_mz_3 = inertias.minus_inertia_base_hy * poses.origin_link_1_x;
+    let six_more_joint_2_mz_1 = inertias.inertia_link_2_hx * poses.origin_link_2_y;
+    let six_more_joint_2_mz_3 = inertias.inertia_link_2_hy * poses.origin_link_2_x;
+    let minus_six_joint_1_mz = (inertias.minus_inertia_base_xy
         + inertias.minus_inertia_base_xy
-        + (minus_wrench_base_mz_3 + minus_wrench_base_mz_3))
+        + (minus_six_joint_1_mz_3 + minus_six_joint_1_mz_3))
         * inertias.locked_inverse_pivot_z;
-    let minus_wrench_base_fx = reactions.minus_reaction_joint_1_vy
+    let minus_six_joint_1_fx = reactions.minus_reaction_joint_1_vy
         * (inertias.locked_inverse_pivot_z * 7.5);
-    let wrench_outside_link_1_mz = (wrench_outside_link_1_mz_1
-        + wrench_outside_link_1_mz_1
-        - (wrench_outside_link_1_mz_3 + wrench_outside_link_1_mz_3))
+    let six_more_joint_2_mz = (six_more_joint_2_mz_1 + six_more_joint_2_mz_1
+        - (six_more_joint_2_mz_3 + six_more_joint_2_mz_3))
         * inertias.locked_inverse_pivot_z;
-    let curvature_z_1_0 = reactions.reaction_joint_1_wz * wrench_outside_link_1_mz
-        - minus_wrench_base_mz * screws.connection_joint_2_wz
-        - minus_wrench_base_fx * screws.connection_joint_2_vx;
+    let curvature_z_1_0 = reactions.reaction_joint_1_wz * six_more_joint_2_mz
+        - minus_six_joint_1_mz * screws.connection_joint_2_wz
+        - minus_six_joint_1_fx * screws.connection_joint_2_vx;
     curvature[2][0][1] = curvature_z_1_0 + 0.0;
     // 𝓑_ω(e_i, e_j) z, column joint_2
     curvature[2][1][0] = 0.0 - curvature_z_1_0;
@@ -1963,7 +1962,7 @@ pub fn kinetic_energy(
 /// - `tau`: joint torques (2; N·m, N)
 /// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (8; rad/s², m/s²)
 ///
-/// 571 operations: 276 + −, 287 ×, 8 ÷; 2 sin cos; about 6.8 KiB of code.
+/// 551 operations: 266 + −, 277 ×, 8 ÷; 2 sin cos; about 6.5 KiB of code.
 pub fn forward_dynamics(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -1997,14 +1996,12 @@ pub fn forward_dynamics(
     let xi_dot_0_3_8 = xi_dot_0_3_8_1 + xi_dot_0_3_8_1;
     let xi_dot_0_3_21_4_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * xi_dot_0_3_21_4_0_4);
     let xi_dot_0_3_21_4 = xi_dot_0_3_21_4_0 * 3.75;
-    let xi_dot_0_3_15 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0];
-    let xi_dot_0_3_21_15 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1];
     let xi_dot_0_3_21_13 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
+    let xi_dot_0_3_15 = velocities.velocity_base_vx * 3.75;
+    let xi_dot_0_3_21_15 = velocities.minus_velocity_base_vy * 3.75;
     let wrench_base_fx_1 = mu[2] - velocities.minus_velocity_base_wz;
     let xi_dot_0_3_21 = xi_dot_0_3_21_0 * wrench_base_fx_1 - xi_dot_0_3_21_2 * mu[1]
         + xi_dot_0_3_21_4 * velocities.minus_velocity_base_vy
@@ -2017,7 +2014,7 @@ pub fn forward_dynamics(
         - (xi_dot_0_3_21_13 * mu[0]
             + ((xi_dot_0_3_8 - xi_dot_0_3_21_9) * qd[1]
                 - (xi_dot_0_3_21_6 + xi_dot_0_3_12) * qd[0]) * mu[1]
-            - xi_dot_0_3_15 * xi_dot_0_3_21_4_0)
+            + xi_dot_0_3_15 * xi_dot_0_3_21_4_0)
         + (base_wrench[1] + base_wrench[5] * xi_dot_0_3_21_4_0_4)
         + inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_21)
         * inertias.locked_inverse_pivot_y;
@@ -2030,84 +2027,91 @@ pub fn forward_dynamics(
     let xi_dot_2_6_0 = mu[4] + mu[2] * xi_dot_0_3_21_4_0_4;
     let xi_dot_2_4 = xi_dot_2_4_0 * 3.75;
     let xi_dot_2_6 = xi_dot_2_6_0 * 3.75;
-    let wrench_base_mz_21 = base_wrench[2]
+    let wrench_base_mz_17 = base_wrench[2]
         + (base_wrench[3] * poses.com_y - base_wrench[4] * xi_dot_0_3_21_4_0_4);
     let xi_dot_2 = (xi_dot_0_3_2 * mu[1] - xi_dot_0_3_21_0 * mu[0]
         - (xi_dot_2_4 * velocities.minus_velocity_base_vy
             + xi_dot_2_6 * velocities.velocity_base_vx)
         - (((xi_dot_0_3_8 - xi_dot_0_3_21_10) * qd[1]
             - (xi_dot_0_3_12 + xi_dot_0_3_21_7) * qd[0]) * mu[2]
-            + (xi_dot_0_3_15 * xi_dot_2_6_0 - xi_dot_0_3_21_15 * xi_dot_2_4_0))
-        + wrench_base_mz_21) * inertias.locked_inverse_pivot_z;
+            - (xi_dot_0_3_15 * xi_dot_2_6_0 + xi_dot_0_3_21_15 * xi_dot_2_4_0))
+        + wrench_base_mz_17) * inertias.locked_inverse_pivot_z;
     xi_dot[2] = xi_dot_2 + 0.0;
     xi_dot[3] = (xi_dot_2_6 * wrench_base_fx_1 - xi_dot_0_3_21_4 * mu[1]
         + mu[2] * xi_dot_0_3_21_15 + base_wrench[3]) * 0.26666666666666666
         + xi_dot_2 * poses.com_y + gravity[0] + 0.0;
     xi_dot[4] = (xi_dot_0_3_21_4 * mu[0] - xi_dot_2_4 * wrench_base_fx_1
-        - mu[2] * xi_dot_0_3_15 + base_wrench[4]) * 0.26666666666666666
+        + mu[2] * xi_dot_0_3_15 + base_wrench[4]) * 0.26666666666666666
         - xi_dot_2 * xi_dot_0_3_21_4_0_4 + gravity[1] + 0.0;
     xi_dot[5] = (xi_dot_2_4 * mu[1] - xi_dot_2_6 * mu[0]
-        - (mu[0] * xi_dot_0_3_21_15 - mu[1] * xi_dot_0_3_15) + base_wrench[5])
+        - (mu[0] * xi_dot_0_3_21_15 + mu[1] * xi_dot_0_3_15) + base_wrench[5])
         * 0.26666666666666666
         + (xi_dot_0_3 * xi_dot_0_3_21_4_0_4 - xi_dot_0 * poses.com_y) + gravity[2] + 0.0;
     let wrench_base_fx_2 = mu[1] * inertias.minus_inertia_base_hx
         - mu[0] * inertias.minus_inertia_base_hy;
-    let minus_wrench_link_2_fx_2 = mu[0] * inertias.inertia_link_2_hy
+    let wrench_link_2_fx_4 = mu[0] * inertias.inertia_link_2_hy
         - mu[1] * inertias.inertia_link_2_hx;
-    let wrench_base_mz_19 = velocities.velocity_base_vx * 2.0
+    let wrench_link_1_fx_2 = velocities.velocity_link_1_wz + mu[2];
+    let wrench_link_1_mz_6 = (wrench_link_1_fx_2 * poses.origin_link_1_x
+        - velocities.minus_velocity_link_1_vy) * qd[0];
+    let wrench_link_1_mz_4 = (wrench_link_1_fx_2 * poses.minus_origin_base_y
+        + velocities.velocity_link_1_vx) * qd[0];
+    let wrench_link_2_fx_3 = velocities.velocity_link_2_wz + mu[2];
+    let wrench_link_2_mz_3 = wrench_link_1_mz_6
+        + (wrench_link_2_fx_3 * poses.origin_link_2_x
+            - velocities.minus_velocity_link_2_vy) * qd[1];
+    let wrench_link_2_mz_1 = (wrench_link_2_fx_3 * poses.origin_link_2_y
+        - velocities.velocity_link_2_vx) * qd[1] - wrench_link_1_mz_4;
+    let wrench_base_mz_15 = velocities.velocity_base_vx * 2.0
         + wrench_base_fx_1 * inertias.minus_inertia_base_hy;
-    let wrench_base_mz_17 = velocities.minus_velocity_base_vy * 2.0
+    let wrench_base_mz_13 = velocities.minus_velocity_base_vy * 2.0
         + wrench_base_fx_1 * inertias.minus_inertia_base_hx;
-    let wrench_link_1_fx_6 = velocities.velocity_link_1_wz + mu[2];
-    let wrench_link_1_fx_7 = mu[0] * inertias.inertia_link_1_hy
+    let wrench_link_1_fx_3 = mu[0] * inertias.inertia_link_1_hy
         - mu[1] * inertias.inertia_link_1_hx;
     let wrench_link_1_mz_17 = velocities.velocity_link_1_vx
-        - wrench_link_1_fx_6 * inertias.inertia_link_1_hy;
-    let wrench_link_1_mz_19 = wrench_link_1_fx_6 * inertias.inertia_link_1_hx
+        - wrench_link_1_fx_2 * inertias.inertia_link_1_hy;
+    let wrench_link_1_mz_19 = wrench_link_1_fx_2 * inertias.inertia_link_1_hx
         - velocities.minus_velocity_link_1_vy;
-    let minus_wrench_link_2_fx_1 = velocities.velocity_link_2_wz + mu[2];
-    let minus_wrench_link_2_mz_10 = velocities.velocity_link_2_vx * 0.75
-        - minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hy;
-    let minus_wrench_link_2_mz_12 = minus_wrench_link_2_fx_1 * inertias.inertia_link_2_hx
+    let wrench_link_2_mz_14 = velocities.velocity_link_2_vx * 0.75
+        - wrench_link_2_fx_3 * inertias.inertia_link_2_hy;
+    let wrench_link_2_mz_16 = wrench_link_2_fx_3 * inertias.inertia_link_2_hx
         - velocities.minus_velocity_link_2_vy * 0.75;
-    let minus_wrench_link_2_mz = (inertias.inertia_link_2_xx * mu[0]
-        - inertias.minus_inertia_link_2_xy * mu[1]) * mu[1]
-        - (inertias.inertia_link_2_yy * mu[1] - inertias.minus_inertia_link_2_xy * mu[0])
-            * mu[0]
-        - (minus_wrench_link_2_mz_10 * velocities.minus_velocity_link_2_vy
-            + minus_wrench_link_2_mz_12 * velocities.velocity_link_2_vx);
-    let minus_wrench_link_2_fx = minus_wrench_link_2_mz_12 * minus_wrench_link_2_fx_1
-        - minus_wrench_link_2_fx_2 * mu[1];
-    let minus_wrench_link_2_fy = minus_wrench_link_2_fx_2 * mu[0]
-        - minus_wrench_link_2_mz_10 * minus_wrench_link_2_fx_1;
-    let wrench_link_1_mz_3 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_x
-        - velocities.minus_velocity_link_2_vy) * qd[1];
-    let wrench_link_1_mz_1 = (minus_wrench_link_2_fx_1 * poses.origin_link_2_y
-        - velocities.velocity_link_2_vx) * qd[1];
+    let wrench_link_2_mz = inertias.inertia_link_2_hx * wrench_link_2_mz_1
+        - inertias.inertia_link_2_hy * wrench_link_2_mz_3
+        - ((inertias.inertia_link_2_xx * mu[0]
+            - inertias.minus_inertia_link_2_xy * mu[1]) * mu[1]
+            - (inertias.inertia_link_2_yy * mu[1]
+                - inertias.minus_inertia_link_2_xy * mu[0]) * mu[0]
+            - (wrench_link_2_mz_14 * velocities.minus_velocity_link_2_vy
+                + wrench_link_2_mz_16 * velocities.velocity_link_2_vx));
+    let wrench_link_2_fx = wrench_link_2_mz_3 * 0.75
+        - (wrench_link_2_mz_16 * wrench_link_2_fx_3 - wrench_link_2_fx_4 * mu[1]);
+    let wrench_link_2_fy = wrench_link_2_mz_1 * 0.75
+        - (wrench_link_2_fx_4 * mu[0] - wrench_link_2_mz_14 * wrench_link_2_fx_3);
     let inverse_pivot_joint_2_d = 1.0
         / (screws.inside_joint_2_mz + poses.origin_link_2_y * screws.inside_joint_2_fx
             - poses.origin_link_2_x * screws.inside_joint_2_fy);
-    let wrench_link_1_mz_6_0 = tau[1]
-        - (poses.origin_link_2_x * minus_wrench_link_2_fy
-            - (minus_wrench_link_2_mz + poses.origin_link_2_y * minus_wrench_link_2_fx));
-    let wrench_link_1_mz_6 = (wrench_link_1_mz_6_0
-        - (wrench_link_1_mz_3 * screws.inside_joint_2_fx
-            + wrench_link_1_mz_1 * screws.inside_joint_2_fy)) * inverse_pivot_joint_2_d;
-    let wrench_link_1_mz = inertias.inertia_link_2_hx * wrench_link_1_mz_1
-        - inertias.inertia_link_2_hy * wrench_link_1_mz_3 - minus_wrench_link_2_mz
-        + screws.inside_joint_2_mz * wrench_link_1_mz_6
-        - ((inertias.inertia_link_1_xx * mu[0]
-            - inertias.minus_inertia_link_1_xy * mu[1]) * mu[1]
-            - (inertias.inertia_link_1_yy * mu[1]
-                - inertias.minus_inertia_link_1_xy * mu[0]) * mu[0]
-            - (wrench_link_1_mz_17 * velocities.minus_velocity_link_1_vy
-                + wrench_link_1_mz_19 * velocities.velocity_link_1_vx));
-    let wrench_link_1_fx = 0.75 * wrench_link_1_mz_3 - minus_wrench_link_2_fx
-        + screws.inside_joint_2_fx * wrench_link_1_mz_6
-        - (wrench_link_1_mz_19 * wrench_link_1_fx_6 - wrench_link_1_fx_7 * mu[1]);
-    let wrench_link_1_fy = 0.75 * wrench_link_1_mz_1 - minus_wrench_link_2_fy
-        + screws.inside_joint_2_fy * wrench_link_1_mz_6
-        - (wrench_link_1_fx_7 * mu[0] - wrench_link_1_mz_17 * wrench_link_1_fx_6);
+    let wrench_link_1_mz_2_0 = tau[1]
+        - (wrench_link_2_mz + poses.origin_link_2_y * wrench_link_2_fx
+            - poses.origin_link_2_x * wrench_link_2_fy);
+    let wrench_link_1_mz_2 = wrench_link_1_mz_2_0 * inverse_pivot_joint_2_d;
+    let wrench_link_1_mz = wrench_link_2_mz
+        + screws.inside_joint_2_mz * wrench_link_1_mz_2
+        - (inertias.inertia_link_1_hx * wrench_link_1_mz_4
+            + inertias.inertia_link_1_hy * wrench_link_1_mz_6
+            + ((inertias.inertia_link_1_xx * mu[0]
+                - inertias.minus_inertia_link_1_xy * mu[1]) * mu[1]
+                - (inertias.inertia_link_1_yy * mu[1]
+                    - inertias.minus_inertia_link_1_xy * mu[0]) * mu[0]
+                - (wrench_link_1_mz_17 * velocities.minus_velocity_link_1_vy
+                    + wrench_link_1_mz_19 * velocities.velocity_link_1_vx)));
+    let wrench_link_1_fx = wrench_link_1_mz_6
+        - (wrench_link_1_mz_19 * wrench_link_1_fx_2 - wrench_link_1_fx_3 * mu[1])
+        + (wrench_link_2_fx + screws.inside_joint_2_fx * wrench_link_1_mz_2);
+    let wrench_link_1_fy = wrench_link_2_fy
+        + screws.inside_joint_2_fy * wrench_link_1_mz_2
+        - (wrench_link_1_mz_4
+            + (wrench_link_1_fx_3 * mu[0] - wrench_link_1_mz_17 * wrench_link_1_fx_2));
     let articulated_link_1_jzz_2 = screws.inside_joint_2_mz * inverse_pivot_joint_2_d;
     let minus_articulated_link_1_mxy_0 = screws.inside_joint_2_fx
         * inverse_pivot_joint_2_d;
@@ -2128,10 +2132,6 @@ pub fn forward_dynamics(
         + (0.75
             - screws.inside_joint_2_fy * inverse_pivot_joint_2_d
                 * screws.inside_joint_2_fy);
-    let wrench_base_mz_4 = (wrench_link_1_fx_6 * poses.origin_link_1_x
-        - velocities.minus_velocity_link_1_vy) * qd[0];
-    let wrench_base_mz_2 = (wrench_link_1_fx_6 * poses.minus_origin_base_y
-        + velocities.velocity_link_1_vx) * qd[0];
     let wrench_outside_link_1_mz = articulated_link_1_jzz
         + (minus_articulated_link_1_hzx * poses.minus_origin_base_y
             - articulated_link_1_hzy * poses.origin_link_1_x);
@@ -2145,34 +2145,23 @@ pub fn forward_dynamics(
         / (wrench_outside_link_1_mz
             - poses.minus_origin_base_y * wrench_outside_link_1_fx
             - poses.origin_link_1_x * wrench_outside_link_1_fy);
-    let wrench_base_mz_6_0 = tau[0]
+    let wrench_base_mz_2_0 = tau[0]
         - (wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
             - poses.origin_link_1_x * wrench_link_1_fy);
-    let wrench_base_mz_6 = (wrench_base_mz_6_0
-        - (wrench_base_mz_4 * wrench_outside_link_1_fx
-            - wrench_base_mz_2 * wrench_outside_link_1_fy)) * inverse_pivot_joint_1_d;
-    let wrench_base_mz = wrench_link_1_mz
-        - (articulated_link_1_hzy * wrench_base_mz_2
-            + minus_articulated_link_1_hzx * wrench_base_mz_4)
-        + wrench_outside_link_1_mz * wrench_base_mz_6
+    let wrench_base_mz_2 = wrench_base_mz_2_0 * inverse_pivot_joint_1_d;
+    let wrench_base_mz = wrench_link_1_mz + wrench_outside_link_1_mz * wrench_base_mz_2
         - ((inertias.inertia_base_xx * mu[0] - inertias.minus_inertia_base_xy * mu[1])
             * mu[1]
             - (inertias.inertia_base_yy * mu[1] - inertias.minus_inertia_base_xy * mu[0])
                 * mu[0]
-            + (wrench_base_mz_17 * velocities.velocity_base_vx
-                - wrench_base_mz_19 * velocities.minus_velocity_base_vy)
-            + wrench_base_mz_21);
-    let wrench_base_fx = wrench_base_mz_17 * wrench_base_fx_1 + wrench_base_fx_2 * mu[1]
+            + (wrench_base_mz_13 * velocities.velocity_base_vx
+                - wrench_base_mz_15 * velocities.minus_velocity_base_vy)
+            + wrench_base_mz_17);
+    let wrench_base_fx = wrench_base_mz_13 * wrench_base_fx_1 + wrench_base_fx_2 * mu[1]
         - base_wrench[3]
-        + (wrench_link_1_fx
-            + (articulated_link_1_mxx * wrench_base_mz_4
-                + minus_articulated_link_1_mxy * wrench_base_mz_2)
-            + wrench_outside_link_1_fx * wrench_base_mz_6);
-    let wrench_base_fy = wrench_link_1_fy
-        - (minus_articulated_link_1_mxy * wrench_base_mz_4
-            + articulated_link_1_myy * wrench_base_mz_2)
-        + wrench_outside_link_1_fy * wrench_base_mz_6
-        - (wrench_base_fx_2 * mu[0] - wrench_base_mz_19 * wrench_base_fx_1
+        + (wrench_link_1_fx + wrench_outside_link_1_fx * wrench_base_mz_2);
+    let wrench_base_fy = wrench_link_1_fy + wrench_outside_link_1_fy * wrench_base_mz_2
+        - (wrench_base_fx_2 * mu[0] - wrench_base_mz_15 * wrench_base_fx_1
             + base_wrench[4]);
     let articulated_base_jzz_2 = wrench_outside_link_1_mz * inverse_pivot_joint_1_d;
     let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx
@@ -2217,23 +2206,20 @@ pub fn forward_dynamics(
         + twist_base_wz_13 * minus_twist_base_vy_4) * minus_twist_base_vy_5;
     let minus_twist_base_vx = minus_twist_base_vy_4 * twist_base_wz_12
         + twist_base_wz_13 * minus_twist_base_vy;
-    let twist_link_1_vx_0 = wrench_base_mz_4 - minus_twist_base_vx;
-    let minus_twist_link_1_vy_0 = minus_twist_base_vy + wrench_base_mz_2;
-    let twist_link_1_wz_1 = (wrench_base_mz_6_0
+    let twist_link_1_wz_1 = (wrench_base_mz_2_0
         - (twist_base_wz * wrench_outside_link_1_mz
-            + twist_link_1_vx_0 * wrench_outside_link_1_fx
-            - minus_twist_link_1_vy_0 * wrench_outside_link_1_fy))
-        * inverse_pivot_joint_1_d;
+            - minus_twist_base_vx * wrench_outside_link_1_fx
+            - minus_twist_base_vy * wrench_outside_link_1_fy)) * inverse_pivot_joint_1_d;
     xi_dot[6] = twist_link_1_wz_1 + 0.0;
     let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
-    let twist_link_1_vx = twist_link_1_vx_0
-        - poses.minus_origin_base_y * twist_link_1_wz_1;
-    let minus_twist_link_1_vy = minus_twist_link_1_vy_0
+    let minus_twist_link_1_vx = minus_twist_base_vx
+        + poses.minus_origin_base_y * twist_link_1_wz_1;
+    let minus_twist_link_1_vy = minus_twist_base_vy
         + poses.origin_link_1_x * twist_link_1_wz_1;
-    xi_dot[7] = (wrench_link_1_mz_6_0
+    xi_dot[7] = (wrench_link_1_mz_2_0
         - (twist_link_1_wz * screws.inside_joint_2_mz
-            + (twist_link_1_vx + wrench_link_1_mz_3) * screws.inside_joint_2_fx
-            + (wrench_link_1_mz_1 - minus_twist_link_1_vy) * screws.inside_joint_2_fy))
+            - minus_twist_link_1_vx * screws.inside_joint_2_fx
+            - minus_twist_link_1_vy * screws.inside_joint_2_fy))
         * inverse_pivot_joint_2_d + 0.0;
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
@@ -2246,7 +2232,7 @@ pub fn forward_dynamics(
 /// - `base_wrench`: F₁, wrench on the base, base frame (6; N·m, N)
 /// - `tau`: τ, joint torques (2; N·m, N)
 ///
-/// 513 operations: 251 + −, 259 ×, 3 ÷; 2 sin cos; about 6.1 KiB of code.
+/// 509 operations: 249 + −, 257 ×, 3 ÷; 2 sin cos; about 6.0 KiB of code.
 pub fn inverse_dynamics(
     q: &[f64; 2],
     qd: &[f64; 2],
@@ -2282,18 +2268,16 @@ pub fn inverse_dynamics(
     let base_wrench_0_21_11 = base_wrench_0_21_11_0 * 3.75;
     let base_wrench_0_21_13 = base_wrench_0_21_13_0 * 3.75;
     let base_wrench_0_19 = base_wrench_0_19_0 * 3.75;
-    let base_wrench_0_21_10 = screws.inside_joint_2_fx * qd[1]
-        - screws.minus_inside_joint_1_fx * qd[0];
-    let base_wrench_0_21_8 = screws.inside_joint_1_fy * qd[0]
-        + screws.inside_joint_2_fy * qd[1];
     let base_wrench_0_11 = (inertias.composite_link_1_xx - inertias.composite_link_1_yy
         + (inertias.inside_joint_1_mz_1_1 + inertias.inside_joint_1_mz_1_0)) * qd[0]
         + (inertias.inertia_link_2_xx - inertias.inertia_link_2_yy
             - (inertias.inside_joint_2_mz_1_1 - inertias.inside_joint_2_mz_1_0)) * qd[1];
+    let base_wrench_0_21_10 = velocities.velocity_base_vx * 3.75;
+    let base_wrench_0_21_8 = velocities.minus_velocity_base_vy * 3.75;
     let wrench_outside_link_1_fx_5 = mu[2] - velocities.minus_velocity_base_wz;
     let base_wrench_0_21 = (xi_dot[5] - gravity[2]
         + (xi_dot[0] * poses.com_y - xi_dot[1] * base_wrench_0_21_13_0_2)) * 3.75
-        + (mu[0] * base_wrench_0_21_8 - mu[1] * base_wrench_0_21_10)
+        + (mu[0] * base_wrench_0_21_8 + mu[1] * base_wrench_0_21_10)
         - (base_wrench_0_21_11 * mu[1] - base_wrench_0_21_13 * mu[0]);
     // F₁
     base_wrench[0] = inertias.composite_base_xx * xi_dot[0]
@@ -2315,15 +2299,15 @@ pub fn inverse_dynamics(
         + (base_wrench_0_11 * mu[0]
             + ((base_wrench_1_6 - base_wrench_0_7) * qd[1]
                 - (base_wrench_0_4 + base_wrench_1_10) * qd[0]) * mu[1]
-            - base_wrench_0_21_10 * base_wrench_0_19_0)
+            + base_wrench_0_21_10 * base_wrench_0_19_0)
         - (base_wrench_0_17 * mu[0] - base_wrench_1_17 * wrench_outside_link_1_fx_5
             + base_wrench_0_19 * velocities.velocity_base_vx)
         - base_wrench_0_21 * base_wrench_0_21_13_0_2 + 0.0;
     let base_wrench_2_0 = inertias.composite_base_zz * xi_dot[2]
         + (((base_wrench_1_6 - base_wrench_0_8) * qd[1]
             - (base_wrench_1_10 + base_wrench_0_5) * qd[0]) * mu[2]
-            + (base_wrench_0_21_10 * base_wrench_0_21_13_0
-                - base_wrench_0_21_8 * base_wrench_0_21_11_0))
+            - (base_wrench_0_21_10 * base_wrench_0_21_13_0
+                + base_wrench_0_21_8 * base_wrench_0_21_11_0))
         - (base_wrench_1_17 * mu[1] - base_wrench_0_15 * mu[0]
             - (base_wrench_0_21_11 * velocities.minus_velocity_base_vy
                 + base_wrench_0_21_13 * velocities.velocity_base_vx));
@@ -2331,7 +2315,7 @@ pub fn inverse_dynamics(
         - mu[2] * base_wrench_0_21_8
         - (base_wrench_0_21_13 * wrench_outside_link_1_fx_5 - base_wrench_0_19 * mu[1]);
     let base_wrench_2_1 = (xi_dot[4] - gravity[1] + xi_dot[2] * base_wrench_0_21_13_0_2)
-        * 3.75 + mu[2] * base_wrench_0_21_10
+        * 3.75 - mu[2] * base_wrench_0_21_10
         - (base_wrench_0_19 * mu[0] - base_wrench_0_21_11 * wrench_outside_link_1_fx_5);
     base_wrench[2] = base_wrench_2_0
         + (base_wrench_2_1 * base_wrench_0_21_13_0_2 - base_wrench_2_3 * poses.com_y)
@@ -2343,18 +2327,18 @@ pub fn inverse_dynamics(
         - mu[0] * inertias.minus_inertia_base_hy;
     let wrench_link_2_fy_4 = mu[0] * inertias.inertia_link_2_hy
         - mu[1] * inertias.inertia_link_2_hx;
+    let twist_link_1_vx_1 = velocities.velocity_link_1_wz + mu[2];
+    let twist_link_2_vx_1 = velocities.velocity_link_2_wz + mu[2];
     let wrench_outside_link_1_mz_18 = velocities.velocity_base_vx * 2.0
         + wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hy;
     let wrench_outside_link_1_mz_16 = velocities.minus_velocity_base_vy * 2.0
         + wrench_outside_link_1_fx_5 * inertias.minus_inertia_base_hx;
-    let twist_link_1_vx_1 = velocities.velocity_link_1_wz + mu[2];
     let wrench_outside_link_2_fx_5 = mu[0] * inertias.inertia_link_1_hy
         - mu[1] * inertias.inertia_link_1_hx;
     let wrench_link_1_mz_0_16 = velocities.velocity_link_1_vx
         - twist_link_1_vx_1 * inertias.inertia_link_1_hy;
     let wrench_outside_link_2_fx_3 = twist_link_1_vx_1 * inertias.inertia_link_1_hx
         - velocities.minus_velocity_link_1_vy;
-    let twist_link_2_vx_1 = velocities.velocity_link_2_wz + mu[2];
     let wrench_link_2_mz_16 = velocities.velocity_link_2_vx * 0.75
         - twist_link_2_vx_1 * inertias.inertia_link_2_hy;
     let wrench_link_2_mz_18 = twist_link_2_vx_1 * inertias.inertia_link_2_hx
@@ -2365,6 +2349,23 @@ pub fn inverse_dynamics(
         - screws.connection_joint_2_vx * xi_dot[7];
     let minus_twist_base_vy = screws.connection_joint_1_vy * xi_dot[6]
         + screws.connection_joint_2_vy * xi_dot[7];
+    let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
+    let twist_link_1_vx = twist_base_vx
+        + ((twist_link_1_vx_1 * poses.origin_link_1_x
+            - velocities.minus_velocity_link_1_vy) * qd[0]
+            - poses.minus_origin_base_y * xi_dot[6]);
+    let minus_twist_link_1_vy = minus_twist_base_vy
+        + ((twist_link_1_vx_1 * poses.minus_origin_base_y
+            + velocities.velocity_link_1_vx) * qd[0]
+            + poses.origin_link_1_x * xi_dot[6]);
+    let twist_link_2_wz = twist_link_1_wz + xi_dot[7];
+    let twist_link_2_vx = twist_link_1_vx
+        + ((twist_link_2_vx_1 * poses.origin_link_2_x
+            - velocities.minus_velocity_link_2_vy) * qd[1]
+            + poses.origin_link_2_y * xi_dot[7]);
+    let twist_link_2_vy = (twist_link_2_vx_1 * poses.origin_link_2_y
+        - velocities.velocity_link_2_vx) * qd[1] - poses.origin_link_2_x * xi_dot[7]
+        - minus_twist_link_1_vy;
     let wrench_outside_link_1_mz = inertias.minus_inertia_base_hx * minus_twist_base_vy
         + inertias.minus_inertia_base_hy * twist_base_vx
         - inertias.inertia_base_zz * minus_twist_base_wz
@@ -2382,14 +2383,6 @@ pub fn inverse_dynamics(
         - minus_twist_base_vy * 2.0
         - (wrench_outside_link_1_fx_6 * mu[0]
             - wrench_outside_link_1_mz_18 * wrench_outside_link_1_fx_5);
-    let twist_link_1_wz = xi_dot[6] - minus_twist_base_wz;
-    let twist_link_1_vx = twist_base_vx
-        + (twist_link_1_vx_1 * poses.origin_link_1_x
-            - velocities.minus_velocity_link_1_vy) * qd[0]
-        - poses.minus_origin_base_y * xi_dot[6];
-    let minus_twist_link_1_vy = minus_twist_base_vy
-        + (twist_link_1_vx_1 * poses.minus_origin_base_y + velocities.velocity_link_1_vx)
-            * qd[0] + poses.origin_link_1_x * xi_dot[6];
     let wrench_link_1_mz_0 = inertias.inertia_link_1_zz * twist_link_1_wz
         - (inertias.inertia_link_1_hx * minus_twist_link_1_vy
             + inertias.inertia_link_1_hy * twist_link_1_vx)
@@ -2403,14 +2396,6 @@ pub fn inverse_dynamics(
         - minus_twist_link_1_vy
         - (wrench_outside_link_2_fx_5 * mu[0]
             - wrench_link_1_mz_0_16 * twist_link_1_vx_1);
-    let twist_link_2_wz = twist_link_1_wz + xi_dot[7];
-    let twist_link_2_vx = twist_link_1_vx
-        + (twist_link_2_vx_1 * poses.origin_link_2_x
-            - velocities.minus_velocity_link_2_vy) * qd[1]
-        + poses.origin_link_2_y * xi_dot[7];
-    let twist_link_2_vy = (twist_link_2_vx_1 * poses.origin_link_2_y
-        - velocities.velocity_link_2_vx) * qd[1] - minus_twist_link_1_vy
-        - poses.origin_link_2_x * xi_dot[7];
     let wrench_link_2_mz = inertias.inertia_link_2_zz * twist_link_2_wz
         + (inertias.inertia_link_2_hx * twist_link_2_vy
             - inertias.inertia_link_2_hy * twist_link_2_vx)

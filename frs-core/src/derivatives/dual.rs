@@ -41,6 +41,8 @@ impl<T: Real> From<T> for Dual<T> {
 }
 
 impl<T: Real> Real for Dual<T> {
+    type Lanes = Self;
+
     fn from_f64(value: f64) -> Self {
         T::from_f64(value).into()
     }

@@ -16,6 +16,6 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         newton_euler(model, data, locked, Twist::zero(), |_| T::zero());
         subtree_sums(model.bodies(), &mut data.wrench, &mut data.wrench_outside);
         out[..6].copy_from_slice(&data.wrench[0].at(-com).to_array());
-        model.gather(&mut out[6..], |j| data.screw[j].dot(data.wrench[j + 1]));
+        model.gather(&mut out[6..], |j| data.screw.at::<Twist<T>>(j).dot(data.wrench[j + 1]));
     }
 }

@@ -1,10 +1,11 @@
 //! C, the Coriolis matrix in base velocity and joint rates.
 
 use nalgebra::{DMatrix, Vector3};
+use num_traits::Zero;
 
 use crate::Real;
-use crate::spatial::{CoriolisFactor, Twist, Wrench, cross_matrix};
-use crate::sweep::{Moving, Square, base_matrix, subtree_sums};
+use crate::spatial::{CoriolisFactor, Inertia, Twist, Wrench, cross_matrix};
+use crate::sweep::{Moving, Square, add_dot, base_matrix, dot, factors, gather, groups, scatter, splat, subtree_sums};
 
 impl<T: Real> Moving<'_, '_, '_, T> {
     /// The Coriolis matrix `C = Σ_k [X_k J_k]ᵀ(C(M_k; V_k) [X_k J_k] + M_k d[X_k J_k]/dt)` ((6+n)×(6+n), base frame) of a
@@ -23,36 +24,39 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let bodies = model.bodies();
         let joints = model.joints();
         let base = data.velocity[0];
-        for (k, factor) in data.factor.iter_mut().enumerate() {
-            *factor = data.inertia[k].coriolis_factor(data.velocity[k] - base);
-        }
+        factors(model, data, base);
         subtree_sums(bodies, &mut data.factor, &mut data.factor_outside);
 
-        for j in 0..joints {
-            let (screw, composite) = (data.screw[j], &data.composite[j + 1]);
-            let screw_rate = (data.velocity[j + 1] - base).ad(screw);
-            let skew = composite.coriolis(omega, screw);
-            data.twist[j] = screw_rate;
-            data.wrench[j] = data.factor[j + 1].apply(screw.angular) + skew + *composite * screw_rate;
+        let (omega_lanes, base_lanes): (Vector3<T::Lanes>, Twist<T::Lanes>) = (splat(omega), splat(base));
+        for first in groups::<T>(0..joints) {
+            let screw: Twist<T::Lanes> = data.screw.lanes(first);
+            let composite: Inertia<T::Lanes> = data.composite_columns.lanes(first);
+            let factor: CoriolisFactor<T::Lanes> = gather(&data.factor, first + 1);
+            let velocity: Twist<T::Lanes> = gather(&data.velocity, first + 1);
+            let screw_rate = (velocity - base_lanes).ad(screw);
+            let skew = composite.coriolis(omega_lanes, screw);
+            scatter(&mut data.twist, first, screw_rate);
+            data.six_rows.set_lanes(first, factor.apply(screw.angular) + skew + composite * screw_rate);
             // s_jᵀ Eᶜ_j: the closed-form C is skew.
-            data.wrench_outside[j] = Wrench::new(data.factor[j + 1].apply_transpose(screw), Vector3::zeros()) - skew;
-            data.six_rows.set(j, data.wrench[j].to_array());
-            data.six_rows_more.set(j, data.wrench_outside[j].to_array());
+            let turned = Wrench::new(factor.apply_transpose(screw), Vector3::zeros());
+            data.six_rows_more.set_lanes(first, turned - skew);
         }
 
         let mut block = Square::new(model, out, 6);
+        let (columns, rows, insides) = (data.six_rows.groups(), data.six_rows_more.groups(), data.inside.groups());
         let row = &mut data.row;
         for i in 0..joints {
-            let end = bodies[i + 1].end - 1;
-            row.dot(data.screw[i].to_array(), &data.six_rows, i..end);
-            row[end..].fill(T::zero());
-            block.row(i, i..joints, |j| row[j]);
+            let (end, screw) = (bodies[i + 1].end - 1, splat(data.screw.at::<[T; 6]>(i)));
+            row.fill([i, end, joints], |g| dot(screw, &columns[g]), |_| T::Lanes::zero());
+            block.row(i, row);
         }
+        block.mirror(T::one());
         for j in 0..joints {
-            let (end, screw) = (bodies[j + 1].end - 1, data.screw[j].to_array());
-            row.dot_both(screw, &data.six_rows_more, data.twist[j].to_array(), &data.inside_rows, j + 1..end);
-            row[end..].fill(T::zero());
-            block.column(j, j + 1..joints, |i| row[i]);
+            let (end, screw) = (bodies[j + 1].end - 1, splat(data.screw.at::<[T; 6]>(j)));
+            let screw_rate = splat(data.twist[j]);
+            let below = |g| add_dot(dot(screw, &rows[g]), screw_rate, &insides[g]);
+            row.fill([j + 1, end, joints], below, |_| T::Lanes::zero());
+            block.column(j, j + 1, row);
         }
         self.base_block(omega, com, out);
     }
@@ -71,11 +75,11 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&base_matrix(&matrix, com));
         for (j, body) in model.bodies()[1..].iter().enumerate() {
             let c = 6 + body.drive.coordinate;
-            let column = data.wrench[j].at(-com).to_vector() * body.drive.ratio;
+            let column = data.six_rows.at::<Wrench<T>>(j).at(-com).to_vector() * body.drive.ratio;
             let mut target = out.fixed_view_mut::<6, 1>(0, c);
             target += column;
             // A row acts on a twist of the base frame: T stands on its right, so it moves as a wrench does.
-            let row = data.wrench_outside[j].at(-com).to_vector() * body.drive.ratio;
+            let row = data.six_rows_more.at::<Wrench<T>>(j).at(-com).to_vector() * body.drive.ratio;
             let mut target = out.fixed_view_mut::<1, 6>(c, 0);
             target += row.transpose();
         }

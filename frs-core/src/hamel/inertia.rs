@@ -1,9 +1,11 @@
 //! M, the inertia matrix in base velocity and joint rates.
 
 use nalgebra::DMatrix;
+use num_traits::Zero;
 
 use crate::Real;
-use crate::sweep::{Shape, Square};
+use crate::spatial::Wrench;
+use crate::sweep::{Shape, Square, dot, splat};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The inertia matrix `M = [[Λ_b, M_bq], [M_bqᵀ, M_q]]` ((6+n)×(6+n), base frame), `M_q = Σ_k J_kᵀ M_k J_k`.
@@ -14,18 +16,20 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` is not (6+n)×(6+n).
     pub fn hamel_inertia(&mut self, out: &mut DMatrix<T>) {
         let (model, com) = (self.model, self.com());
-        let (joints, row) = (model.joints(), &mut self.data.row);
+        let (data, joints) = (&mut *self.data, model.joints());
+        let insides = data.inside.groups();
         let mut joint_block = Square::new(model, out, 6);
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            row.dot(self.data.screw[i].to_array(), &self.data.inside_rows, i..end);
-            row[end..].fill(T::zero());
-            joint_block.both(i, T::one(), row);
+            let screw: [T::Lanes; 6] = splat(data.screw.at::<[T; 6]>(i));
+            data.row.fill([i, end, joints], |g| dot(screw, &insides[g]), |_| T::Lanes::zero());
+            joint_block.both(i, T::one(), &data.row);
         }
+        joint_block.mirror(T::one());
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&self.locked_inertia().to_matrix());
         out.view_range_mut(..6, 6..).fill(T::zero());
         for (j, body) in model.bodies()[1..].iter().enumerate() {
-            let column = self.data.inside[j].at(-com).to_vector() * body.drive.ratio;
+            let column = self.data.inside.at::<Wrench<T>>(j).at(-com).to_vector() * body.drive.ratio;
             let mut target = out.fixed_view_mut::<6, 1>(0, 6 + body.drive.coordinate);
             target += column;
         }

@@ -3,11 +3,13 @@
 use num_traits::{One, Zero};
 
 use super::{F32x8, F32x16, F64x4, F64x8};
-use crate::Real;
+use crate::{Lanes, Real};
 
 macro_rules! impl_real {
-    ($Lanes:ident, $element:ty) => {
+    ($Lanes:ident, $element:ty, $($lane:literal)*) => {
         impl Real for $Lanes {
+            type Lanes = Self;
+
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 Self::splat(<$element>::from_f64(value))
@@ -34,6 +36,50 @@ macro_rules! impl_real {
             }
         }
 
+        impl Lanes<$element> for $Lanes {
+            const WIDTH: usize = Self::LANES;
+
+            #[inline(always)]
+            fn splat(value: $element) -> Self {
+                Self::splat(value)
+            }
+
+            #[inline(always)]
+            fn from_fn(number: impl Fn(usize) -> $element) -> Self {
+                Self::from_array([$(number($lane)),*])
+            }
+
+            #[inline(always)]
+            fn gather<const R: usize>(numbers: impl Fn(usize) -> [$element; R]) -> [Self; R] {
+                let each = [$(numbers($lane)),*];
+                let mut gathered = [Self::zero(); R];
+                for (r, lanes) in gathered.iter_mut().enumerate() {
+                    *lanes = Self::from_array([$(each[$lane][r]),*]);
+                }
+                gathered
+            }
+
+            #[inline(always)]
+            fn lane(&self, lane: usize) -> $element {
+                self.as_array()[lane]
+            }
+
+            #[inline(always)]
+            fn set_lane(&mut self, lane: usize, value: $element) {
+                self.as_mut_array()[lane] = value;
+            }
+
+            #[inline(always)]
+            fn read(numbers: &[$element]) -> Self {
+                <Self as Lanes<$element>>::from_fn(|lane| numbers[lane])
+            }
+
+            #[inline(always)]
+            fn write(self, numbers: &mut [$element]) {
+                numbers[..Self::LANES].copy_from_slice(&self.to_array());
+            }
+        }
+
         impl Zero for $Lanes {
             #[inline(always)]
             fn zero() -> Self {
@@ -55,7 +101,7 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(F64x4, f64);
-impl_real!(F64x8, f64);
-impl_real!(F32x8, f32);
-impl_real!(F32x16, f32);
+impl_real!(F64x4, f64, 0 1 2 3);
+impl_real!(F64x8, f64, 0 1 2 3 4 5 6 7);
+impl_real!(F32x8, f32, 0 1 2 3 4 5 6 7);
+impl_real!(F32x16, f32, 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);

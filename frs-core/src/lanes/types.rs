@@ -79,6 +79,18 @@ macro_rules! lanes {
                 self.0.to_array()
             }
 
+            /// The numbers of the lanes, where they stand.
+            #[inline(always)]
+            pub fn as_array(&self) -> &[$element; $count] {
+                self.0.as_array()
+            }
+
+            /// The numbers of the lanes, to be written where they stand.
+            #[inline(always)]
+            pub fn as_mut_array(&mut self) -> &mut [$element; $count] {
+                self.0.as_mut_array()
+            }
+
             /// √ of each lane.
             #[inline(always)]
             pub fn sqrt(self) -> Self {

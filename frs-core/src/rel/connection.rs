@@ -3,7 +3,7 @@
 use nalgebra::Matrix6xX;
 
 use crate::Real;
-use crate::spatial::Twist;
+use crate::spatial::{Twist, Wrench};
 use crate::sweep::{Moving, Shape};
 
 impl<T: Real> Shape<'_, '_, T> {
@@ -13,7 +13,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` does not have n columns.
     pub fn base_joint_inertia(&self, out: &mut Matrix6xX<T>) {
         let centre = -self.com();
-        self.model.gather_columns(out, |j| self.data.inside[j].at(centre).to_array());
+        self.model.gather_columns(out, |j| self.data.inside.at::<Wrench<T>>(j).at(centre).to_array());
     }
 
     /// The local mechanical connection `A_l = Λ_b⁻¹ M_bq` (6×n, base frame): at zero momentum the base moves with
@@ -25,7 +25,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` does not have n columns.
     pub fn connection(&self, out: &mut Matrix6xX<T>) {
         let centre = -self.com();
-        self.model.gather_columns(out, |j| self.data.connection[j].at(centre).to_array());
+        self.model.gather_columns(out, |j| self.data.connection.at::<Twist<T>>(j).at(centre).to_array());
     }
 }
 

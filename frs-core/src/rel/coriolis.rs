@@ -1,10 +1,12 @@
 //! C_b, B_2, Γ'_q and what they make: D_μ and D_q̇, the two halves of the Coriolis terms.
 
-use nalgebra::{DMatrix, Matrix6};
+use nalgebra::{DMatrix, Matrix6, Vector3};
 
 use crate::Real;
-use crate::spatial::{CoriolisFactor, Twist, cross_matrix};
-use crate::sweep::{Moving, Shape, Square, base_matrix, outside_sums, subtree_sums};
+use crate::spatial::{CoriolisFactor, Inertia, Twist, Wrench, cross_matrix};
+use crate::sweep::{
+    Data, Moving, Shape, Square, add_dot, base_matrix, dot, factors, gather, groups, outside_sums, splat, subtree_sums,
+};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The locked Coriolis matrix `C_b^μ = C(Λ_b; μ)` (6×6, skew, base frame).
@@ -47,10 +49,10 @@ impl<T: Real> Shape<'_, '_, T> {
         let size = out.nrows();
         let (left, right) = out.as_mut_slice().split_at_mut(6 * size);
         right.chunks_exact_mut(size).for_each(|column| column[..6].fill(T::zero()));
+        self.data.momentum_columns(half, momentum, com);
         for (j, body) in self.model.bodies()[1..].iter().enumerate() {
-            let upper = self.data.inertia_rate(j) * half + self.data.connection[j].ad_transpose(momentum);
             let column = &mut right[body.drive.coordinate * size..][..6];
-            for (entry, x) in column.iter_mut().zip(upper.at(-com).to_array()) {
+            for (entry, x) in column.iter_mut().zip(self.data.six_rows.at::<[T; 6]>(j)) {
                 *entry -= x * body.drive.ratio;
             }
         }
@@ -116,43 +118,69 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let (model, data) = (self.model, &mut *self.data);
         let bodies = model.bodies();
         let joints = model.joints();
-        for (k, factor) in data.factor.iter_mut().enumerate() {
-            *factor = data.inertia[k].coriolis_factor(data.velocity[k]);
-        }
+        factors(model, data, Twist::zero());
         subtree_sums(bodies, &mut data.factor, &mut data.factor_outside);
         data.factor_before[0] = CoriolisFactor::zero();
         outside_sums(bodies, &data.factor, &mut data.factor_outside, &mut data.factor_before);
 
-        for j in 0..joints {
-            let (screw, velocity) = (data.screw[j], data.velocity[j + 1]);
-            let (inside, outside) = (&data.factor[j + 1], &data.factor_outside[j + 1]);
-            let (connection, reaction, turning) = (data.connection[j], data.reaction[j], velocity.ad(screw));
-            data.wrench[j] = inside.apply(screw.angular) + data.composite[j + 1] * turning;
-            data.wrench_outside[j] =
-                outside.apply(connection.angular) - inside.apply(reaction.angular) + data.complement[j + 1] * turning;
+        for first in groups::<T>(0..joints) {
+            let (screw, velocity): (Twist<T::Lanes>, Twist<_>) =
+                (data.screw.lanes(first), gather(&data.velocity, first + 1));
+            let inside: CoriolisFactor<T::Lanes> = gather(&data.factor, first + 1);
+            let outside: CoriolisFactor<T::Lanes> = gather(&data.factor_outside, first + 1);
+            let (connection, reaction): (Twist<T::Lanes>, Twist<_>) =
+                (data.connection.lanes(first), data.reaction.lanes(first));
+            let (composite, complement): (Inertia<T::Lanes>, Inertia<_>) =
+                (data.composite_columns.lanes(first), data.complement_columns.lanes(first));
+            let turning = velocity.ad(screw);
+            let above = outside.apply(connection.angular) - inside.apply(reaction.angular) + complement * turning;
             let z = outside.apply_transpose(connection) - inside.apply_transpose(reaction);
-            data.six_rows.set(j, data.wrench[j].to_array());
-            data.three_rows.set(j, z.into());
-            data.three_rows_more.set(j, inside.apply_transpose(screw).into());
-            data.turn[j] = z;
+            data.six_rows.set_lanes(first, inside.apply(screw.angular) + composite * turning);
+            data.six_rows_more.set_lanes(first, above);
+            data.three_rows.set_lanes(first, z);
+            data.three_rows_more.set_lanes(first, inside.apply_transpose(screw));
         }
-        let (g, z, below) = (&data.six_rows, &data.three_rows, &data.three_rows_more);
-        let row = &mut data.row;
+        let (g, above, z, below) = (&data.six_rows, &data.six_rows_more, &data.three_rows, &data.three_rows_more);
+        let (columns, belows, zs) = (g.groups(), below.groups(), z.groups());
+        let (connection, connections, row) = (&data.connection, data.connection.groups(), &mut data.row);
         for i in 0..joints {
             let end = bodies[i + 1].end - 1;
-            let z: [T; 3] = data.turn[i].into();
-            row.dot_both(data.reaction[i].to_array(), g, z, &data.connection_rows, i..end);
-            row.dot_both((-data.connection[i]).to_array(), g, z, &data.connection_rows, end..joints);
-            out.row(i, i..joints, |j| row[j]);
+            let (z, minus_connection) = (splat(z.at::<[T; 3]>(i)), splat(-connection.at::<Twist<T>>(i)));
+            let reaction = splat(data.reaction.at::<[T; 6]>(i));
+            row.fill(
+                [i, end, joints],
+                |g| add_dot(dot(reaction, &columns[g]), z, &connections[g]),
+                |g| add_dot(dot(minus_connection, &columns[g]), z, &connections[g]),
+            );
+            out.row(i, row);
         }
+        out.mirror(T::one());
         for j in 0..joints {
             let end = bodies[j + 1].end - 1;
-            let connection: [T; 3] = data.connection[j].angular.into();
-            let reaction: [T; 3] = data.reaction[j].angular.into();
-            let (above, aside) = (data.wrench_outside[j].to_array(), (-data.wrench[j]).to_array());
-            row.dot_both(above, &data.connection_rows, reaction, below, j + 1..end);
-            row.dot_both(aside, &data.connection_rows, connection, z, end..joints);
-            out.column(j, j + 1..joints, |i| row[i]);
+            let (above, aside) = (splat(above.at::<[T; 6]>(j)), splat(-g.at::<Wrench<T>>(j)));
+            let reaction: [T::Lanes; 3] = splat(data.reaction.at::<Twist<T>>(j).angular);
+            let turned: [T::Lanes; 3] = splat(connection.at::<Twist<T>>(j).angular);
+            row.fill(
+                [j + 1, end, joints],
+                |g| add_dot(dot(above, &connections[g]), reaction, &belows[g]),
+                |g| add_dot(dot(aside, &connections[g]), turned, &zs[g]),
+            );
+            out.column(j, j + 1, row);
+        }
+    }
+}
+
+impl<T: Real> Data<T> {
+    /// `P_j `half` + ad_{A_j}ᵀ `momentum`` of every joint into `six_rows`: everything in the centroidal frame, the columns in the base's.
+    fn momentum_columns(&mut self, half: Twist<T>, momentum: Wrench<T>, com: Vector3<T>) {
+        let joints = self.inverse_pivot.len();
+        let (half, momentum): (Twist<T::Lanes>, Wrench<T::Lanes>) = (splat(half), splat(momentum));
+        let com: Vector3<T::Lanes> = splat(com);
+        for first in groups::<T>(0..joints) {
+            let composite: Inertia<T::Lanes> = self.composite_columns.lanes(first);
+            let connection: Twist<T::Lanes> = self.connection.lanes(first);
+            let column = composite.rate(self.screw.lanes(first)) * half + connection.ad_transpose(momentum);
+            self.six_rows.set_lanes(first, column.at(-com));
         }
     }
 }

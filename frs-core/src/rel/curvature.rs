@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
-use crate::spatial::{Twist, Wrench};
-use crate::sweep::{Shape, Square, free_velocities};
+use crate::spatial::{Inertia, Twist, Wrench};
+use crate::sweep::{Shape, Square, add_dot, dot, free_velocities, groups, splat};
 
 /// The local curvature `𝓑(e_i, e_j) = ∂_i A_j − ∂_j A_i − ad_{A_i} A_j` for all pairs of coordinates.
 ///
@@ -59,26 +59,39 @@ impl<T: Real> Shape<'_, '_, T> {
         let data = &mut *self.data;
         let joints = self.model.joints();
         let twice = omega * (data.composite[0].mass + data.composite[0].mass);
-        let (below, beside) = (&mut data.wrench, &mut data.wrench_outside);
-        for j in 0..joints {
-            let (screw, connection, reaction) = (data.screw[j], data.connection[j], data.reaction[j]);
-            let rate = data.composite[j + 1].rate(screw).rotational * omega;
-            let rate_outside = data.complement[j + 1].rate(screw).rotational * omega;
-            below[j] = Wrench::new(reaction.angular.cross(&momentum) - rate_outside, reaction.linear.cross(&twice));
-            beside[j] = Wrench::new(momentum.cross(&connection.angular) + rate, twice.cross(&connection.linear));
-            data.three_rows.set(j, rate.into());
+        let (omega, momentum): (Vector3<T::Lanes>, Vector3<T::Lanes>) = (splat(omega), splat(momentum));
+        let twice: Vector3<T::Lanes> = splat(twice);
+        for first in groups::<T>(0..joints) {
+            let screw: Twist<T::Lanes> = data.screw.lanes(first);
+            let (connection, reaction): (Twist<T::Lanes>, Twist<_>) =
+                (data.connection.lanes(first), data.reaction.lanes(first));
+            let (composite, complement): (Inertia<T::Lanes>, Inertia<_>) =
+                (data.composite_columns.lanes(first), data.complement_columns.lanes(first));
+            let rate = composite.rate(screw).rotational * omega;
+            let rate_outside = complement.rate(screw).rotational * omega;
+            let below = Wrench::new(reaction.angular.cross(&momentum) - rate_outside, reaction.linear.cross(&twice));
+            let beside = Wrench::new(momentum.cross(&connection.angular) + rate, twice.cross(&connection.linear));
+            data.six_rows.set_lanes(first, below);
+            data.six_rows_more.set_lanes(first, beside);
+            data.three_rows.set_lanes(first, rate);
         }
-        let row = &mut data.row;
+        let (below, beside, rate) = (&data.six_rows, &data.six_rows_more, &data.three_rows);
+        let (rates, connections) = (rate.groups(), data.connection.groups());
+        let (connection, row) = (&data.connection, &mut data.row);
         for i in 0..joints {
             let end = self.model.bodies()[i + 1].end - 1;
-            let (connection, reaction): ([T; 3], [T; 3]) =
-                ((-data.connection[i].angular).into(), data.reaction[i].angular.into());
-            let (below, beside) = (below[i].to_array(), beside[i].to_array());
-            row.dot_both(reaction, &data.three_rows, below, &data.connection_rows, i..end);
-            row.dot_both(connection, &data.three_rows, beside, &data.connection_rows, end..joints);
+            let turned: [T::Lanes; 3] = splat(-connection.at::<Twist<T>>(i).angular);
+            let reaction: [T::Lanes; 3] = splat(data.reaction.at::<Twist<T>>(i).angular);
+            let (below, beside) = (splat(below.at::<[T; 6]>(i)), splat(beside.at::<[T; 6]>(i)));
+            row.fill(
+                [i, end, joints],
+                |g| add_dot(dot(reaction, &rates[g]), below, &connections[g]),
+                |g| add_dot(dot(turned, &rates[g]), beside, &connections[g]),
+            );
             row[i] = T::zero();
             out.both(i, -T::one(), row);
         }
+        out.mirror(-T::one());
     }
 
     /// The curvature `𝓑(x, y)` on two shape directions (length n), a twist in the base frame, in O(n).
@@ -100,7 +113,8 @@ impl<T: Real> Shape<'_, '_, T> {
         velocities(x, &mut data.twist);
         velocities(y, &mut data.twist_more);
         let mut sum = Wrench::zero();
-        for (inertia, (&x, &y)) in data.inertia.iter().zip(data.twist.iter().zip(&data.twist_more)) {
+        for k in 0..model.bodies().len() {
+            let (inertia, x, y) = (&data.inertia[k], data.twist[k], data.twist_more[k]);
             sum += y.ad_transpose(*inertia * x) - x.ad_transpose(*inertia * y) - *inertia * x.ad(y);
         }
         self.locked_solve(sum).at(-self.com())

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix6, Matrix6xX};
 
 use crate::Real;
-use crate::spatial::{Inertia, Twist};
+use crate::spatial::{Inertia, Symmetric3, Twist};
 use crate::sweep::{Data, Moving, Shape, base_matrix};
 
 impl<T: Real> Shape<'_, '_, T> {
@@ -34,8 +34,11 @@ impl<T: Real> Shape<'_, '_, T> {
 impl<T: Real> Moving<'_, '_, '_, T> {
     /// P(q̇) in the centroidal frame.
     pub(crate) fn locked_rate(&self) -> Inertia<T> {
-        let rates = self.data.rate.iter().enumerate();
-        rates.fold(Inertia::zero(), |sum, (j, &rate)| sum + self.data.inertia_rate(j) * rate)
+        let (data, locked) = (&*self.data, &self.data.composite[0]);
+        let rotational = (0..self.model().joints())
+            .fold(Symmetric3::zero(), |sum, j| sum + data.inertia_rate(j).rotational * data.rate[j]);
+        // Momentum is zero: seen from the base, the centre of mass moves as the base does seen from it, the other way.
+        Inertia { mass: T::zero(), moment: data.velocity[0].linear * -locked.mass, rotational }
     }
 }
 
@@ -43,6 +46,6 @@ impl<T: Real> Data<T> {
     /// P_j = −(ad_{s_j}ᵀ Iᶜ_j + Iᶜ_j ad_{s_j}), the rate of the locked inertia as joint j moves.
     #[inline(always)]
     pub(super) fn inertia_rate(&self, j: usize) -> Inertia<T> {
-        self.composite[j + 1].rate(self.screw[j])
+        self.composite[j + 1].rate(self.screw.at(j))
     }
 }

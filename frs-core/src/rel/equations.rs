@@ -182,13 +182,13 @@ impl<T: Real> Moving<'_, '_, '_, T> {
                 };
                 let mut base = Twist::zero();
                 for j in 0..model.joints() {
-                    base = base - data.connection[j] * acceleration(j);
+                    base = base - data.connection.at::<Twist<T>>(j) * acceleration(j);
                 }
                 newton_euler(model, data, mu, base, acceleration);
             }
         }
         project(model, data, &mut torque);
-        model.gather(&mut carried, |j| data.connection[j].dot(wrench));
+        model.gather(&mut carried, |j| data.connection.at::<Twist<T>>(j).dot(wrench));
         (data.vector, data.vector_more) = (torque, carried);
     }
 

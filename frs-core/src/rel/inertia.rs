@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
-use crate::spatial::{Inertia, Symmetric3};
-use crate::sweep::{Shape, Square};
+use crate::spatial::{Inertia, Symmetric3, Twist};
+use crate::sweep::{Shape, Square, add_dot, dot, splat};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The locked inertia `Λ_b = Σ_k X_kᵀ M_k X_k` (6×6, base frame): the robot's inertia with its joints locked.
@@ -25,13 +25,16 @@ impl<T: Real> Shape<'_, '_, T> {
     pub fn shape_inertia(&mut self, out: &mut DMatrix<T>) {
         let (model, data) = (self.model, &mut *self.data);
         let (joints, row) = (model.joints(), &mut data.row);
+        let (connections, insides) = (data.connection.groups(), data.inside.groups());
         let mut out = Square::new(model, out, 0);
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            row.dot(data.outside[i].to_array(), &data.connection_rows, i..end);
-            row.dot((-data.connection[i]).to_array(), &data.inside_rows, end..joints);
+            let (outside, connection) =
+                (splat(data.outside.at::<[T; 6]>(i)), splat(-data.connection.at::<Twist<T>>(i)));
+            row.fill([i, end, joints], |g| dot(outside, &connections[g]), |g| dot(connection, &insides[g]));
             out.both(i, T::one(), row);
         }
+        out.mirror(T::one());
     }
 
     /// The shape inertia by the textbook form `Λ_q = M_q − A_lᵀ Λ_b A_l`, for comparison.
@@ -43,14 +46,19 @@ impl<T: Real> Shape<'_, '_, T> {
     pub fn shape_inertia_textbook(&mut self, out: &mut DMatrix<T>) {
         let (model, data) = (self.model, &mut *self.data);
         let (joints, row) = (model.joints(), &mut data.row);
+        let insides = data.inside.groups();
         let mut out = Square::new(model, out, 0);
         for i in 0..joints {
             let end = model.bodies()[i + 1].end - 1;
-            let (screw, minus_connection) = (data.screw[i].to_array(), (-data.connection[i]).to_array());
-            row.dot_both(screw, &data.inside_rows, minus_connection, &data.inside_rows, i..end);
-            row.dot(minus_connection, &data.inside_rows, end..joints);
+            let (screw, connection) = (splat(data.screw.at::<[T; 6]>(i)), splat(-data.connection.at::<Twist<T>>(i)));
+            row.fill(
+                [i, end, joints],
+                |g| add_dot(dot(screw, &insides[g]), connection, &insides[g]),
+                |g| dot(connection, &insides[g]),
+            );
             out.both(i, T::one(), row);
         }
+        out.mirror(T::one());
     }
 
     /// The rotational inertia about the centre of mass, base axes, with joints locked.

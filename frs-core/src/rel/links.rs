@@ -18,7 +18,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` does not have n columns.
     pub fn link_jacobian(&self, link: usize, out: &mut Matrix6xX<T>) {
-        self.jacobian(link, out, |j| self.data.screw[j], |_| Twist::zero());
+        self.jacobian(link, out, |j| self.data.screw.at(j), |_| Twist::zero());
     }
 
     /// The generalized Jacobian `J̃_k = J_k − X_k A_l` of a link (6×n, link frame): its body twist at zero momentum is
@@ -28,7 +28,7 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` does not have n columns.
     pub fn generalized_jacobian(&self, link: usize, out: &mut Matrix6xX<T>) {
         let (reaction, connection) = (&self.data.reaction, &self.data.connection);
-        self.jacobian(link, out, |j| reaction[j], |j| -connection[j]);
+        self.jacobian(link, out, |j| reaction.at(j), |j| -connection.at::<Twist<T>>(j));
     }
 
     /// What a wrench `F` (N·m, N; frame of the link, about its origin) does: returns the wrench `X_kᵀ F` on the base (base frame)
@@ -55,7 +55,7 @@ impl<T: Real> Shape<'_, '_, T> {
         let mut body = self.model.links()[link].body;
         while body > 0 {
             let joint = &self.model.bodies()[body];
-            tau[joint.drive.coordinate] += self.data.screw[body - 1].dot(wrench) * joint.drive.ratio;
+            tau[joint.drive.coordinate] += self.data.screw.at::<Twist<T>>(body - 1).dot(wrench) * joint.drive.ratio;
             body = joint.parent;
         }
         wrench.at(-self.com())
@@ -102,7 +102,8 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             qdd[drive.coordinate] * drive.ratio
         });
         // With the base's acceleration 0 this is what the bodies would need together; the base has what the force is more.
-        let needed = self.data.wrench.iter().fold(Wrench::zero(), |sum, wrench| sum + *wrench);
+        let needed =
+            self.data.wrench[..self.model.bodies().len()].iter().fold(Wrench::zero(), |sum, wrench| sum + *wrench);
         let base = self.locked_solve(force - needed);
         for (out, &link) in out.iter_mut().zip(links) {
             let body = model.links()[link].body;

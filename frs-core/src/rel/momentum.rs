@@ -43,8 +43,9 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     pub fn kinetic_energy(&self, mu: Twist<T>) -> T {
         let centroidal = mu.at(self.com());
         let mut twice = centroidal.dot(self.centroidal_momentum(mu));
-        for (velocity, inertia) in self.data.velocity.iter().zip(&self.data.inertia) {
-            twice += velocity.dot(*inertia * *velocity);
+        for k in 0..self.model.bodies().len() {
+            let (velocity, inertia) = (self.data.velocity[k], self.data.inertia[k]);
+            twice += velocity.dot(inertia * velocity);
         }
         twice * T::from_f64(0.5)
     }

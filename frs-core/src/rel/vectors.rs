@@ -19,7 +19,7 @@ impl<T: Real> Shape<'_, '_, T> {
         self.model.gather(out, |j| {
             let inside = mu.ad_transpose(data.composite[j + 1] * mu);
             let outside = mu.ad_transpose(data.complement[j + 1] * mu);
-            data.reaction[j].dot(inside) - data.connection[j].dot(outside)
+            data.reaction.at::<Twist<T>>(j).dot(inside) - data.connection.at::<Twist<T>>(j).dot(outside)
         });
     }
 }
@@ -50,8 +50,8 @@ impl<T: Real> Moving<'_, '_, '_, T> {
         let (com, half) = (self.com(), T::from_f64(0.5));
         let upper = (self.momentum_rate(mu.at(com)) - (self.locked_rate() * mu.at(com)) * half).at(-com);
         let (model, data) = (self.model, &mut *self.data);
-        for (k, inertia) in data.inertia.iter().enumerate() {
-            data.wrench[k] = inertia.coriolis(mu.angular, data.velocity[k]);
+        for k in 0..model.bodies().len() {
+            data.wrench[k] = data.inertia[k].coriolis(mu.angular, data.velocity[k]);
         }
         let mut turned = std::mem::take(&mut data.vector);
         project(model, data, &mut turned);
@@ -71,13 +71,13 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     pub fn kinetic_gradient(&mut self, mu: Twist<T>, out: &mut [T]) {
         let mu = mu.at(self.com());
         let (model, data) = (self.model, &mut *self.data);
-        for (k, inertia) in data.inertia.iter().enumerate() {
-            data.wrench[k] = *inertia * (data.velocity[k] + mu);
+        for k in 0..model.bodies().len() {
+            data.wrench[k] = data.inertia[k] * (data.velocity[k] + mu);
         }
         subtree_sums(model.bodies(), &mut data.wrench, &mut data.wrench_outside);
         model.gather(out, |j| {
             let carried = data.velocity[model.bodies()[j + 1].parent] + mu;
-            carried.ad(data.screw[j]).dot(data.wrench[j + 1])
+            carried.ad(data.screw.at(j)).dot(data.wrench[j + 1])
         });
     }
 

@@ -64,18 +64,9 @@ impl<T: Real> Symmetric3<T> {
         }
     }
 
-    /// [`rotated`](Self::rotated) with a multiple of 1, which no rotation changes, left aside: the diagonal entry of axis `least`.
-    ///
-    /// It leaves a zero, of a sphere's inertia nothing, to rotate; where it is the least of the diagonal, no digit is lost.
-    #[inline(always)]
-    pub fn rotated_beside(self, r: &Matrix3<T>, least: usize) -> Self {
-        let aside = [self.xx, self.yy, self.zz][least];
-        self.plus_multiple(-aside).rotated(r).plus_multiple(aside)
-    }
-
     /// `self + factor·1`.
     #[inline(always)]
-    fn plus_multiple(self, factor: T) -> Self {
+    pub(crate) fn plus_multiple(self, factor: T) -> Self {
         Self { xx: self.xx + factor, yy: self.yy + factor, zz: self.zz + factor, ..self }
     }
 
@@ -126,6 +117,19 @@ pub struct LdlFactor3<T: Real> {
 }
 
 impl<T: Real> LdlFactor3<T> {
+    /// The factors from their six numbers.
+    #[inline(always)]
+    pub(crate) fn from_array([l10, l20, l21, d0, d1, d2]: [T; 6]) -> Self {
+        Self { l10, l20, l21, inverse_pivots: Vector3::new(d0, d1, d2) }
+    }
+
+    /// The six numbers of the factors.
+    #[inline(always)]
+    pub(crate) fn to_array(self) -> [T; 6] {
+        let d = self.inverse_pivots;
+        [self.l10, self.l20, self.l21, d.x, d.y, d.z]
+    }
+
     /// The solution `x` of `L D Lᵀ x = b`.
     #[inline(always)]
     pub fn solve(&self, b: Vector3<T>) -> Vector3<T> {

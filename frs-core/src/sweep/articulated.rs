@@ -1,7 +1,7 @@
 //! Articulated-body sweep: joint accelerations in O(n), without a matrix. Featherstone, RBDA §7.3, in the centroidal
 //! frame, where no pass needs a coordinate transform.
 
-use super::Data;
+use super::{Data, newton_euler};
 use crate::Real;
 use crate::model::Model;
 use crate::spatial::{ArticulatedInertia, Twist, Wrench};
@@ -15,26 +15,24 @@ pub(crate) fn articulated_accelerations<T: Real>(
     base_wrench: Wrench<T>,
     tau: &[T],
 ) {
-    let Data { articulated, wrench, twist, velocity, inertia, screw, rate, inverse_pivot, .. } = data;
+    // What the bodies need while no joint accelerates; from here on twists are what the joints' accelerations add.
+    newton_euler(model, data, locked, Twist::zero(), |_| T::zero());
+    let Data { articulated, wrench, twist, inertia, screw, inverse_pivot, .. } = data;
     let (torque, column) = (&mut data.row, &mut data.wrench_outside);
-    for k in 0..articulated.len() {
-        let v = velocity[k] + locked;
+    for k in 0..model.bodies().len() {
         articulated[k] = ArticulatedInertia::rigid(&inertia[k]);
-        wrench[k] = -v.ad_transpose(inertia[k] * v);
     }
     wrench[0] = wrench[0] - base_wrench;
 
     for (k, body) in model.bodies().iter().enumerate().skip(1).rev() {
         let (j, p) = (k - 1, body.parent);
-        let s = screw[j];
-        let bias = (velocity[k] + locked).ad(s) * rate[j];
+        let s: Twist<T> = screw.at(j);
         let u = articulated[k] * s;
         let inverse = T::one() / s.dot(u);
         let unmet = tau[body.drive.coordinate] - s.dot(wrench[k]);
-        let handed_down = wrench[k] + articulated[k] * bias + u * ((unmet - bias.dot(u)) * inverse);
+        let handed_down = wrench[k] + u * (unmet * inverse);
         wrench[p] += handed_down;
         articulated[p] = articulated[p] + articulated[k].without(u, inverse);
-        twist[k] = bias;
         column[k] = u;
         torque[j] = unmet;
         inverse_pivot[j] = inverse;
@@ -43,8 +41,8 @@ pub(crate) fn articulated_accelerations<T: Real>(
     twist[0] = articulated[0].solve(-wrench[0]);
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
         let j = k - 1;
-        let carried = twist[body.parent] + twist[k];
+        let carried = twist[body.parent];
         torque[j] = (torque[j] - carried.dot(column[k])) * inverse_pivot[j];
-        twist[k] = carried + screw[j] * torque[j];
+        twist[k] = carried + screw.at::<Twist<T>>(j) * torque[j];
     }
 }

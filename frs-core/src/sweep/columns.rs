@@ -1,143 +1,151 @@
-//! Vectors over the joints, component by component, so that loops over pairs of joints run along memory.
+//! Vectors over the joints, component by component, so that what is done to every joint is done to several at once.
 
-use std::array::from_fn;
 use std::ops::{Deref, DerefMut, Range};
 
-use crate::Real;
+use num_traits::Zero;
 
-/// Joints worked on at once: two 256-bit registers of doubles.
-const LANES: usize = 8;
+use super::parts::{Parts, each};
+use crate::{Lanes, Real};
 
-/// `R` numbers for each joint, stored in groups of [`LANES`] joints: all first numbers of a group, then all second ones, ….
-///
-/// Each joint's own order of operations is that of a plain loop.
-#[derive(Clone, Debug)]
-pub(crate) struct Columns<T, const R: usize> {
-    groups: Vec<[[T; LANES]; R]>,
+/// Room for `joints` joints, up to the end of their last group of lanes.
+pub(crate) fn room<T: Real>(joints: usize) -> usize {
+    joints.next_multiple_of(T::Lanes::WIDTH)
 }
 
-/// A number for each joint, in the groups of [`Columns`].
+/// The first joints of the groups of lanes that hold the joints in `range`.
+#[inline(always)]
+pub(crate) fn groups<T: Real>(range: Range<usize>) -> impl Iterator<Item = usize> {
+    let width = T::Lanes::WIDTH;
+    let start = if range.is_empty() { range.end } else { range.start - range.start % width };
+    (start..range.end).step_by(width)
+}
+
+/// A value of `R` numbers for each joint, in groups of lanes: all first numbers of a group, then all second ones, ….
 #[derive(Clone, Debug)]
-pub(crate) struct Row<T> {
-    groups: Vec<[T; LANES]>,
+pub(crate) struct Columns<T: Real, const R: usize> {
+    groups: Vec<[T::Lanes; R]>,
 }
 
 impl<T: Real, const R: usize> Columns<T, R> {
     pub fn new(joints: usize) -> Self {
-        Self { groups: vec![[[T::zero(); LANES]; R]; joints.div_ceil(LANES)] }
+        Self { groups: vec![[T::Lanes::zero(); R]; joints.div_ceil(T::Lanes::WIDTH)] }
     }
 
-    /// Sets the `R` numbers of joint `j`.
+    /// Sets the value of joint `j`.
     #[inline(always)]
-    pub fn set(&mut self, j: usize, value: [T; R]) {
-        let group = &mut self.groups[j / LANES];
-        for (row, x) in group.iter_mut().zip(value) {
-            row[j % LANES] = x;
+    pub fn set(&mut self, j: usize, value: impl Parts<T, R>) {
+        let group = &mut self.groups[j / T::Lanes::WIDTH];
+        for (lanes, part) in group.iter_mut().zip(value.parts()) {
+            lanes.set_lane(j % T::Lanes::WIDTH, part);
         }
     }
 
-    /// The `R` numbers of joint `j`.
-    pub fn get(&self, j: usize) -> [T; R] {
-        let group = &self.groups[j / LANES];
-        from_fn(|r| group[r][j % LANES])
+    /// The value of joint `j`.
+    #[inline(always)]
+    pub fn at<V: Parts<T, R>>(&self, j: usize) -> V {
+        let group = &self.groups[j / T::Lanes::WIDTH];
+        V::from_parts(each(group[0].lane(0), |r| group[r].lane(j % T::Lanes::WIDTH)))
     }
+
+    /// The values of the joints from `first` on, the first one of a group.
+    #[inline(always)]
+    pub fn lanes<W: Parts<T::Lanes, R>>(&self, first: usize) -> W {
+        W::from_parts(self.groups[first / T::Lanes::WIDTH])
+    }
+
+    /// The numbers of all joints, group by group.
+    #[inline(always)]
+    pub fn groups(&self) -> &[[T::Lanes; R]] {
+        &self.groups
+    }
+
+    /// Sets the values of the joints from `first` on, the first one of a group.
+    #[inline(always)]
+    pub fn set_lanes(&mut self, first: usize, value: impl Parts<T::Lanes, R>) {
+        self.groups[first / T::Lanes::WIDTH] = value.parts();
+    }
+}
+
+/// A number for each joint, with room up to the end of the last group.
+#[derive(Clone, Debug)]
+pub(crate) struct Row<T> {
+    numbers: Vec<T>,
 }
 
 impl<T: Real> Row<T> {
     pub fn new(joints: usize) -> Self {
-        Self { groups: vec![[T::zero(); LANES]; joints.div_ceil(LANES)] }
+        Self { numbers: vec![T::zero(); room::<T>(joints)] }
     }
 
-    /// `self[j] = Σ_r coefficients[r]·columns[j][r]` over the first `S` numbers, for the joints in `range`.
+    /// The numbers of the joints from `first` on, side by side.
+    #[inline(always)]
+    pub fn lanes(&self, first: usize) -> T::Lanes {
+        T::Lanes::read(&self.numbers[first..])
+    }
+
+    /// `before(g)` for the joints from `start` to `middle`, `behind(g)` from there to `end`; both answer for group number g.
     ///
-    /// Entries before the range stay, those behind it are lost.
+    /// Entries outside are lost.
     #[inline(always)]
-    pub fn dot<const S: usize, const R: usize>(
+    pub fn fill(
         &mut self,
-        coefficients: [T; S],
-        columns: &Columns<T, R>,
-        range: Range<usize>,
+        [start, middle, end]: [usize; 3],
+        before: impl Fn(usize) -> T::Lanes,
+        behind: impl Fn(usize) -> T::Lanes,
     ) {
-        if !T::SIDE_BY_SIDE {
-            return range.for_each(|j| self[j] = add(columns, j, coefficients, T::zero()));
+        let (numbers, width) = (&mut self.numbers[..], T::Lanes::WIDTH);
+        let (border, shared) = (middle / width, middle % width);
+        let (first, last) = (start / width, end.div_ceil(width));
+        let (stop, resume) = match shared {
+            _ if start == middle => (first, first),
+            _ if middle == end => (last, last),
+            0 => (border, border),
+            _ => (border, border + 1),
+        };
+        for g in first..stop {
+            before(g).write(&mut numbers[g * width..]);
         }
-        let Some(groups) = groups(&range) else { return };
-        let kept = self.groups[groups.start];
-        let rows = self.groups[groups.clone()].iter_mut().zip(&columns.groups[groups.clone()]);
-        for (row, columns) in rows {
-            *row = add_dot(columns, coefficients, [T::zero(); LANES]);
+        if stop < resume {
+            let number = T::Lanes::from_fn(|lane| T::from_f64(lane as f64));
+            let both = number.select_below(shared as f64, before(border), behind(border));
+            both.write(&mut numbers[border * width..]);
         }
-        self.restore(&range, kept);
-    }
-
-    /// `self[j] = Σ_r coefficients[r]·columns[j][r] + Σ_r others[r]·other[j][r]`, term by term, for the joints in `range`.
-    ///
-    /// Entries before the range stay, those behind it are lost.
-    #[inline(always)]
-    pub fn dot_both<const S: usize, const R: usize, const P: usize, const Q: usize>(
-        &mut self,
-        coefficients: [T; S],
-        columns: &Columns<T, R>,
-        others: [T; P],
-        other: &Columns<T, Q>,
-        range: Range<usize>,
-    ) {
-        if !T::SIDE_BY_SIDE {
-            return range.for_each(|j| self[j] = add(other, j, others, add(columns, j, coefficients, T::zero())));
+        for g in resume..last {
+            behind(g).write(&mut numbers[g * width..]);
         }
-        let Some(groups) = groups(&range) else { return };
-        let kept = self.groups[groups.start];
-        let rows = self.groups[groups.clone()].iter_mut().zip(&columns.groups[groups.clone()]);
-        for ((row, columns), other) in rows.zip(&other.groups[groups.clone()]) {
-            *row = add_dot(other, others, add_dot(columns, coefficients, [T::zero(); LANES]));
-        }
-        self.restore(&range, kept);
-    }
-
-    /// Puts the entries before `range` back into its first group.
-    #[inline(always)]
-    fn restore(&mut self, range: &Range<usize>, kept: [T; LANES]) {
-        let (group, before) = (range.start / LANES, range.start % LANES);
-        self.groups[group][..before].copy_from_slice(&kept[..before]);
     }
 }
 
-/// The groups that hold the joints in `range`.
-fn groups(range: &Range<usize>) -> Option<Range<usize>> {
-    (!range.is_empty()).then(|| range.start / LANES..(range.end - 1) / LANES + 1)
+/// `sum + Σ_r coefficients[r]·rows[r]` over the first `S` rows, term by term.
+#[inline(always)]
+pub(crate) fn add_dot<L: Real, const S: usize, const R: usize>(mut sum: L, coefficients: [L; S], rows: &[L; R]) -> L {
+    const { assert!(S <= R) };
+    for r in 0..S {
+        sum += coefficients[r] * rows[r];
+    }
+    sum
+}
+
+/// `Σ_r coefficients[r]·rows[r]` over the first `S` rows, term by term.
+#[inline(always)]
+pub(crate) fn dot<L: Real, const S: usize, const R: usize>(coefficients: [L; S], rows: &[L; R]) -> L {
+    const { assert!(S <= R) };
+    let mut sum = coefficients[0] * rows[0];
+    for r in 1..S {
+        sum += coefficients[r] * rows[r];
+    }
+    sum
 }
 
 impl<T> Deref for Row<T> {
     type Target = [T];
     fn deref(&self) -> &[T] {
-        self.groups.as_flattened()
+        &self.numbers
     }
 }
 
 impl<T> DerefMut for Row<T> {
     fn deref_mut(&mut self) -> &mut [T] {
-        self.groups.as_flattened_mut()
+        &mut self.numbers
     }
-}
-
-/// `sum + Σ_r coefficients[r]·columns[j][r]`.
-#[inline(always)]
-fn add<T: Real, const S: usize, const R: usize>(columns: &Columns<T, R>, j: usize, coefficients: [T; S], sum: T) -> T {
-    columns.get(j).into_iter().zip(coefficients).fold(sum, |sum, (x, coefficient)| sum + coefficient * x)
-}
-
-/// [`add`] for all joints of a group, lane by lane. By value: nothing can alias the sum, so it stays in registers.
-#[inline(always)]
-fn add_dot<T: Real, const S: usize, const R: usize>(
-    columns: &[[T; LANES]; R],
-    coefficients: [T; S],
-    mut sum: [T; LANES],
-) -> [T; LANES] {
-    const { assert!(S <= R) };
-    for (row, coefficient) in columns.iter().zip(coefficients) {
-        for lane in 0..LANES {
-            sum[lane] += coefficient * row[lane];
-        }
-    }
-    sum
 }

@@ -1,8 +1,9 @@
 //! What the sweeps hold, by name: for whoever explains or generates their operations.
 
+use super::parts::Parts;
 use super::{Data, Workspace};
 use crate::Real;
-use crate::spatial::{ArticulatedInertia, CoriolisFactor, Inertia, Symmetric3};
+use crate::spatial::ArticulatedInertia;
 
 /// The passes of the recursion, in the order in which they run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -65,12 +66,12 @@ impl<T: Real> Workspace<'_, T> {
     /// # Ok::<(), frs_core::urdf::UrdfError>(())
     /// ```
     pub fn labels(&self) -> Vec<Label<T>> {
-        let data = &self.data;
+        let (data, bodies) = (&self.data, self.model.bodies().len());
         let mut list = List { labels: Vec::new() };
-        poses(data, &mut list);
-        inertias(data, &mut list);
-        joints(data, &mut list);
-        question(data, &mut list);
+        poses(data, bodies, &mut list);
+        inertias(data, bodies, &mut list);
+        joints(data, bodies, &mut list);
+        question(data, bodies, &mut list);
         list.labels.sort_by_key(|label| label.pass);
         list.labels
     }
@@ -93,73 +94,61 @@ impl<T: Real> List<T> {
     }
 }
 
-fn poses<T: Real>(data: &Data<T>, list: &mut List<T>) {
-    for (k, (rotation, origin)) in data.rotation.iter().zip(&data.origin).enumerate() {
-        list.add(Pass::Poses, "rotation", Some(k), MATRIX, rotation.iter().copied());
-        list.add(Pass::Poses, "origin", Some(k), XYZ, origin.iter().copied());
+fn poses<T: Real>(data: &Data<T>, bodies: usize, list: &mut List<T>) {
+    for k in 0..bodies {
+        list.add(Pass::Poses, "rotation", Some(k), MATRIX, data.rotation[k].parts());
+        list.add(Pass::Poses, "origin", Some(k), XYZ, data.origin[k].parts());
     }
-    list.add(Pass::Poses, "com", None, XYZ, data.com.iter().copied());
+    list.add(Pass::Poses, "com", None, XYZ, data.com.parts());
 }
 
-fn inertias<T: Real>(data: &Data<T>, list: &mut List<T>) {
-    for (k, inertia) in data.inertia.iter().enumerate() {
-        list.add(Pass::Inertias, "inertia", Some(k), INERTIA, inertia_values(inertia));
+fn inertias<T: Real>(data: &Data<T>, bodies: usize, list: &mut List<T>) {
+    for k in 0..bodies {
+        list.add(Pass::Inertias, "inertia", Some(k), INERTIA, data.inertia[k].parts());
     }
-    for (k, composite) in data.composite.iter().enumerate() {
-        list.add(Pass::Inertias, "composite", Some(k), INERTIA, inertia_values(composite));
+    for k in 0..bodies {
+        list.add(Pass::Inertias, "composite", Some(k), INERTIA, data.composite[k].parts());
     }
-    list.add(Pass::Inertias, "locked_inverse_pivot", None, XYZ, data.locked.inverse_pivots.iter().copied());
-    for (k, complement) in data.complement.iter().enumerate() {
-        list.add(Pass::Complements, "complement", Some(k), INERTIA, inertia_values(complement));
+    list.add(Pass::Inertias, "locked_inverse_pivot", None, XYZ, data.locked.inverse_pivots.parts());
+    for k in 0..bodies {
+        list.add(Pass::Complements, "complement", Some(k), INERTIA, data.complement[k].parts());
     }
 }
 
-fn joints<T: Real>(data: &Data<T>, list: &mut List<T>) {
-    for (k, j) in (1..).zip(0..data.screw.len()) {
-        list.add(Pass::Screws, "screw", Some(k), TWIST, data.screw[j].to_array());
-        list.add(Pass::Screws, "inside", Some(k), WRENCH, data.inside[j].to_array());
-        list.add(Pass::Screws, "connection", Some(k), TWIST, data.connection[j].to_array());
-        list.add(Pass::Outside, "outside", Some(k), WRENCH, data.outside[j].to_array());
-        list.add(Pass::Reactions, "reaction", Some(k), TWIST, data.reaction[j].to_array());
+fn joints<T: Real>(data: &Data<T>, bodies: usize, list: &mut List<T>) {
+    for k in 1..bodies {
+        list.add(Pass::Screws, "screw", Some(k), TWIST, data.screw.at::<[T; 6]>(k - 1));
+        list.add(Pass::Screws, "inside", Some(k), WRENCH, data.inside.at::<[T; 6]>(k - 1));
+        list.add(Pass::Screws, "connection", Some(k), TWIST, data.connection.at::<[T; 6]>(k - 1));
+        list.add(Pass::Outside, "outside", Some(k), WRENCH, data.outside.at::<[T; 6]>(k - 1));
+        list.add(Pass::Reactions, "reaction", Some(k), TWIST, data.reaction.at::<[T; 6]>(k - 1));
     }
-    for (k, velocity) in data.velocity.iter().enumerate() {
-        list.add(Pass::Velocities, "velocity", Some(k), TWIST, velocity.to_array());
+    for k in 0..bodies {
+        list.add(Pass::Velocities, "velocity", Some(k), TWIST, data.velocity[k].parts());
     }
 }
 
 /// Scratch: what it means, the file of the question says.
-fn question<T: Real>(data: &Data<T>, list: &mut List<T>) {
+fn question<T: Real>(data: &Data<T>, bodies: usize, list: &mut List<T>) {
     let pass = Pass::Question;
-    for k in 0..data.inertia.len() {
-        list.add(pass, "factor", Some(k), FACTOR, factor_values(&data.factor[k]));
-        list.add(pass, "factor_outside", Some(k), FACTOR, factor_values(&data.factor_outside[k]));
-        list.add(pass, "inertia_rate", Some(k), INERTIA, inertia_values(&data.inertia_rate[k]));
+    for k in 0..bodies {
+        list.add(pass, "factor", Some(k), FACTOR, data.factor[k].parts());
+        list.add(pass, "factor_outside", Some(k), FACTOR, data.factor_outside[k].parts());
         list.add(pass, "articulated", Some(k), ARTICULATED, articulated_values(&data.articulated[k]));
-        list.add(pass, "twist", Some(k), TWIST, data.twist[k].to_array());
-        list.add(pass, "wrench", Some(k), WRENCH, data.wrench[k].to_array());
-        list.add(pass, "wrench_outside", Some(k), WRENCH, data.wrench_outside[k].to_array());
+        list.add(pass, "twist", Some(k), TWIST, data.twist[k].parts());
+        list.add(pass, "wrench", Some(k), WRENCH, data.wrench[k].parts());
+        list.add(pass, "wrench_outside", Some(k), WRENCH, data.wrench_outside[k].parts());
     }
-    for (k, j) in (1..).zip(0..data.screw.len()) {
-        list.add(pass, "turn", Some(k), XYZ, data.turn[j].iter().copied());
-        list.add(pass, "six", Some(k), WRENCH, data.six_rows.get(j));
-        list.add(pass, "three", Some(k), XYZ, data.three_rows_more.get(j));
-        list.add(pass, "inverse_pivot", Some(k), &["d"], [data.inverse_pivot[j]]);
+    for k in 1..bodies {
+        list.add(pass, "six", Some(k), WRENCH, data.six_rows.at::<[T; 6]>(k - 1));
+        list.add(pass, "six_more", Some(k), WRENCH, data.six_rows_more.at::<[T; 6]>(k - 1));
+        list.add(pass, "three", Some(k), XYZ, data.three_rows.at::<[T; 3]>(k - 1));
+        list.add(pass, "three_more", Some(k), XYZ, data.three_rows_more.at::<[T; 3]>(k - 1));
+        list.add(pass, "inverse_pivot", Some(k), &["d"], [data.inverse_pivot[k - 1]]);
     }
-}
-
-fn symmetric_values<T: Real>(matrix: &Symmetric3<T>) -> [T; 6] {
-    [matrix.xx, matrix.xy, matrix.xz, matrix.yy, matrix.yz, matrix.zz]
-}
-
-fn inertia_values<T: Real>(inertia: &Inertia<T>) -> impl Iterator<Item = T> {
-    [inertia.mass].into_iter().chain(<[T; 3]>::from(inertia.moment)).chain(symmetric_values(&inertia.rotational))
-}
-
-fn factor_values<T: Real>(factor: &CoriolisFactor<T>) -> impl Iterator<Item = T> {
-    factor.rotational.iter().copied().chain(factor.momentum.iter().copied())
 }
 
 fn articulated_values<T: Real>(inertia: &ArticulatedInertia<T>) -> impl Iterator<Item = T> {
-    let [rotational, linear] = [&inertia.rotational, &inertia.linear].map(symmetric_values);
-    rotational.into_iter().chain(inertia.coupling.iter().copied()).chain(linear)
+    let [rotational, linear] = [inertia.rotational, inertia.linear].map(Parts::parts);
+    rotational.into_iter().chain(inertia.coupling.parts()).chain(linear)
 }

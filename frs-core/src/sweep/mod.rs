@@ -10,25 +10,32 @@ mod articulated;
 mod columns;
 mod composite;
 mod coordinates;
+mod factors;
 mod frames;
 mod labels;
 mod newton_euler;
+mod parts;
 mod position;
+mod tables;
 mod velocity;
 
 pub(crate) use articulated::articulated_accelerations;
-pub(crate) use columns::{Columns, Row};
+pub(crate) use columns::{Columns, Row, add_dot, dot, groups};
 pub(crate) use composite::{outside_sums, subtree_sums};
 pub(crate) use coordinates::Square;
+pub(crate) use factors::factors;
 pub(crate) use frames::base_matrix;
 pub use labels::{Label, Pass};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 pub(crate) use newton_euler::{newton_euler, project};
+pub(crate) use parts::{gather, scatter, splat};
 pub(crate) use velocity::free_velocities;
 
 use crate::Real;
 use crate::model::Model;
 use crate::spatial::{ArticulatedInertia, CoriolisFactor, Inertia, LdlFactor3, Symmetric3, Twist, Wrench};
+use columns::room;
+use tables::Tables;
 
 /// All the memory the recursion needs for one robot; made once, reused for every state.
 ///
@@ -46,12 +53,18 @@ pub struct Workspace<'m, T: Real = f64> {
     pub(crate) data: Data<T>,
 }
 
-/// What the sweeps write: one entry per body, or per joint where it says so.
+/// What the sweeps write: one entry per body, or per joint where it says so ([`Columns`], [`Row`]).
+///
+/// Vectors over bodies have room for whole groups of lanes behind the base.
 #[derive(Clone, Debug)]
 pub(crate) struct Data<T: Real> {
+    /// What the sweeps read.
+    pub tables: Tables<T>,
+
     // Position sweep.
     /// Sine and cosine of each revolute joint's angle.
-    pub sin_cos: Vec<(T, T)>,
+    pub sin: Row<T>,
+    pub cos: Row<T>,
     /// Orientation of each body in base axes.
     pub rotation: Vec<Matrix3<T>>,
     /// Origin of each body's frame, from the centre of mass.
@@ -68,25 +81,24 @@ pub(crate) struct Data<T: Real> {
     pub composite: Vec<Inertia<T>>,
     /// Iᵒ_k, inertia of everything outside each body's subtree.
     pub complement: Vec<Inertia<T>>,
+    /// Iᶜ and Iᵒ of the body that joint j drives, by joints.
+    pub composite_columns: Columns<T, 10>,
+    pub complement_columns: Columns<T, 10>,
     /// s_j, screw axis of each joint.
-    pub screw: Vec<Twist<T>>,
+    pub screw: Columns<T, 6>,
     /// h_j = Iᶜ_j s_j.
-    pub inside: Vec<Wrench<T>>,
+    pub inside: Columns<T, 6>,
     /// k_j = Iᵒ_j s_j.
-    pub outside: Vec<Wrench<T>>,
+    pub outside: Columns<T, 6>,
     /// A_j = Λ_c⁻¹ h_j, the connection in the centroidal frame.
-    pub connection: Vec<Twist<T>>,
+    pub connection: Columns<T, 6>,
     /// ŝ_j = Λ_c⁻¹ k_j = s_j − A_j.
-    pub reaction: Vec<Twist<T>>,
-    /// h_j again, by rows.
-    pub inside_rows: Columns<T, 6>,
-    /// A_j again, by rows.
-    pub connection_rows: Columns<T, 6>,
+    pub reaction: Columns<T, 6>,
 
     // Velocity sweep.
     /// Rate of each joint; `rate_more`: of another motion.
-    pub rate: Vec<T>,
-    pub rate_more: Vec<T>,
+    pub rate: Row<T>,
+    pub rate_more: Row<T>,
     /// w_k, velocity of each body at zero momentum.
     pub velocity: Vec<Twist<T>>,
 
@@ -94,7 +106,6 @@ pub(crate) struct Data<T: Real> {
     /// Per joint.
     pub row: Row<T>,
     pub inverse_pivot: Vec<T>,
-    pub turn: Vec<Vector3<T>>,
     pub three_rows: Columns<T, 3>,
     pub three_rows_more: Columns<T, 3>,
     pub six_rows: Columns<T, 6>,
@@ -113,48 +124,47 @@ pub(crate) struct Data<T: Real> {
     pub factor_outside: Vec<CoriolisFactor<T>>,
     pub factor_before: Vec<CoriolisFactor<T>>,
     pub inertia_before: Vec<Inertia<T>>,
-    pub inertia_rate: Vec<Inertia<T>>,
     pub articulated: Vec<ArticulatedInertia<T>>,
 }
 
 impl<'m, T: Real> Workspace<'m, T> {
     /// Memory for `model`.
     pub fn new(model: &'m Model<T>) -> Self {
-        let bodies = model.bodies().len();
-        let joints = bodies - 1;
+        let joints = model.joints();
+        let bodies = 1 + room::<T>(joints);
         let inertia = vec![Inertia::zero(); bodies];
         let twist = vec![Twist::zero(); bodies];
         let wrench = vec![Wrench::zero(); bodies];
         let factor = vec![CoriolisFactor::zero(); bodies];
-        let one = Symmetric3::diagonal(Vector3::repeat(T::one()));
+        let (six, ten) = (Columns::new(joints), Columns::new(joints));
         let data = Data {
-            sin_cos: vec![(T::zero(), T::one()); joints],
+            tables: Tables::new(model),
+            sin: Row::new(joints),
+            cos: Row::new(joints),
             rotation: vec![Matrix3::identity(); bodies],
             origin: vec![Vector3::zeros(); bodies],
             com: Vector3::zeros(),
             inverse_mass: T::one(),
-            locked: one.factor(),
+            locked: Symmetric3::diagonal(Vector3::repeat(T::one())).factor(),
             inertia: inertia.clone(),
             composite: inertia.clone(),
             complement: inertia.clone(),
-            screw: vec![Twist::zero(); joints],
-            inside: vec![Wrench::zero(); joints],
-            outside: vec![Wrench::zero(); joints],
-            connection: vec![Twist::zero(); joints],
-            reaction: vec![Twist::zero(); joints],
-            inside_rows: Columns::new(joints),
-            connection_rows: Columns::new(joints),
-            inertia_rate: inertia.clone(),
-            rate: vec![T::zero(); joints],
-            rate_more: vec![T::zero(); joints],
+            composite_columns: ten.clone(),
+            complement_columns: ten,
+            screw: six.clone(),
+            inside: six.clone(),
+            outside: six.clone(),
+            connection: six.clone(),
+            reaction: six.clone(),
+            rate: Row::new(joints),
+            rate_more: Row::new(joints),
             velocity: twist.clone(),
             row: Row::new(joints),
             inverse_pivot: vec![T::zero(); joints],
-            turn: vec![Vector3::zeros(); joints],
             three_rows: Columns::new(joints),
             three_rows_more: Columns::new(joints),
-            six_rows: Columns::new(joints),
-            six_rows_more: Columns::new(joints),
+            six_rows: six.clone(),
+            six_rows_more: six,
             vector: vec![T::zero(); model.dof()],
             vector_more: vec![T::zero(); model.dof()],
             matrix: DMatrix::zeros(model.dof(), model.dof()),
@@ -247,6 +257,12 @@ impl<T: Real> Data<T> {
     /// Λ_c⁻¹ of a momentum in the centroidal frame.
     #[inline(always)]
     pub fn locked_solve(&self, momentum: Wrench<T>) -> Twist<T> {
-        Twist::new(self.locked.solve(momentum.moment), momentum.force * self.inverse_mass)
+        locked_solve(&self.locked, self.inverse_mass, momentum)
     }
+}
+
+/// Λ_c⁻¹ of a momentum, from the factors of its rotational block and the reciprocal of the mass.
+#[inline(always)]
+fn locked_solve<T: Real>(locked: &LdlFactor3<T>, inverse_mass: T, momentum: Wrench<T>) -> Twist<T> {
+    Twist::new(locked.solve(momentum.moment), momentum.force * inverse_mass)
 }

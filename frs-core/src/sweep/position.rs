@@ -1,17 +1,21 @@
 //! Position sweep: poses, inertias, screws and the connection at a shape. docs/mathematics.md §3.
+//!
+//! What a body needs of its parent is computed body by body; all else for several bodies side by side.
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::Data;
 use super::composite::{outside_sums, subtree_sums};
-use crate::Real;
-use crate::model::{Body, Model, Motion};
-use crate::spatial::{Inertia, Twist};
+use super::parts::{gather, scatter, splat};
+use super::{Data, groups, locked_solve};
+use crate::model::{Model, Motion};
+use crate::spatial::{Inertia, LdlFactor3, Symmetric3, Twist};
+use crate::{Lanes, Real};
 
 /// Fills everything in `data` that depends on `q` alone.
 pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
     angles(model, q, data);
     kinematics(model, q, data);
+    centres(model, data);
     centroidal_frame(model, data);
     subtree_sums(model.bodies(), &mut data.composite, &mut data.complement);
     data.inertia_before[0] = Inertia::zero();
@@ -22,19 +26,15 @@ pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
 
 /// Sines and cosines of all joints, before anything waits for them.
 fn angles<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
-    const GROUP: usize = 4;
-    let angle = |body: &Body<T>| match body.motion {
-        Motion::Revolute => body.value(q),
-        Motion::Prismatic => T::zero(),
-    };
-    let (bodies, pairs) = (&model.bodies()[1..], &mut data.sin_cos);
-    if !T::SIDE_BY_SIDE {
-        let each = pairs.iter_mut().zip(bodies).filter(|(_, body)| body.motion == Motion::Revolute);
-        return each.for_each(|(pair, body)| *pair = angle(body).sin_cos());
-    }
-    for (pairs, bodies) in pairs.chunks_mut(GROUP).zip(bodies.chunks(GROUP)) {
-        let group: [T; GROUP] = std::array::from_fn(|k| bodies.get(k).map_or_else(T::zero, angle));
-        pairs.iter_mut().zip(T::sin_cos_each(group)).for_each(|(pair, both)| *pair = both);
+    let bodies = &model.bodies()[1..];
+    for first in groups::<T>(0..bodies.len()) {
+        let angle = T::Lanes::from_fn(|lane| match bodies.get(first + lane) {
+            Some(body) if body.motion == Motion::Revolute => body.value(q),
+            _ => T::zero(),
+        });
+        let (sin, cos) = angle.sin_cos();
+        sin.write(&mut data.sin[first..]);
+        cos.write(&mut data.cos[first..]);
     }
 }
 
@@ -48,7 +48,7 @@ fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
         let origin = data.origin[body.parent] + parent * body.placement.translation;
         match body.motion {
             Motion::Revolute => {
-                let (sin, cos) = data.sin_cos[k - 1];
+                let (sin, cos) = (data.sin[k - 1], data.cos[k - 1]);
                 let (x, y, z) = (rotation.column(0), rotation.column(1), rotation.column(2).into_owned());
                 data.rotation[k] = Matrix3::from_columns(&[x * cos + y * sin, y * cos - x * sin, z]);
                 data.origin[k] = origin;
@@ -61,50 +61,80 @@ fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
     }
 }
 
-/// The centre of mass, and every origin and inertia about it. `composite` starts as the bodies' own inertias.
+/// Each body's centre of mass, into `three_rows`.
+fn centres<T: Real>(model: &Model<T>, data: &mut Data<T>) {
+    for first in groups::<T>(0..model.joints()) {
+        let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
+        let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
+        let com: Vector3<T::Lanes> = data.tables.com.lanes(first);
+        data.three_rows.set_lanes(first, origin + rotation * com);
+    }
+}
+
+/// The robot's centre of mass, and every origin and inertia about it. `composite` starts as the bodies' own inertias.
 fn centroidal_frame<T: Real>(model: &Model<T>, data: &mut Data<T>) {
-    let (mut mass, mut moment) = (T::zero(), Vector3::zeros());
-    for (k, body) in model.bodies().iter().enumerate() {
-        let com = data.origin[k] + data.rotation[k] * body.com;
-        mass += body.mass;
-        moment += com * body.mass;
-        data.inertia[k].moment = com;
+    let (base, joints) = (&model.bodies()[0], model.joints());
+    data.inverse_mass = T::one() / model.bodies().iter().fold(T::zero(), |sum, body| sum + body.mass);
+    data.com = mean_com(model, data, base.com);
+    let com: Vector3<T::Lanes> = splat(data.com);
+    for first in groups::<T>(0..joints) {
+        let from_centre: Vector3<T::Lanes> = data.three_rows.lanes(first);
+        data.three_rows.set_lanes(first, from_centre - com);
     }
-    data.inverse_mass = T::one() / mass;
-    data.com = moment * data.inverse_mass;
     // Where masses differ much, the rounding of c is far for the massive ones: it is measured once more, from c.
-    let mut moment = Vector3::zeros();
-    for (k, body) in model.bodies().iter().enumerate() {
-        data.origin[k] -= data.com;
-        data.inertia[k].moment -= data.com;
-        moment += data.inertia[k].moment * body.mass;
+    let base_com = base.com - data.com;
+    let rest = mean_com(model, data, base_com);
+
+    data.origin[0] = data.origin[0] - data.com - rest;
+    data.inertia[0] = Inertia::from_com(base.mass, base_com - rest, base.inertia);
+    data.composite[0] = data.inertia[0];
+    let rest: Vector3<T::Lanes> = splat(rest);
+    for first in groups::<T>(0..joints) {
+        let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
+        let from_centre: Vector3<T::Lanes> = data.three_rows.lanes(first);
+        let mass = data.tables.mass.lanes(first);
+        let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
+        let spare: Symmetric3<T::Lanes> = data.tables.spare.lanes(first);
+        let about_com = spare.rotated(&rotation).plus_multiple(data.tables.aside.lanes(first));
+        let inertia = Inertia::from_com(mass, from_centre - rest, about_com);
+        scatter(&mut data.origin, first + 1, origin - com - rest);
+        scatter(&mut data.inertia, first + 1, inertia);
+        scatter(&mut data.composite, first + 1, inertia);
     }
-    let rest = moment * data.inverse_mass;
-    for (k, body) in model.bodies().iter().enumerate() {
-        data.origin[k] -= rest;
-        let com = data.inertia[k].moment - rest;
-        let about_com = body.inertia.rotated_beside(&data.rotation[k], body.least_moment);
-        data.inertia[k] = Inertia::from_com(body.mass, com, about_com);
-        data.composite[k] = data.inertia[k];
-    }
+}
+
+/// The mean of `base_com` and the bodies' centres of mass in `three_rows`, each as often as it weighs.
+fn mean_com<T: Real>(model: &Model<T>, data: &Data<T>, base_com: Vector3<T>) -> Vector3<T> {
+    let (base, bodies) = (&model.bodies()[0], &model.bodies()[1..]);
+    let sum = bodies.iter().enumerate().fold(base_com * base.mass, |sum, (j, body)| {
+        let com: Vector3<T> = data.three_rows.at(j);
+        sum + com * body.mass
+    });
+    sum * data.inverse_mass
 }
 
 /// s_j, h_j, k_j, A_j, ŝ_j of every joint.
 fn joint_columns<T: Real>(model: &Model<T>, data: &mut Data<T>) {
-    for (k, body) in model.bodies().iter().enumerate().skip(1) {
-        let axis = data.rotation[k].column(2).into_owned();
-        let screw = match body.motion {
-            Motion::Revolute => Twist::new(axis, data.origin[k].cross(&axis)),
-            Motion::Prismatic => Twist::new(Vector3::zeros(), axis),
-        };
-        let (j, inside, outside) = (k - 1, data.composite[k] * screw, data.complement[k] * screw);
-        let connection = data.locked_solve(inside);
-        data.screw[j] = screw;
-        data.inside[j] = inside;
-        data.outside[j] = outside;
-        data.connection[j] = connection;
-        data.reaction[j] = data.locked_solve(outside);
-        data.inside_rows.set(j, inside.to_array());
-        data.connection_rows.set(j, connection.to_array());
+    let (locked, inverse_mass): (LdlFactor3<T::Lanes>, _) = (splat(data.locked), T::Lanes::splat(data.inverse_mass));
+    for first in groups::<T>(0..model.joints()) {
+        let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
+        let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
+        let axis = rotation.column(2).into_owned();
+        data.screw.set_lanes(first, Twist::new(axis, origin.cross(&axis)));
+        for (k, body) in model.bodies().iter().enumerate().skip(first + 1).take(T::Lanes::WIDTH) {
+            if body.motion == Motion::Prismatic {
+                data.screw.set(k - 1, Twist::new(Vector3::zeros(), data.rotation[k].column(2).into_owned()));
+            }
+        }
+        let screw: Twist<T::Lanes> = data.screw.lanes(first);
+        let composite: Inertia<T::Lanes> = gather(&data.composite, first + 1);
+        let complement: Inertia<T::Lanes> = gather(&data.complement, first + 1);
+        let (inside, outside) = (composite * screw, complement * screw);
+        data.composite_columns.set_lanes(first, composite);
+        data.complement_columns.set_lanes(first, complement);
+        data.inside.set_lanes(first, inside);
+        data.outside.set_lanes(first, outside);
+        data.connection.set_lanes(first, locked_solve(&locked, inverse_mass, inside));
+        data.reaction.set_lanes(first, locked_solve(&locked, inverse_mass, outside));
     }
 }

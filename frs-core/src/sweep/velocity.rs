@@ -1,6 +1,6 @@
 //! Velocity sweep: what every body does when the momentum is zero. docs/mathematics.md §3.
 
-use super::Data;
+use super::{Columns, Data, Row};
 use crate::Real;
 use crate::model::Model;
 use crate::spatial::Twist;
@@ -17,17 +17,17 @@ pub(super) fn velocity<T: Real>(model: &Model<T>, qd: &[T], data: &mut Data<T>) 
 /// The velocities w_k of the bodies at zero momentum, for joint rates `rate`.
 pub(crate) fn free_velocities<T: Real>(
     model: &Model<T>,
-    rate: &[T],
-    connection: &[Twist<T>],
-    screw: &[Twist<T>],
+    rate: &Row<T>,
+    connection: &Columns<T, 6>,
+    screw: &Columns<T, 6>,
     velocity: &mut [Twist<T>],
 ) {
     let mut base = Twist::zero();
-    for (j, &rate) in rate.iter().enumerate() {
-        base = base - connection[j] * rate;
+    for j in 0..model.joints() {
+        base = base - connection.at::<Twist<T>>(j) * rate[j];
     }
     velocity[0] = base;
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
-        velocity[k] = velocity[body.parent] + screw[k - 1] * rate[k - 1];
+        velocity[k] = velocity[body.parent] + screw.at::<Twist<T>>(k - 1) * rate[k - 1];
     }
 }

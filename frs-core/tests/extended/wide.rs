@@ -72,6 +72,8 @@ impl One for Wide {
 }
 
 impl Real for Wide {
+    type Lanes = Self;
+
     fn from_f64(value: f64) -> Self {
         Self([value, 0.0, 0.0])
     }

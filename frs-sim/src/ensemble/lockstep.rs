@@ -46,8 +46,8 @@ impl<'e, T: Lane<Element = f64>, S: System<T>> Lockstep<'e, T, S> {
             starts,
             counted: system.dimension() - system.measured(),
             system,
-            trial: Trial::new(ensemble.tableau, origin.clone(), T::LANES),
-            riders: (0..T::LANES).map(|_| None).collect(),
+            trial: Trial::new(ensemble.tableau, origin.clone(), T::WIDTH),
+            riders: (0..T::WIDTH).map(|_| None).collect(),
             between: origin,
             part: Part { arrivals: Vec::new(), passes: 0 },
         }
@@ -67,7 +67,7 @@ impl<'e, T: Lane<Element = f64>, S: System<T>> Lockstep<'e, T, S> {
     /// Empty lanes take the next trajectories.
     fn fill(&mut self, next: &impl Fn() -> Option<usize>, take: &impl Fn(&mut S, Seat)) {
         let mut any = false;
-        for lane in 0..T::LANES {
+        for lane in 0..T::WIDTH {
             while self.riders[lane].is_none() {
                 let Some(trajectory) = next() else { break };
                 let (rider, start) = (Rider::new(self.ensemble, self.starts, trajectory), &self.starts[trajectory]);
@@ -96,7 +96,7 @@ impl<'e, T: Lane<Element = f64>, S: System<T>> Lockstep<'e, T, S> {
             lanes::copy_tangent(&mut trial.slope, &trial.end_slope, lane);
             rider.arrival.evaluations = 1;
             let remaining = rider.until - rider.time;
-            rider.control.begin(|| first_length(&trial.slope, &trial.from, *counted, remaining, |x: T| x.get(lane)));
+            rider.control.begin(|| first_length(&trial.slope, &trial.from, *counted, remaining, |x: T| x.lane(lane)));
         }
     }
 
@@ -109,7 +109,7 @@ impl<'e, T: Lane<Element = f64>, S: System<T>> Lockstep<'e, T, S> {
         let [start, length, end] = self.tried();
         let Self { ensemble, system, counted, trial, riders, .. } = self;
         trial.step(system, [start, length, end]);
-        trial.estimate(length, *counted, ensemble.accuracy, |x, lane| x.get(lane));
+        trial.estimate(length, *counted, ensemble.accuracy, |x, lane| x.lane(lane));
         for (lane, rider) in riders.iter_mut().enumerate() {
             if let Some(rider) = rider {
                 rider.judge(trial.error(lane), trial.tableau().stages);
@@ -164,7 +164,7 @@ impl<'e, T: Lane<Element = f64>, S: System<T>> Lockstep<'e, T, S> {
 
     /// A number of each trajectory; 0 in empty lanes, where steps of no length are made.
     fn gather(&self, of: impl Fn(&Rider) -> f64) -> T {
-        T::gather(|lane| self.riders[lane].as_ref().map_or(0.0, &of))
+        T::from_fn(|lane| self.riders[lane].as_ref().map_or(0.0, &of))
     }
 
     /// Start, length and end of the steps that are tried, s.

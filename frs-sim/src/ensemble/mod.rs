@@ -115,7 +115,7 @@ impl Ensemble {
         check::starts(starts, first.dimension())?;
         let queue = AtomicUsize::new(0);
         let next = || Some(queue.fetch_add(1, Ordering::Relaxed)).filter(|&number| number < starts.len());
-        let threads = rayon::current_num_threads().min(starts.len().div_ceil(T::LANES));
+        let threads = rayon::current_num_threads().min(starts.len().div_ceil(T::WIDTH));
         let parts: Vec<_> = match threads {
             0 | 1 => vec![Lockstep::new(self, starts, first).run(next, &take)],
             // A thread that is busy elsewhere leaves its share to the others.
@@ -125,6 +125,6 @@ impl Ensemble {
                 .map(|_| Lockstep::new(self, starts, system()).run(next, &take))
                 .collect(),
         };
-        Ok(Flown::of(parts, T::LANES))
+        Ok(Flown::of(parts, T::WIDTH))
     }
 }

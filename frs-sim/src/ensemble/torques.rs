@@ -23,7 +23,7 @@ impl<T: Lane<Element = f64>> Torques<T> {
     /// If there are not n, or if there is no such lane.
     pub fn set(&mut self, lane: usize, tau: &[f64]) {
         assert_eq!(tau.len(), self.tau.len(), "one torque per coordinate");
-        self.tau.iter_mut().zip(tau).for_each(|(torque, &tau)| torque.set(lane, tau));
+        self.tau.iter_mut().zip(tau).for_each(|(torque, &tau)| torque.set_lane(lane, tau));
     }
 }
 

@@ -114,7 +114,7 @@ impl<T: Lane<Element = f64>> Conserved<T> {
     pub fn set(&mut self, lane: usize, momentum: Wrench<f64>) {
         let Wrench { moment, force } = &mut self.momentum;
         let numbers = moment.iter_mut().chain(force);
-        numbers.zip(momentum.to_array()).for_each(|(number, given)| number.set(lane, given));
+        numbers.zip(momentum.to_array()).for_each(|(number, given)| number.set_lane(lane, given));
     }
 }
 

@@ -57,7 +57,7 @@ impl Trajectory {
     fn enter<C: Case, T: Lane<Element = f64>>(&self, motion: &mut Flight<'_, C, T>, lane: usize) {
         let (torques, springs) = motion.loads_mut();
         torques.set(lane, &self.tau);
-        springs.stiffness.set(lane, self.stiffness);
+        springs.stiffness.set_lane(lane, self.stiffness);
         C::set(motion.momentum_mut(), lane, self.momentum);
     }
 }
