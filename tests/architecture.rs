@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-/// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real` and `Model` stand at the crate's root.
+/// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real`, `FUSED` and `Model` stand at the crate's root.
 const ARROWS: [(&str, &[&str]); 16] = [
     ("turn.rs", &[]),
     ("real.rs", &["turn"]),
-    ("spatial", &["Real"]),
+    ("spatial", &["FUSED", "Real"]),
     ("ldl.rs", &["Real"]),
     ("model", &["Real", "spatial", "model"]),
     ("urdf", &["Model", "model", "spatial", "urdf"]),

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
-use crate::spatial::{Twist, Wrench};
+use crate::spatial::{Twist, Wrench, cross};
 use crate::sweep::{Shape, Square, free_velocities};
 
 /// The local curvature `𝓑(e_i, e_j) = ∂_i A_j − ∂_j A_i − ad_{A_i} A_j` for all pairs of coordinates.
@@ -64,8 +64,8 @@ impl<T: Real> Shape<'_, '_, T> {
             let (screw, connection, reaction) = (data.screw[j], data.connection[j], data.reaction[j]);
             let rate = data.composite[j + 1].rate(screw).rotational * omega;
             let rate_outside = data.complement[j + 1].rate(screw).rotational * omega;
-            below[j] = Wrench::new(reaction.angular.cross(&momentum) - rate_outside, reaction.linear.cross(&twice));
-            beside[j] = Wrench::new(momentum.cross(&connection.angular) + rate, twice.cross(&connection.linear));
+            below[j] = Wrench::new(cross(&reaction.angular, &momentum) - rate_outside, cross(&reaction.linear, &twice));
+            beside[j] = Wrench::new(cross(&momentum, &connection.angular) + rate, cross(&twice, &connection.linear));
             data.three_rows.set(j, rate.into());
         }
         let row = &mut data.row;

@@ -34,6 +34,22 @@ macro_rules! six_vector {
             pub fn to_vector(self) -> Vector6<T> {
                 Vector6::from(self.to_array())
             }
+
+            /// `self + other·factor`, rounded as [`Real::plus_product`] rounds.
+            #[inline(always)]
+            pub fn plus_scaled(self, other: Self, factor: T) -> Self {
+                if !FUSED {
+                    return self + other * factor;
+                }
+                let sum = |sum, v| plus_scaled(sum, v, factor);
+                Self::new(sum(self.$angular, other.$angular), sum(self.$linear, other.$linear))
+            }
+
+            /// `self − other·factor`, rounded as [`Real::plus_product`] rounds.
+            #[inline(always)]
+            pub fn minus_scaled(self, other: Self, factor: T) -> Self {
+                if FUSED { self.plus_scaled(other, -factor) } else { self - other * factor }
+            }
         }
 
         impl<T: Real> std::ops::Add for $name<T> {

@@ -31,7 +31,7 @@ pub(crate) fn articulated_accelerations<T: Real>(
         let u = articulated[k] * s;
         let inverse = T::one() / s.dot(u);
         let unmet = tau[body.drive.coordinate] - s.dot(wrench[k]);
-        let handed_down = wrench[k] + articulated[k] * bias + u * ((unmet - bias.dot(u)) * inverse);
+        let handed_down = (wrench[k] + articulated[k] * bias).plus_scaled(u, (unmet - bias.dot(u)) * inverse);
         wrench[p] += handed_down;
         articulated[p] = articulated[p] + articulated[k].without(u, inverse);
         twist[k] = bias;
@@ -45,6 +45,6 @@ pub(crate) fn articulated_accelerations<T: Real>(
         let j = k - 1;
         let carried = twist[body.parent] + twist[k];
         torque[j] = (torque[j] - carried.dot(column[k])) * inverse_pivot[j];
-        twist[k] = carried + screw[j] * torque[j];
+        twist[k] = carried.plus_scaled(screw[j], torque[j]);
     }
 }

@@ -123,7 +123,7 @@ impl<T> DerefMut for Row<T> {
 /// `sum + Σ_r coefficients[r]·columns[j][r]`.
 #[inline(always)]
 fn add<T: Real, const S: usize, const R: usize>(columns: &Columns<T, R>, j: usize, coefficients: [T; S], sum: T) -> T {
-    columns.get(j).into_iter().zip(coefficients).fold(sum, |sum, (x, coefficient)| sum + coefficient * x)
+    columns.get(j).into_iter().zip(coefficients).fold(sum, |sum, (x, coefficient)| sum.plus_product(coefficient, x))
 }
 
 /// [`add`] for all joints of a group, lane by lane. By value: nothing can alias the sum, so it stays in registers.
@@ -136,7 +136,7 @@ fn add_dot<T: Real, const S: usize, const R: usize>(
     const { assert!(S <= R) };
     for (row, coefficient) in columns.iter().zip(coefficients) {
         for lane in 0..LANES {
-            sum[lane] += coefficient * row[lane];
+            sum[lane] = sum[lane].plus_product(coefficient, row[lane]);
         }
     }
     sum

@@ -23,7 +23,8 @@ pub(crate) fn newton_euler<T: Real>(
             base
         } else {
             let screw = data.screw[k - 1];
-            data.twist[body.parent] + v.ad(screw) * data.rate[k - 1] + screw * acceleration(k - 1)
+            let turned = data.twist[body.parent].plus_scaled(v.ad(screw), data.rate[k - 1]);
+            turned.plus_scaled(screw, acceleration(k - 1))
         };
         let inertia = data.inertia[k];
         data.wrench[k] = inertia * data.twist[k] - v.ad_transpose(inertia * v);

@@ -6,7 +6,7 @@ use super::Data;
 use super::composite::{outside_sums, subtree_sums};
 use crate::Real;
 use crate::model::{Body, Model, Motion};
-use crate::spatial::{Inertia, Twist};
+use crate::spatial::{Inertia, Twist, compose, cross, minus_scaled, plus_scaled, times};
 
 /// Fills everything in `data` that depends on `q` alone.
 pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
@@ -44,18 +44,19 @@ fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
     data.origin[0] = Vector3::zeros();
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
         let parent = data.rotation[body.parent];
-        let rotation = parent * body.placement.rotation;
-        let origin = data.origin[body.parent] + parent * body.placement.translation;
+        let rotation = compose(&parent, &body.placement.rotation);
+        let origin = data.origin[body.parent] + times(&parent, &body.placement.translation);
         match body.motion {
             Motion::Revolute => {
                 let (sin, cos) = data.sin_cos[k - 1];
-                let (x, y, z) = (rotation.column(0), rotation.column(1), rotation.column(2).into_owned());
-                data.rotation[k] = Matrix3::from_columns(&[x * cos + y * sin, y * cos - x * sin, z]);
+                let [x, y, z] = [0, 1, 2].map(|c| rotation.column(c).into_owned());
+                data.rotation[k] =
+                    Matrix3::from_columns(&[plus_scaled(x * cos, y, sin), minus_scaled(y * cos, x, sin), z]);
                 data.origin[k] = origin;
             }
             Motion::Prismatic => {
                 data.rotation[k] = rotation;
-                data.origin[k] = origin + rotation.column(2) * body.value(q);
+                data.origin[k] = plus_scaled(origin, rotation.column(2).into_owned(), body.value(q));
             }
         }
     }
@@ -65,9 +66,9 @@ fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
 fn centroidal_frame<T: Real>(model: &Model<T>, data: &mut Data<T>) {
     let (mut mass, mut moment) = (T::zero(), Vector3::zeros());
     for (k, body) in model.bodies().iter().enumerate() {
-        let com = data.origin[k] + data.rotation[k] * body.com;
+        let com = data.origin[k] + times(&data.rotation[k], &body.com);
         mass += body.mass;
-        moment += com * body.mass;
+        moment = plus_scaled(moment, com, body.mass);
         data.inertia[k].moment = com;
     }
     data.inverse_mass = T::one() / mass;
@@ -77,7 +78,7 @@ fn centroidal_frame<T: Real>(model: &Model<T>, data: &mut Data<T>) {
     for (k, body) in model.bodies().iter().enumerate() {
         data.origin[k] -= data.com;
         data.inertia[k].moment -= data.com;
-        moment += data.inertia[k].moment * body.mass;
+        moment = plus_scaled(moment, data.inertia[k].moment, body.mass);
     }
     let rest = moment * data.inverse_mass;
     for (k, body) in model.bodies().iter().enumerate() {
@@ -94,7 +95,7 @@ fn joint_columns<T: Real>(model: &Model<T>, data: &mut Data<T>) {
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
         let axis = data.rotation[k].column(2).into_owned();
         let screw = match body.motion {
-            Motion::Revolute => Twist::new(axis, data.origin[k].cross(&axis)),
+            Motion::Revolute => Twist::new(axis, cross(&data.origin[k], &axis)),
             Motion::Prismatic => Twist::new(Vector3::zeros(), axis),
         };
         let (j, inside, outside) = (k - 1, data.composite[k] * screw, data.complement[k] * screw);

@@ -24,10 +24,10 @@ pub(crate) fn free_velocities<T: Real>(
 ) {
     let mut base = Twist::zero();
     for (j, &rate) in rate.iter().enumerate() {
-        base = base - connection[j] * rate;
+        base = base.minus_scaled(connection[j], rate);
     }
     velocity[0] = base;
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
-        velocity[k] = velocity[body.parent] + screw[k - 1] * rate[k - 1];
+        velocity[k] = velocity[body.parent].plus_scaled(screw[k - 1], rate[k - 1]);
     }
 }
