@@ -25,7 +25,10 @@ pub(crate) fn cross<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
 /// `sum + v·factor`.
 #[inline(always)]
 pub(crate) fn plus_scaled<T: Real>(sum: Vector3<T>, v: Vector3<T>, factor: T) -> Vector3<T> {
-    if FUSED { sum.zip_map(&v, |sum, x| sum.plus_product(x, factor)) } else { sum + v * factor }
+    if !FUSED {
+        return sum + v * factor;
+    }
+    Vector3::new(sum.x.plus_product(v.x, factor), sum.y.plus_product(v.y, factor), sum.z.plus_product(v.z, factor))
 }
 
 /// `sum − v·factor`.
@@ -47,16 +50,25 @@ pub(crate) fn times<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
 /// `mᵀ v`.
 #[inline(always)]
 pub(crate) fn transposed_times<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
-    if FUSED { Vector3::from(columns(m).map(|column| dot(&column, v))) } else { m.tr_mul(v) }
+    if !FUSED {
+        return m.tr_mul(v);
+    }
+    let [x, y, z] = columns(m);
+    Vector3::new(dot(&x, v), dot(&y, v), dot(&z, v))
 }
 
 /// `m n`.
 #[inline(always)]
 pub(crate) fn compose<T: Real>(m: &Matrix3<T>, n: &Matrix3<T>) -> Matrix3<T> {
-    if FUSED { Matrix3::from_columns(&columns(n).map(|column| times(m, &column))) } else { m * n }
+    if !FUSED {
+        return m * n;
+    }
+    let [x, y, z] = columns(n);
+    Matrix3::from_columns(&[times(m, &x), times(m, &y), times(m, &z)])
 }
 
+// Written out, as all of this: `map` of an array of lanes is not inlined.
 #[inline(always)]
 fn columns<T: Real>(m: &Matrix3<T>) -> [Vector3<T>; 3] {
-    [0, 1, 2].map(|c| m.column(c).into_owned())
+    [Vector3::new(m.m11, m.m21, m.m31), Vector3::new(m.m12, m.m22, m.m32), Vector3::new(m.m13, m.m23, m.m33)]
 }

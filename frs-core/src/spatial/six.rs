@@ -41,8 +41,10 @@ macro_rules! six_vector {
                 if !FUSED {
                     return self + other * factor;
                 }
-                let sum = |sum, v| plus_scaled(sum, v, factor);
-                Self::new(sum(self.$angular, other.$angular), sum(self.$linear, other.$linear))
+                Self::new(
+                    plus_scaled(self.$angular, other.$angular, factor),
+                    plus_scaled(self.$linear, other.$linear, factor),
+                )
             }
 
             /// `self − other·factor`, rounded as [`Real::plus_product`] rounds.
