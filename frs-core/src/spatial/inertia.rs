@@ -78,8 +78,11 @@ impl<T: Real> Inertia<T> {
     /// The linear momentum `m v + ω × h`.
     #[inline(always)]
     fn momentum_linear(&self, twist: Twist<T>) -> Vector3<T> {
-        let turning = || cross(&twist.angular, &self.moment);
-        if FUSED { plus_scaled(turning(), twist.linear, self.mass) } else { twist.linear * self.mass + turning() }
+        if FUSED {
+            plus_scaled(cross(&twist.angular, &self.moment), twist.linear, self.mass)
+        } else {
+            twist.linear * self.mass + cross(&twist.angular, &self.moment)
+        }
     }
 
     /// `C(I; X) V` for a twist `X` with angular part `omega`: the skew Coriolis matrix in closed form.

@@ -20,7 +20,7 @@ pub use articulated::ArticulatedInertia;
 pub use cross::cross_matrix;
 pub use inertia::{CoriolisFactor, Inertia};
 pub use pose::Pose;
-pub(crate) use product::{compose, cross, dot, minus_scaled, plus_scaled, times, transposed_times};
+pub(crate) use product::{columns, compose, cross, dot, minus_scaled, plus_scaled, times, transposed_times};
 pub use symmetric3::{LdlFactor3, Symmetric3};
 pub use twist::Twist;
 pub use wrench::Wrench;

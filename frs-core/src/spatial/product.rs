@@ -67,8 +67,8 @@ pub(crate) fn compose<T: Real>(m: &Matrix3<T>, n: &Matrix3<T>) -> Matrix3<T> {
     Matrix3::from_columns(&[times(m, &x), times(m, &y), times(m, &z)])
 }
 
-// Written out, as all of this: `map` of an array of lanes is not inlined.
+/// The columns of `m`; written out, as all here is: `map` of an array of lanes is not inlined.
 #[inline(always)]
-fn columns<T: Real>(m: &Matrix3<T>) -> [Vector3<T>; 3] {
+pub(crate) fn columns<T: Real>(m: &Matrix3<T>) -> [Vector3<T>; 3] {
     [Vector3::new(m.m11, m.m21, m.m31), Vector3::new(m.m12, m.m22, m.m32), Vector3::new(m.m13, m.m23, m.m33)]
 }

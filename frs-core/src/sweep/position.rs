@@ -6,7 +6,7 @@ use super::Data;
 use super::composite::{outside_sums, subtree_sums};
 use crate::Real;
 use crate::model::{Body, Model, Motion};
-use crate::spatial::{Inertia, Twist, compose, cross, minus_scaled, plus_scaled, times};
+use crate::spatial::{Inertia, Twist, columns, compose, cross, minus_scaled, plus_scaled, times};
 
 /// Fills everything in `data` that depends on `q` alone.
 pub(super) fn position<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
@@ -49,7 +49,7 @@ fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
         match body.motion {
             Motion::Revolute => {
                 let (sin, cos) = data.sin_cos[k - 1];
-                let [x, y, z] = [0, 1, 2].map(|c| rotation.column(c).into_owned());
+                let [x, y, z] = columns(&rotation);
                 data.rotation[k] =
                     Matrix3::from_columns(&[plus_scaled(x * cos, y, sin), minus_scaled(y * cos, x, sin), z]);
                 data.origin[k] = origin;
