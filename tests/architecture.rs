@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-/// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real` and `Model` stand at the crate's root.
+/// Each room of `frs-core/src` and the rooms it may name as `crate::…`; `Real`, `Lanes`, `FUSED` and `Model` stand at the crate's root.
 const ARROWS: [(&str, &[&str]); 17] = [
     ("turn.rs", &[]),
     ("lanes/types.rs", &["turn"]),
     ("real.rs", &["lanes", "turn"]),
-    ("spatial", &["Real"]),
+    ("spatial", &["FUSED", "Real"]),
     ("ldl.rs", &["Real"]),
     ("model", &["Real", "spatial", "model"]),
     ("urdf", &["Model", "model", "spatial", "urdf"]),

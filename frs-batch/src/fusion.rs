@@ -21,7 +21,7 @@ impl<'a> Fusion<'a> {
         let mut absorbed = vec![false; operations.len()];
         for place in (0..operations.len()).rev() {
             if uses[place] > 0 {
-                operations[place].operands().for_each(|operand| uses[operand as usize] += 1);
+                reads(operations, operations[place]).for_each(|operand| uses[operand as usize] += 1);
             }
         }
         let product =
@@ -61,6 +61,10 @@ impl<'a> Fusion<'a> {
             },
             Operation::Mul(a, b) => (Code::Mul, [a, b, a]),
             Operation::Div(a, b) => (Code::Div, [a, b, a]),
+            Operation::MulAdd(a, b, c) => match negated(self.operations, b) {
+                Some(b) => (Code::FusedMinus, [a, b, c]),
+                None => (Code::Fused, [a, b, c]),
+            },
             Operation::Neg(a) => (Code::Neg, [a; 3]),
             Operation::Sqrt(a) => (Code::Sqrt, [a; 3]),
             Operation::Input(_) | Operation::Constant(_) | Operation::Sin(_) | Operation::Cos(_) => return None,
@@ -74,5 +78,22 @@ impl<'a> Fusion<'a> {
             Operation::Mul(a, b) if self.absorbed[place as usize] => Some([a, b]),
             _ => None,
         }
+    }
+}
+
+/// The places that the step of an operation reads: a sign before the second factor is part of a fused step.
+fn reads(operations: &[Operation], operation: Operation) -> impl Iterator<Item = Place> {
+    let read = match operation {
+        Operation::MulAdd(a, b, c) => Operation::MulAdd(a, negated(operations, b).unwrap_or(b), c),
+        _ => operation,
+    };
+    read.operands()
+}
+
+/// What a place is the negative of.
+fn negated(operations: &[Operation], place: Place) -> Option<Place> {
+    match operations[place as usize] {
+        Operation::Neg(a) => Some(a),
+        _ => None,
     }
 }

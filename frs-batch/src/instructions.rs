@@ -3,12 +3,12 @@
 use crate::perform::{Block, perform};
 use crate::steps::Step;
 
-/// Sets of instructions, from narrow to wide. All give the same bits: each number is computed by itself, and nothing is contracted.
+/// Sets of instructions, from narrow to wide. All give the same bits: each number is computed by itself, and nothing is contracted that was not recorded so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Instructions {
     /// Those for which the program was compiled.
     Compiled,
-    /// Four doubles at once on x86-64.
+    /// Four doubles at once on x86-64, fused products among them.
     Avx2,
     /// Eight doubles at once on x86-64.
     Avx512,
@@ -28,7 +28,7 @@ impl Instructions {
         match self {
             Self::Compiled => true,
             #[cfg(target_arch = "x86_64")]
-            Self::Avx2 => is_x86_feature_detected!("avx2"),
+            Self::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
             #[cfg(target_arch = "x86_64")]
             Self::Avx512 => is_x86_feature_detected!("avx512f"),
             #[cfg(not(target_arch = "x86_64"))]
@@ -57,7 +57,7 @@ impl Instructions {
             }
             #[cfg(target_arch = "x86_64")]
             Self::Avx2 if self.are_here() => {
-                // SAFETY: the processor has just said that it has AVX2.
+                // SAFETY: the processor has just said that it has AVX2 and FMA.
                 unsafe { perform_avx2(steps, memory) };
                 Self::Avx2
             }
@@ -71,7 +71,7 @@ impl Instructions {
 
 /// [`perform`] by AVX2.
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,fma")]
 fn perform_avx2(steps: &[Step], memory: &mut [Block]) {
     perform(steps, memory);
 }

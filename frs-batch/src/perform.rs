@@ -36,6 +36,8 @@ pub fn perform(steps: &[Step], memory: &mut [Block]) {
             Code::MulAdd => each(step, memory, |[a, b, c]| a * b + c),
             Code::MulSub => each(step, memory, |[a, b, c]| a * b - c),
             Code::SubMul => each(step, memory, |[a, b, c]| c - a * b),
+            Code::Fused => each(step, memory, |[a, b, c]| a.mul_add(b, c)),
+            Code::FusedMinus => each(step, memory, |[a, b, c]| a.mul_add(-b, c)),
             Code::Neg => each(step, memory, |[a, ..]| -a),
             Code::Sqrt => each(step, memory, |[a, ..]| a.sqrt()),
             Code::Turn => turn(step, memory),

@@ -23,6 +23,10 @@ pub enum Code {
     MulSub,
     /// c − a · b, rounded twice.
     SubMul,
+    /// a · b + c, rounded once.
+    Fused,
+    /// c − a · b, rounded once.
+    FusedMinus,
     /// −a.
     Neg,
     /// √a.

@@ -302,6 +302,7 @@ impl Emitter<'_> {
             program: self.program,
             precision: self.options.precision,
             lanes: self.options.lanes,
+            lift: &|constant| self.lift(constant),
             names: &name,
         };
         let mut body = TokenStream::new();
@@ -351,7 +352,7 @@ impl Emitter<'_> {
                 },
                 Line::Store(number, entry) => {
                     let target = target(&outputs[number], entry);
-                    let value = expressions.output(outputs[number].places[entry], |constant| self.lift(constant));
+                    let value = expressions.output(outputs[number].places[entry]);
                     body.extend(quote!(#target = #value;));
                 }
             }

@@ -27,6 +27,8 @@ pub struct Expressions<'a> {
     pub precision: Precision,
     /// How many numbers are side by side.
     pub lanes: Lanes,
+    /// A constant where no operation lifts it to all lanes.
+    pub lift: &'a dyn Fn(TokenStream) -> TokenStream,
     /// What a place is called where it has a name.
     pub names: &'a dyn Fn(Place) -> Option<TokenStream>,
 }
@@ -57,10 +59,10 @@ impl Expressions<'_> {
         }
     }
 
-    /// `place` plus 0: no −0 leaves a function. Lanes need `lift` around what is no operation.
-    pub fn output(&self, place: Place, lift: impl Fn(TokenStream) -> TokenStream) -> TokenStream {
+    /// `place` plus 0: no −0 leaves a function.
+    pub fn output(&self, place: Place) -> TokenStream {
         match self.program.graph.operation(place) {
-            Operation::Constant(_) => lift(self.operand(place, Binding::Sum)),
+            Operation::Constant(_) => (self.lift)(self.operand(place, Binding::Sum)),
             Operation::Neg(a) => {
                 let a = self.operand(a, Binding::Product);
                 quote!(0.0 - #a)
@@ -107,6 +109,11 @@ impl Expressions<'_> {
                 let (a, b) = (at(a, Binding::Product), at(b, Binding::Sign));
                 (quote!(#a / #b), Binding::Product)
             }
+            Operation::MulAdd(a, b, c) => {
+                let [b, c] = [b, c].map(|place| self.argument(place));
+                let a = self.receiver(a);
+                (quote!(#a.mul_add(#b, #c)), Binding::Atom)
+            }
             Operation::Neg(a) => {
                 let a = at(a, Binding::Atom);
                 (quote!(-#a), Binding::Sign)
@@ -123,6 +130,27 @@ impl Expressions<'_> {
                 let both = self.sin_cos(a);
                 (quote!(#both.1), Binding::Atom)
             }
+        }
+    }
+
+    /// The place as an argument of a method, where no operator lifts a constant to all lanes.
+    fn argument(&self, place: Place) -> TokenStream {
+        let value = self.operand(place, Binding::Sum);
+        if self.program.graph.constant_at(place).is_some() { (self.lift)(value) } else { value }
+    }
+
+    /// The place as what has a method: of a plain constant the type must be said.
+    fn receiver(&self, place: Place) -> TokenStream {
+        match (self.program.graph.constant_at(place), self.lanes) {
+            (Some(value), Lanes::One) => {
+                let size = match self.precision {
+                    Precision::Single => Literal::f32_suffixed(value.abs() as f32),
+                    Precision::Double => Literal::f64_suffixed(value.abs()),
+                };
+                if value < 0.0 { quote!((-#size)) } else { quote!(#size) }
+            }
+            (Some(_), _) => self.argument(place),
+            (None, _) => self.operand(place, Binding::Atom),
         }
     }
 

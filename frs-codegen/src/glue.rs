@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use frs_core::Quantity;
+use frs_core::{FUSED, Quantity};
 use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
@@ -16,7 +16,7 @@ impl Emitter<'_> {
     pub fn module_documentation(&self) -> Vec<String> {
         let names = |list: &mut dyn Iterator<Item = &str>| list.collect::<Vec<_>>().join(", ");
         let model = self.model;
-        vec![
+        let mut lines = vec![
             format!(
                 " The dynamics of the robot '{}', generated: read it, review its changes, do not edit it.",
                 model.name()
@@ -27,7 +27,14 @@ impl Emitter<'_> {
                 " Base frame: link '{}'; six-vectors are angular part first, matrices by columns.",
                 model.links()[0].name
             ),
-        ]
+        ];
+        if FUSED {
+            lines.push(
+                " Sums of products are fused: these are the bits of a core that was built with the feature `fused`."
+                    .into(),
+            );
+        }
+        lines
     }
 
     /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it.
@@ -60,8 +67,14 @@ impl Emitter<'_> {
         let calls = functions.iter().map(|function| self.call(function, payload));
         let used: Vec<_> = self.conversions(&functions);
         let uses = (!used.is_empty()).then(|| quote!(use #core::generated::{#(#used),*};));
+        let contract = FUSED.then(|| {
+            quote!(
+                const _: () = assert!(#core::FUSED, "made for the feature `fused` of frs-core");
+            )
+        });
         quote! {
             #lanes
+            #contract
             use #core::{FloatingBase, Quantity};
             #uses
             #constants

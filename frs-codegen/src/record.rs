@@ -27,6 +27,8 @@ pub enum Operation {
     Mul(Place, Place),
     /// a / b.
     Div(Place, Place),
+    /// a · b + c, rounded once.
+    MulAdd(Place, Place, Place),
     /// −a.
     Neg(Place),
     /// √a.
@@ -46,9 +48,10 @@ impl Operation {
     /// The places it reads.
     pub fn operands(self) -> impl DoubleEndedIterator<Item = Place> {
         let operands = match self {
-            Self::Input(_) | Self::Constant(_) => [None; 2],
-            Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => [Some(a), None],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b)],
+            Self::Input(_) | Self::Constant(_) => [None; 3],
+            Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => [Some(a), None, None],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b), None],
+            Self::MulAdd(a, b, c) => [Some(a), Some(b), Some(c)],
         };
         operands.into_iter().flatten()
     }
@@ -149,6 +152,10 @@ impl Real for Recorded {
         push(Operation::constant(value))
     }
 
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        push(Operation::MulAdd(self.0, factor.0, summand.0))
+    }
+
     fn sqrt(self) -> Self {
         push(Operation::Sqrt(self.0))
     }
@@ -182,6 +189,7 @@ pub fn replay<T: Real>(tape: &[Operation], inputs: &[T]) -> Vec<T> {
             Operation::Sub(a, b) => value(a) - value(b),
             Operation::Mul(a, b) => value(a) * value(b),
             Operation::Div(a, b) => value(a) / value(b),
+            Operation::MulAdd(a, b, c) => value(a).mul_add(value(b), value(c)),
             Operation::Neg(a) => -value(a),
             Operation::Sqrt(a) => value(a).sqrt(),
             Operation::Sin(a) => value(a).sin_cos().0,

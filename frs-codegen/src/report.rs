@@ -34,6 +34,8 @@ pub struct Counts {
     pub mul: usize,
     /// Divisions.
     pub div: usize,
+    /// Products and the sums they enter, rounded once.
+    pub mul_add: usize,
     /// Square roots.
     pub sqrt: usize,
     /// Sines and cosines, each.
@@ -41,9 +43,9 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// All additions, multiplications, divisions and roots: floating-point operations without sines and cosines.
+    /// All additions, multiplications, divisions and roots, a fused product and sum as one: floating-point operations without sines and cosines.
     pub fn flops(&self) -> usize {
-        self.add + self.mul + self.div + self.sqrt
+        self.add + self.mul + self.div + self.mul_add + self.sqrt
     }
 
     /// Counts one operation.
@@ -53,6 +55,7 @@ impl Counts {
             Operation::Add(..) | Operation::Sub(..) => self.add += 1,
             Operation::Mul(..) => self.mul += 1,
             Operation::Div(..) => self.div += 1,
+            Operation::MulAdd(..) => self.mul_add += 1,
             Operation::Sqrt(_) => self.sqrt += 1,
             Operation::Sin(_) | Operation::Cos(_) => self.sin_cos += 1,
         }
@@ -71,6 +74,7 @@ impl AddAssign for Counts {
         self.add += other.add;
         self.mul += other.mul;
         self.div += other.div;
+        self.mul_add += other.mul_add;
         self.sqrt += other.sqrt;
         self.sin_cos += other.sin_cos;
     }
@@ -79,7 +83,7 @@ impl AddAssign for Counts {
 impl fmt::Display for Counts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} operations: {} + −, {} ×", self.flops(), self.add, self.mul)?;
-        for (count, sign) in [(self.div, "÷"), (self.sqrt, "√")] {
+        for (count, sign) in [(self.mul_add, "× +"), (self.div, "÷"), (self.sqrt, "√")] {
             if count > 0 {
                 write!(f, ", {count} {sign}")?;
             }

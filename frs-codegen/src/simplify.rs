@@ -65,6 +65,7 @@ impl Graph {
                 Operation::Sub(a, b) => self.sub(at(a), at(b)),
                 Operation::Mul(a, b) => self.mul(at(a), at(b)),
                 Operation::Div(a, b) => self.div(at(a), at(b)),
+                Operation::MulAdd(a, b, c) => self.mul_add(at(a), at(b), at(c)),
                 Operation::Neg(a) => self.neg(at(a)),
                 Operation::Sqrt(a) => self.of_one(Operation::Sqrt(at(a)), at(a)),
                 Operation::Sin(a) => self.of_one(Operation::Sin(at(a)), at(a)),
@@ -194,6 +195,39 @@ impl Graph {
         }
     }
 
+    /// a · b + c, rounded once.
+    fn mul_add(&mut self, a: Place, b: Place, c: Place) -> Place {
+        if let Some(folded) = self.fold(Operation::MulAdd(a, b, c)) {
+            return folded;
+        }
+        match (self.sign(a), self.sign(b), self.sign(c)) {
+            // x · 0 + y = y for every finite x, x · 1 + y = x + y, x · y + 0 = x · y.
+            _ if self.is(a, 0.0) || self.is(b, 0.0) => c,
+            _ if self.is(a, 1.0) => self.add(b, c),
+            _ if self.is(b, 1.0) => self.add(a, c),
+            _ if self.is(c, 0.0) => self.mul(a, b),
+            // (−a) · (−b) = a · b, (−a) · b = a · (−b), and (−1) · b + c = c − b.
+            (Some(a), Some(b), _) => self.mul_add(a, b, c),
+            (Some(a), None, _) if self.is(a, 1.0) => self.sub(c, b),
+            (Some(a), None, _) => {
+                let b = self.neg(b);
+                self.mul_add(a, b, c)
+            }
+            (None, Some(b), _) if self.is(b, 1.0) => self.sub(c, a),
+            // Rounding is symmetric: a · (−b) + (−c) = −(a · b + c).
+            (None, Some(b), Some(c)) => {
+                let sum = self.mul_add(a, b, c);
+                self.neg(sum)
+            }
+            // b · (−a) = a · (−b), b · a = a · b: one order, whichever was met first.
+            (None, Some(positive), None) => {
+                let minus_a = self.neg(a);
+                self.either(Operation::MulAdd(positive, minus_a, c), Operation::MulAdd(a, b, c))
+            }
+            (None, None, _) => self.either(Operation::MulAdd(b, a, c), Operation::MulAdd(a, b, c)),
+        }
+    }
+
     /// −a.
     fn neg(&mut self, a: Place) -> Place {
         match self.operation(a) {
@@ -209,7 +243,7 @@ impl Graph {
 
     /// A function of one number: folded where the number is known.
     fn of_one(&mut self, operation: Operation, a: Place) -> Place {
-        match self.constant_at(a).map(|value| evaluate(operation, [value, 0.0], self.precision)) {
+        match self.constant_at(a).map(|value| evaluate(operation, [value, 0.0, 0.0], self.precision)) {
             Some(value) if value.is_finite() => self.constant(value),
             _ => self.intern(operation),
         }
@@ -228,29 +262,37 @@ impl Graph {
         self.constant_at(place) == Some(value)
     }
 
+    /// Two ways to write one number: the first if it stands there, else the second.
+    fn either(&mut self, known: Operation, new: Operation) -> Place {
+        if self.places.contains_key(&known) { self.intern(known) } else { self.intern(new) }
+    }
+
     /// The result of an operation between constants, computed as it would be at run time.
     fn fold(&mut self, operation: Operation) -> Option<Place> {
-        let mut operands = operation.operands();
-        let (a, b) = (self.constant_at(operands.next()?)?, self.constant_at(operands.next()?)?);
-        let value = evaluate(operation, [a, b], self.precision);
+        let mut numbers = [0.0; 3];
+        for (number, operand) in numbers.iter_mut().zip(operation.operands()) {
+            *number = self.constant_at(operand)?;
+        }
+        let value = evaluate(operation, numbers, self.precision);
         value.is_finite().then(|| self.constant(value))
     }
 }
 
 /// `operation` on known numbers, in `precision`.
-fn evaluate(operation: Operation, numbers: [f64; 2], precision: Precision) -> f64 {
+fn evaluate(operation: Operation, numbers: [f64; 3], precision: Precision) -> f64 {
     match precision {
         Precision::Double => evaluate_over::<f64>(operation, numbers),
         Precision::Single => f64::from(evaluate_over::<f32>(operation, numbers.map(|number| number as f32))),
     }
 }
 
-fn evaluate_over<T: Real>(operation: Operation, [a, b]: [T; 2]) -> T {
+fn evaluate_over<T: Real>(operation: Operation, [a, b, c]: [T; 3]) -> T {
     match operation {
         Operation::Add(..) => a + b,
         Operation::Sub(..) => a - b,
         Operation::Mul(..) => a * b,
         Operation::Div(..) => a / b,
+        Operation::MulAdd(..) => a.mul_add(b, c),
         Operation::Sqrt(_) => a.sqrt(),
         Operation::Sin(_) => a.sin_cos().0,
         Operation::Cos(_) => a.sin_cos().1,

@@ -1,4 +1,4 @@
-//! The table of operations in docs/generated.md says what generated functions perform.
+//! The tables of operations in docs/generated.md say what generated functions perform, without fused products and with them.
 
 use std::fs;
 use std::path::Path;

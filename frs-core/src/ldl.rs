@@ -17,7 +17,7 @@ pub fn factor<T: Real>(a: &mut DMatrix<T>) {
             // Columns right of j lose what column j explains; a(k, j) is still unscaled for k ≥ i.
             let (left, mut right) = a.columns_range_pair_mut(j..j + 1, i..i + 1);
             for k in i..n {
-                right[(k, 0)] -= left[(k, 0)] * scaled;
+                right[(k, 0)] = right[(k, 0)].minus_product(left[(k, 0)], scaled);
             }
             a[(i, j)] = scaled;
         }
@@ -30,13 +30,13 @@ pub fn solve<T: Real>(factors: &DMatrix<T>, x: &mut [T]) {
     for j in 0..n {
         let value = x[j];
         for i in j + 1..n {
-            x[i] -= factors[(i, j)] * value;
+            x[i] = x[i].minus_product(factors[(i, j)], value);
         }
     }
     for j in (0..n).rev() {
         let mut value = x[j] * factors[(j, j)];
         for i in j + 1..n {
-            value -= factors[(i, j)] * x[i];
+            value = value.minus_product(factors[(i, j)], x[i]);
         }
         x[j] = value;
     }

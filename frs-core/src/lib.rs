@@ -23,6 +23,6 @@ pub mod urdf;
 pub use floating_base::{Evaluator, FloatingBase};
 pub use model::Model;
 pub use quantity::{Argument, Quantity};
-pub use real::{Lanes, Real};
+pub use real::{FUSED, Lanes, Real};
 pub use rel::{Curvature, Route};
 pub use sweep::{Label, Moving, Pass, Shape, Workspace};

@@ -8,6 +8,11 @@ use num_traits::{One, Zero};
 use crate::lanes::{F32x8, F64x4};
 use crate::turn;
 
+/// Whether a product and the sum that it enters are rounded together, once: this crate was built with its feature `fused`.
+///
+/// Either way bits are the same on every machine, but one way's are not the other's.
+pub const FUSED: bool = cfg!(feature = "fused");
+
 /// A number the dynamics can be evaluated over.
 ///
 /// `f64` and `f32` are numbers; so is anything that records, encloses, differentiates or widens them. The contract has
@@ -21,6 +26,24 @@ pub trait Real:
 
     /// The number nearest to `value`; exact when this type holds every `f64`.
     fn from_f64(value: f64) -> Self;
+
+    /// `self·factor + summand`, which numbers, lanes and recordings round once, with the same bits on every machine.
+    #[inline(always)]
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        self * factor + summand
+    }
+
+    /// `self + a·b`, a term more of a sum: rounded once where [`FUSED`], else the product and then the sum.
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        if FUSED { a.mul_add(b, self) } else { self + a * b }
+    }
+
+    /// `self − a·b`, rounded as [`plus_product`](Self::plus_product).
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        if FUSED { a.mul_add(-b, self) } else { self - a * b }
+    }
 
     /// √`self`.
     fn sqrt(self) -> Self;
@@ -113,6 +136,11 @@ macro_rules! impl_real {
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 $from_f64(value)
+            }
+
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                self.mul_add(factor, summand)
             }
 
             #[inline(always)]

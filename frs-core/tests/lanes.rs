@@ -45,6 +45,11 @@ macro_rules! assert_operations {
                 assert_operator!($Lanes, x / y, /=);
                 let (a, b) = ($Lanes::from_array(x), $Lanes::from_array(y));
                 assert_lanes!(-a, x.map(|x| -x), "negation");
+                // What the product's own rounding leaves, and a sum.
+                for z in [std::array::from_fn(|i| -(x[i] * y[i])), y] {
+                    let expected = std::array::from_fn::<_, { $Lanes::LANES }, _>(|i| x[i].mul_add(y[i], z[i]));
+                    assert_lanes!(Real::mul_add(a, b, $Lanes::from_array(z)), expected, "mul_add");
+                }
                 assert_lanes!(Real::sqrt(a), x.map($element::sqrt), "sqrt");
                 let (sin, cos) = Real::sin_cos(a);
                 assert_lanes!(sin, x.map(|x| Real::sin_cos(x).0), "sin");

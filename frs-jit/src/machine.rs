@@ -134,6 +134,11 @@ fn entry(module: &JITModule, function: FuncId) -> Function {
     unsafe { std::mem::transmute::<*const u8, Function>(address) }
 }
 
+/// What code calls where the processor has no instruction for it.
+extern "C" fn fma(a: f64, b: f64, c: f64) -> f64 {
+    a.mul_add(b, c)
+}
+
 /// A compiler for the processor this runs on.
 fn module() -> Result<JITModule, JitError> {
     let no = |error: &dyn std::fmt::Display| JitError::NoJit(error.to_string());
@@ -143,5 +148,7 @@ fn module() -> Result<JITModule, JitError> {
     }
     let processor = cranelift_native::builder().map_err(|error| no(&error))?;
     let target = processor.finish(Flags::new(flags)).map_err(|error| no(&error))?;
-    Ok(JITModule::new(JITBuilder::with_isa(target, default_libcall_names())))
+    let mut builder = JITBuilder::with_isa(target, default_libcall_names());
+    builder.symbol("fma", fma as *const u8);
+    Ok(JITModule::new(builder))
 }

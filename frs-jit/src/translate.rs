@@ -112,6 +112,10 @@ impl<'a> Translation<'a> {
                 let (a, b) = (self.value(a), self.value(b));
                 self.cursor.ins().fdiv(a, b)
             }
+            Operation::MulAdd(a, b, c) => {
+                let [a, b, c] = [a, b, c].map(|place| self.value(place));
+                self.cursor.ins().fma(a, b, c)
+            }
             Operation::Neg(a) => {
                 let a = self.value(a);
                 self.cursor.ins().fneg(a)

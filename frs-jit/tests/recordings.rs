@@ -14,8 +14,8 @@ fn tape(random: &mut fastrand::Rng, len: u32) -> Vec<Operation> {
     let mut tape: Vec<Operation> = (0..INPUTS as u32).map(Operation::Input).collect();
     for place in INPUTS as u32..len {
         let mut at = || if random.bool() { random.u32(place.saturating_sub(6)..place) } else { random.u32(..place) };
-        let (a, b) = (at(), at());
-        tape.push(match random.u32(..24) {
+        let (a, b, c) = (at(), at(), at());
+        tape.push(match random.u32(..27) {
             0 => Operation::constant(CONSTANTS[random.usize(..CONSTANTS.len())]),
             1 => Operation::Sin(a),
             2 => Operation::Cos(a),
@@ -24,6 +24,7 @@ fn tape(random: &mut fastrand::Rng, len: u32) -> Vec<Operation> {
             5 => Operation::Div(a, b),
             6..13 => Operation::Add(a, b),
             13..18 => Operation::Sub(a, b),
+            18..21 => Operation::MulAdd(a, b, c),
             _ => Operation::Mul(a, b),
         });
     }

@@ -16,6 +16,11 @@ macro_rules! impl_real {
             }
 
             #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                self.mul_add(factor, summand)
+            }
+
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 self.sqrt()
             }

@@ -52,7 +52,7 @@ macro_rules! lanes {
     ($Lanes:ident, $wide:ty, $element:ty, $count:literal, $caption:literal) => {
         #[doc = $caption]
         ///
-        /// Arithmetic is plain IEEE arithmetic in each lane: nothing is contracted or approximated.
+        /// Arithmetic is plain IEEE arithmetic in each lane: nothing is contracted that does not say so, nothing approximated.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[repr(transparent)]
         pub struct $Lanes($wide);
@@ -89,6 +89,17 @@ macro_rules! lanes {
             #[inline(always)]
             pub fn as_mut_array(&mut self) -> &mut [$element; $count] {
                 self.0.as_mut_array()
+            }
+
+            /// `self`·`factor` + `summand` in each lane, rounded once.
+            #[inline(always)]
+            pub fn mul_add(self, factor: Self, summand: Self) -> Self {
+                if cfg!(target_feature = "fma") {
+                    return Self(self.0.mul_add(factor.0, summand.0));
+                }
+                // Without the instruction `wide` rounds twice.
+                let (a, b, c) = (self.to_array(), factor.to_array(), summand.to_array());
+                Self::from_array(from_fn(|lane| a[lane].mul_add(b[lane], c[lane])))
             }
 
             /// √ of each lane.

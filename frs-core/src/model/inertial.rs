@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::Link;
 use crate::Real;
-use crate::spatial::{Symmetric3, Twist, Wrench};
+use crate::spatial::{Symmetric3, Twist, Wrench, cross, times};
 
 /// A mass distribution: ten parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ impl<T: Real> Inertial<T> {
     /// The momentum about the frame's origin of a body that moves with the twist `V` (both in this frame).
     pub fn momentum(self, twist: Twist<T>) -> Wrench<T> {
         let force = twist.at(self.com).linear * self.mass;
-        Wrench::new(self.inertia * twist.angular + self.com.cross(&force), force)
+        Wrench::new(self.inertia * twist.angular + cross(&self.com, &force), force)
     }
 }
 
@@ -47,7 +47,7 @@ impl<T: Real> Inertial<T> {
 /// Lever arms are measured from the first link with mass, so that a body with one such link keeps its numbers exactly.
 /// Which links have mass is told by [`Link::massive`] and not by the numbers: nothing here depends on a value.
 pub(super) fn weigh<T: Real>(links: &[&Link<T>]) -> Inertial<T> {
-    let com = |link: &Link<T>| link.placement.rotation * link.inertial.com + link.weighed_at;
+    let com = |link: &Link<T>| times(&link.placement.rotation, &link.inertial.com) + link.weighed_at;
     let mut massive = links.iter().filter(|link| link.massive);
     let (mut mass, mut centre, mut alone) = (T::zero(), Vector3::zeros(), true);
     if let Some(first) = massive.next() {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
-use crate::spatial::{Inertia, Twist, Wrench};
+use crate::spatial::{Inertia, Twist, Wrench, cross};
 use crate::sweep::{Shape, Square, add_dot, dot, free_velocities, groups, splat};
 
 /// The local curvature `𝓑(e_i, e_j) = ∂_i A_j − ∂_j A_i − ad_{A_i} A_j` for all pairs of coordinates.
@@ -69,8 +69,9 @@ impl<T: Real> Shape<'_, '_, T> {
                 (data.composite_columns.lanes(first), data.complement_columns.lanes(first));
             let rate = composite.rate(screw).rotational * omega;
             let rate_outside = complement.rate(screw).rotational * omega;
-            let below = Wrench::new(reaction.angular.cross(&momentum) - rate_outside, reaction.linear.cross(&twice));
-            let beside = Wrench::new(momentum.cross(&connection.angular) + rate, twice.cross(&connection.linear));
+            let below =
+                Wrench::new(cross(&reaction.angular, &momentum) - rate_outside, cross(&reaction.linear, &twice));
+            let beside = Wrench::new(cross(&momentum, &connection.angular) + rate, cross(&twice, &connection.linear));
             data.six_rows.set_lanes(first, below);
             data.six_rows_more.set_lanes(first, beside);
             data.three_rows.set_lanes(first, rate);

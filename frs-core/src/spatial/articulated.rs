@@ -4,7 +4,7 @@ use std::ops::{Add, Mul};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Inertia, Symmetric3, Twist, Wrench, cross_matrix};
+use super::{Inertia, Symmetric3, Twist, Wrench, cross_matrix, dot, times, transposed_times};
 use crate::Real;
 
 /// The inertia `[[J, H], [Hᵀ, M]]` that a body seems to have when joints hang on it (Featherstone, RBDA §7.1).
@@ -40,26 +40,26 @@ impl<T: Real> ArticulatedInertia<T> {
         let (m, f) = (u.moment, u.force);
         let (sm, sf) = (m * factor, f * factor);
         let symmetric = |i: &Symmetric3<T>, a: Vector3<T>, b: Vector3<T>| Symmetric3 {
-            xx: i.xx - a.x * b.x,
-            xy: i.xy - a.x * b.y,
-            xz: i.xz - a.x * b.z,
-            yy: i.yy - a.y * b.y,
-            yz: i.yz - a.y * b.z,
-            zz: i.zz - a.z * b.z,
+            xx: i.xx.minus_product(a.x, b.x),
+            xy: i.xy.minus_product(a.x, b.y),
+            xz: i.xz.minus_product(a.x, b.z),
+            yy: i.yy.minus_product(a.y, b.y),
+            yz: i.yz.minus_product(a.y, b.z),
+            zz: i.zz.minus_product(a.z, b.z),
         };
         let h = &self.coupling;
         Self {
             rotational: symmetric(&self.rotational, sm, m),
             coupling: Matrix3::new(
-                h.m11 - sm.x * f.x,
-                h.m12 - sm.x * f.y,
-                h.m13 - sm.x * f.z,
-                h.m21 - sm.y * f.x,
-                h.m22 - sm.y * f.y,
-                h.m23 - sm.y * f.z,
-                h.m31 - sm.z * f.x,
-                h.m32 - sm.z * f.y,
-                h.m33 - sm.z * f.z,
+                h.m11.minus_product(sm.x, f.x),
+                h.m12.minus_product(sm.x, f.y),
+                h.m13.minus_product(sm.x, f.z),
+                h.m21.minus_product(sm.y, f.x),
+                h.m22.minus_product(sm.y, f.y),
+                h.m23.minus_product(sm.y, f.z),
+                h.m31.minus_product(sm.z, f.x),
+                h.m32.minus_product(sm.z, f.y),
+                h.m33.minus_product(sm.z, f.z),
             ),
             linear: symmetric(&self.linear, sf, f),
         }
@@ -70,10 +70,10 @@ impl<T: Real> ArticulatedInertia<T> {
         let linear = self.linear.factor();
         // Columns of M⁻¹Hᵀ.
         let solved = [0, 1, 2].map(|row| linear.solve(self.coupling.row(row).transpose()));
-        let reduced = Matrix3::from_fn(|r, c| self.coupling.row(r).transpose().dot(&solved[c]));
+        let reduced = Matrix3::from_fn(|r, c| dot(&self.coupling.row(r).transpose(), &solved[c]));
         let rotational = (self.rotational - Symmetric3::from_lower(&reduced)).factor();
-        let angular = rotational.solve(wrench.moment - self.coupling * linear.solve(wrench.force));
-        Twist::new(angular, linear.solve(wrench.force - self.coupling.tr_mul(&angular)))
+        let angular = rotational.solve(wrench.moment - times(&self.coupling, &linear.solve(wrench.force)));
+        Twist::new(angular, linear.solve(wrench.force - transposed_times(&self.coupling, &angular)))
     }
 }
 
@@ -83,8 +83,8 @@ impl<T: Real> Mul<Twist<T>> for ArticulatedInertia<T> {
     #[inline(always)]
     fn mul(self, twist: Twist<T>) -> Wrench<T> {
         Wrench::new(
-            self.rotational * twist.angular + self.coupling * twist.linear,
-            self.coupling.tr_mul(&twist.angular) + self.linear * twist.linear,
+            self.rotational * twist.angular + times(&self.coupling, &twist.linear),
+            transposed_times(&self.coupling, &twist.angular) + self.linear * twist.linear,
         )
     }
 }

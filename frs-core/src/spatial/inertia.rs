@@ -4,8 +4,8 @@ use std::ops::{Add, AddAssign};
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
-use super::{Pose, Symmetric3, Twist, Wrench, cross_matrix};
-use crate::Real;
+use super::{Pose, Symmetric3, Twist, Wrench, cross, cross_matrix, dot, plus_scaled, times, transposed_times};
+use crate::{FUSED, Real};
 
 /// A spatial inertia `I = [[J, h×], [−h×, m·1]]` about a frame's origin.
 ///
@@ -43,11 +43,11 @@ impl<T: Real> Inertia<T> {
 
     /// The same body's inertia in the frame in which its own frame has pose `pose`.
     pub fn transformed(self, pose: &Pose<T>) -> Self {
-        let moment = pose.rotation * self.moment;
+        let moment = times(&pose.rotation, &self.moment);
         let p = pose.translation;
         Self {
             mass: self.mass,
-            moment: moment + p * self.mass,
+            moment: plus_scaled(moment, p, self.mass),
             rotational: self.rotational.rotated(&pose.rotation)
                 + Symmetric3::outer(moment, p)
                 + Symmetric3::point_mass(self.mass, p),
@@ -62,10 +62,10 @@ impl<T: Real> Inertia<T> {
         let (w00, w11, w22) = (w.y * j.xz - w.z * j.xy, w.z * j.xy - w.x * j.yz, w.x * j.yz - w.y * j.xz);
         let turning = Symmetric3 {
             xx: w00 + w00,
-            xy: (w.y * j.yz - w.z * j.yy) + (w.z * j.xx - w.x * j.xz),
-            xz: (w.y * j.zz - w.z * j.yz) + (w.x * j.xy - w.y * j.xx),
+            xy: (w.y * j.yz).minus_product(w.z, j.yy) + (w.z * j.xx).minus_product(w.x, j.xz),
+            xz: (w.y * j.zz).minus_product(w.z, j.yz) + (w.x * j.xy).minus_product(w.y, j.xx),
             yy: w11 + w11,
-            yz: (w.z * j.xz - w.x * j.zz) + (w.x * j.yy - w.y * j.xy),
+            yz: (w.z * j.xz).minus_product(w.x, j.zz) + (w.x * j.yy).minus_product(w.y, j.xy),
             zz: w22 + w22,
         };
         Self {
@@ -78,7 +78,11 @@ impl<T: Real> Inertia<T> {
     /// The linear momentum `m v + ω × h`.
     #[inline(always)]
     fn momentum_linear(&self, twist: Twist<T>) -> Vector3<T> {
-        twist.linear * self.mass + twist.angular.cross(&self.moment)
+        if FUSED {
+            plus_scaled(cross(&twist.angular, &self.moment), twist.linear, self.mass)
+        } else {
+            twist.linear * self.mass + cross(&twist.angular, &self.moment)
+        }
     }
 
     /// `C(I; X) V` for a twist `X` with angular part `omega`: the skew Coriolis matrix in closed form.
@@ -88,10 +92,10 @@ impl<T: Real> Inertia<T> {
     #[inline(always)]
     pub fn coriolis(&self, omega: Vector3<T>, twist: Twist<T>) -> Wrench<T> {
         let (a, b) = (twist.angular, twist.linear);
-        let turned = omega.cross(&b);
+        let turned = cross(&omega, &b);
         Wrench::new(
-            self.sigma(omega).cross(&a) + self.moment.cross(&turned),
-            turned * self.mass - omega.cross(&self.moment.cross(&a)),
+            cross(&self.sigma(omega), &a) + cross(&self.moment, &turned),
+            turned * self.mass - cross(&omega, &cross(&self.moment, &a)),
         )
     }
 
@@ -109,18 +113,18 @@ impl<T: Real> Inertia<T> {
         let (j, h) = (&self.rotational, self.moment);
         let (w, v) = (twist.angular, twist.linear);
         let s = self.sigma(w);
-        let hv = h.dot(&v);
+        let hv = dot(&h, &v);
         // (Σω)× − J ω× − h× v×, with h× v× = v hᵀ − (h·v)·1.
         let rotational = Matrix3::new(
-            w.y * j.xz - w.z * j.xy - v.x * h.x + hv,
-            w.z * j.xx - w.x * j.xz - v.x * h.y - s.z,
-            w.x * j.xy - w.y * j.xx - v.x * h.z + s.y,
-            w.y * j.yz - w.z * j.yy - v.y * h.x + s.z,
-            w.z * j.xy - w.x * j.yz - v.y * h.y + hv,
-            w.x * j.yy - w.y * j.xy - v.y * h.z - s.x,
-            w.y * j.zz - w.z * j.yz - v.z * h.x - s.y,
-            w.z * j.xz - w.x * j.zz - v.z * h.y + s.x,
-            w.x * j.yz - w.y * j.xz - v.z * h.z + hv,
+            (w.y * j.xz).minus_product(w.z, j.xy).minus_product(v.x, h.x) + hv,
+            (w.z * j.xx).minus_product(w.x, j.xz).minus_product(v.x, h.y) - s.z,
+            (w.x * j.xy).minus_product(w.y, j.xx).minus_product(v.x, h.z) + s.y,
+            (w.y * j.yz).minus_product(w.z, j.yy).minus_product(v.y, h.x) + s.z,
+            (w.z * j.xy).minus_product(w.x, j.yz).minus_product(v.y, h.y) + hv,
+            (w.x * j.yy).minus_product(w.y, j.xy).minus_product(v.y, h.z) - s.x,
+            (w.y * j.zz).minus_product(w.z, j.yz).minus_product(v.z, h.x) - s.y,
+            (w.z * j.xz).minus_product(w.x, j.zz).minus_product(v.z, h.y) + s.x,
+            (w.x * j.yz).minus_product(w.y, j.xz).minus_product(v.z, h.z) + hv,
         );
         CoriolisFactor { rotational, momentum: self.momentum_linear(twist) }
     }
@@ -143,7 +147,7 @@ impl<T: Real> std::ops::Mul<Twist<T>> for Inertia<T> {
     /// The momentum `I V = [J ω + h × v; m v − h × ω]`.
     #[inline(always)]
     fn mul(self, twist: Twist<T>) -> Wrench<T> {
-        Wrench::new(self.rotational * twist.angular + self.moment.cross(&twist.linear), self.momentum_linear(twist))
+        Wrench::new(self.rotational * twist.angular + cross(&self.moment, &twist.linear), self.momentum_linear(twist))
     }
 }
 
@@ -187,13 +191,13 @@ impl<T: Real> CoriolisFactor<T> {
     /// `D V`, given the angular part of `V`.
     #[inline(always)]
     pub fn apply(&self, angular: Vector3<T>) -> Wrench<T> {
-        Wrench::new(self.rotational * angular, angular.cross(&self.momentum))
+        Wrench::new(times(&self.rotational, &angular), cross(&angular, &self.momentum))
     }
 
     /// The angular part of `Dᵀ V`; the linear part is zero.
     #[inline(always)]
     pub fn apply_transpose(&self, twist: Twist<T>) -> Vector3<T> {
-        self.rotational.tr_mul(&twist.angular) + self.momentum.cross(&twist.linear)
+        transposed_times(&self.rotational, &twist.angular) + cross(&self.momentum, &twist.linear)
     }
 
     /// The full 6×6 matrix.

@@ -4,7 +4,7 @@ use std::ops::Mul;
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
-use super::{Twist, Wrench, cross_matrix};
+use super::{Twist, Wrench, compose, cross, cross_matrix, times, transposed_times};
 use crate::Real;
 
 /// A pose `g = (R, p)`: where a frame stands in another one; `x ↦ R x + p` maps coordinates out of it.
@@ -63,33 +63,33 @@ impl<T: Real> Pose<T> {
     /// `R x + p`.
     #[inline(always)]
     pub fn transform(&self, point: Vector3<T>) -> Vector3<T> {
-        self.rotation * point + self.translation
+        times(&self.rotation, &point) + self.translation
     }
 
     /// `g⁻¹ = (Rᵀ, −Rᵀ p)`.
     pub fn inverse(&self) -> Self {
-        Self::new(self.rotation.transpose(), -self.rotation.tr_mul(&self.translation))
+        Self::new(self.rotation.transpose(), -transposed_times(&self.rotation, &self.translation))
     }
 
     /// `Ad_g V = [R ω; R v + p × R ω]`.
     #[inline(always)]
     pub fn act(&self, twist: Twist<T>) -> Twist<T> {
-        let angular = self.rotation * twist.angular;
-        Twist::new(angular, self.rotation * twist.linear + self.translation.cross(&angular))
+        let angular = times(&self.rotation, &twist.angular);
+        Twist::new(angular, times(&self.rotation, &twist.linear) + cross(&self.translation, &angular))
     }
 
     /// `Ad_g⁻¹ V`.
     #[inline(always)]
     pub fn act_inverse(&self, twist: Twist<T>) -> Twist<T> {
         let at = twist.at(self.translation);
-        Twist::new(self.rotation.tr_mul(&at.angular), self.rotation.tr_mul(&at.linear))
+        Twist::new(transposed_times(&self.rotation, &at.angular), transposed_times(&self.rotation, &at.linear))
     }
 
     /// `Ad_g⁻ᵀ h`: a wrench in this frame, seen from the outer one.
     #[inline(always)]
     pub fn act_wrench(&self, wrench: Wrench<T>) -> Wrench<T> {
-        let force = self.rotation * wrench.force;
-        Wrench::new(self.rotation * wrench.moment + self.translation.cross(&force), force)
+        let force = times(&self.rotation, &wrench.force);
+        Wrench::new(times(&self.rotation, &wrench.moment) + cross(&self.translation, &force), force)
     }
 
     /// The 6×6 matrix `Ad_g = [[R, 0], [p× R, R]]`.
@@ -108,6 +108,6 @@ impl<T: Real> Mul for Pose<T> {
     /// The pose `g h`.
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Self::new(self.rotation * other.rotation, self.transform(other.translation))
+        Self::new(compose(&self.rotation, &other.rotation), self.transform(other.translation))
     }
 }

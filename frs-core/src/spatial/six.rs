@@ -34,6 +34,24 @@ macro_rules! six_vector {
             pub fn to_vector(self) -> Vector6<T> {
                 Vector6::from(self.to_array())
             }
+
+            /// `self + other·factor`, rounded as [`Real::plus_product`] rounds.
+            #[inline(always)]
+            pub fn plus_scaled(self, other: Self, factor: T) -> Self {
+                if !FUSED {
+                    return self + other * factor;
+                }
+                Self::new(
+                    plus_scaled(self.$angular, other.$angular, factor),
+                    plus_scaled(self.$linear, other.$linear, factor),
+                )
+            }
+
+            /// `self − other·factor`, rounded as [`Real::plus_product`] rounds.
+            #[inline(always)]
+            pub fn minus_scaled(self, other: Self, factor: T) -> Self {
+                if FUSED { self.plus_scaled(other, -factor) } else { self - other * factor }
+            }
         }
 
         impl<T: Real> std::ops::Add for $name<T> {

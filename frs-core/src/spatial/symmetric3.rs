@@ -53,7 +53,7 @@ impl<T: Real> Symmetric3<T> {
             self * Vector3::new(r.m21, r.m22, r.m23),
             self * Vector3::new(r.m31, r.m32, r.m33),
         ];
-        let entry = |row: &Vector3<T>, x: T, y: T, z: T| row.x * x + row.y * y + row.z * z;
+        let entry = |row: &Vector3<T>, x: T, y: T, z: T| (row.x * x).plus_product(row.y, y).plus_product(row.z, z);
         Self {
             xx: entry(&half[0], r.m11, r.m12, r.m13),
             xy: entry(&half[0], r.m21, r.m22, r.m23),
@@ -76,10 +76,10 @@ impl<T: Real> Symmetric3<T> {
         let (x, y, z) = (a.x * b.x, a.y * b.y, a.z * b.z);
         Self {
             xx: (y + y) + (z + z),
-            xy: -(a.x * b.y + a.y * b.x),
-            xz: -(a.x * b.z + a.z * b.x),
+            xy: -(a.x * b.y).plus_product(a.y, b.x),
+            xz: -(a.x * b.z).plus_product(a.z, b.x),
             yy: (x + x) + (z + z),
-            yz: -(a.y * b.z + a.z * b.y),
+            yz: -(a.y * b.z).plus_product(a.z, b.y),
             zz: (x + x) + (y + y),
         }
     }
@@ -98,10 +98,10 @@ impl<T: Real> Symmetric3<T> {
         let one = T::one();
         let inv_d0 = one / self.xx;
         let (l10, l20) = (self.xy * inv_d0, self.xz * inv_d0);
-        let inv_d1 = one / (self.yy - l10 * self.xy);
-        let e21 = self.yz - l20 * self.xy;
+        let inv_d1 = one / self.yy.minus_product(l10, self.xy);
+        let e21 = self.yz.minus_product(l20, self.xy);
         let l21 = e21 * inv_d1;
-        let inv_d2 = one / (self.zz - l20 * self.xz - l21 * e21);
+        let inv_d2 = one / self.zz.minus_product(l20, self.xz).minus_product(l21, e21);
         LdlFactor3 { l10, l20, l21, inverse_pivots: Vector3::new(inv_d0, inv_d1, inv_d2) }
     }
 }
@@ -133,11 +133,11 @@ impl<T: Real> LdlFactor3<T> {
     /// The solution `x` of `L D Lᵀ x = b`.
     #[inline(always)]
     pub fn solve(&self, b: Vector3<T>) -> Vector3<T> {
-        let y1 = b.y - self.l10 * b.x;
-        let y2 = b.z - self.l20 * b.x - self.l21 * y1;
+        let y1 = b.y.minus_product(self.l10, b.x);
+        let y2 = b.z.minus_product(self.l20, b.x).minus_product(self.l21, y1);
         let z = y2 * self.inverse_pivots.z;
-        let y = y1 * self.inverse_pivots.y - self.l21 * z;
-        let x = b.x * self.inverse_pivots.x - self.l10 * y - self.l20 * z;
+        let y = (y1 * self.inverse_pivots.y).minus_product(self.l21, z);
+        let x = (b.x * self.inverse_pivots.x).minus_product(self.l10, y).minus_product(self.l20, z);
         Vector3::new(x, y, z)
     }
 }
@@ -177,9 +177,9 @@ impl<T: Real> Mul<Vector3<T>> for Symmetric3<T> {
     #[inline(always)]
     fn mul(self, v: Vector3<T>) -> Vector3<T> {
         Vector3::new(
-            self.xx * v.x + self.xy * v.y + self.xz * v.z,
-            self.xy * v.x + self.yy * v.y + self.yz * v.z,
-            self.xz * v.x + self.yz * v.y + self.zz * v.z,
+            (self.xx * v.x).plus_product(self.xy, v.y).plus_product(self.xz, v.z),
+            (self.xy * v.x).plus_product(self.yy, v.y).plus_product(self.yz, v.z),
+            (self.xz * v.x).plus_product(self.yz, v.y).plus_product(self.zz, v.z),
         )
     }
 }

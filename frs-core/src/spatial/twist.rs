@@ -3,8 +3,8 @@
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::six::six_vector;
-use super::{Wrench, cross_matrix};
-use crate::Real;
+use super::{Wrench, cross, cross_matrix, plus_scaled};
+use crate::{FUSED, Real};
 
 /// A twist `V = [ω; v]`: angular velocity, and linear velocity of the point at the frame's origin.
 ///
@@ -24,7 +24,8 @@ impl<T: Real> Twist<T> {
     #[inline(always)]
     pub fn dot(self, wrench: Wrench<T>) -> T {
         let (w, v, m, f) = (self.angular, self.linear, wrench.moment, wrench.force);
-        w.x * m.x + w.y * m.y + w.z * m.z + v.x * f.x + v.y * f.y + v.z * f.z
+        let turning = (w.x * m.x).plus_product(w.y, m.y).plus_product(w.z, m.z);
+        turning.plus_product(v.x, f.x).plus_product(v.y, f.y).plus_product(v.z, f.z)
     }
 
     /// `ad_V W = [ω_V × ω_W; ω_V × v_W + v_V × ω_W]`, the Lie bracket `[V, W]` of body-fixed twists.
@@ -38,8 +39,8 @@ impl<T: Real> Twist<T> {
     #[inline(always)]
     pub fn ad(self, other: Self) -> Self {
         Self::new(
-            self.angular.cross(&other.angular),
-            self.angular.cross(&other.linear) + self.linear.cross(&other.angular),
+            cross(&self.angular, &other.angular),
+            cross(&self.angular, &other.linear) + cross(&self.linear, &other.angular),
         )
     }
 
@@ -48,8 +49,8 @@ impl<T: Real> Twist<T> {
     pub fn ad_transpose(self, wrench: Wrench<T>) -> Wrench<T> {
         // x × y = −(y × x): the sign is taken by the order of the factors.
         Wrench::new(
-            wrench.moment.cross(&self.angular) + wrench.force.cross(&self.linear),
-            wrench.force.cross(&self.angular),
+            cross(&wrench.moment, &self.angular) + cross(&wrench.force, &self.linear),
+            cross(&wrench.force, &self.angular),
         )
     }
 
@@ -66,6 +67,6 @@ impl<T: Real> Twist<T> {
     /// The same motion seen from a frame with the same axes whose origin stands at `point`: `Ad_{(1,point)}⁻¹ V`.
     #[inline(always)]
     pub fn at(self, point: Vector3<T>) -> Self {
-        Self::new(self.angular, self.linear + self.angular.cross(&point))
+        Self::new(self.angular, self.linear + cross(&self.angular, &point))
     }
 }

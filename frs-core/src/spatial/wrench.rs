@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 
-use super::cross_matrix;
 use super::six::six_vector;
-use crate::Real;
+use super::{cross, cross_matrix, plus_scaled};
+use crate::{FUSED, Real};
 
 /// A wrench `[m; f]`: moment about the frame's origin, and force. Also a momentum: angular and linear.
 ///
@@ -40,6 +40,6 @@ impl<T: Real> Wrench<T> {
     /// The same wrench seen from a frame with the same axes whose origin stands at `point`: `Ad_{(1,point)}ᵀ h`.
     #[inline(always)]
     pub fn at(self, point: Vector3<T>) -> Self {
-        Self::new(self.moment + self.force.cross(&point), self.force)
+        Self::new(self.moment + cross(&self.force, &point), self.force)
     }
 }

@@ -30,7 +30,7 @@ pub(crate) fn articulated_accelerations<T: Real>(
         let u = articulated[k] * s;
         let inverse = T::one() / s.dot(u);
         let unmet = tau[body.drive.coordinate] - s.dot(wrench[k]);
-        let handed_down = wrench[k] + u * (unmet * inverse);
+        let handed_down = wrench[k].plus_scaled(u, unmet * inverse);
         wrench[p] += handed_down;
         articulated[p] = articulated[p] + articulated[k].without(u, inverse);
         column[k] = u;
@@ -43,6 +43,6 @@ pub(crate) fn articulated_accelerations<T: Real>(
         let j = k - 1;
         let carried = twist[body.parent];
         torque[j] = (torque[j] - carried.dot(column[k])) * inverse_pivot[j];
-        twist[k] = carried + screw.at::<Twist<T>>(j) * torque[j];
+        twist[k] = carried.plus_scaled(screw.at(j), torque[j]);
     }
 }

@@ -121,7 +121,7 @@ impl<T: Real> Row<T> {
 pub(crate) fn add_dot<L: Real, const S: usize, const R: usize>(mut sum: L, coefficients: [L; S], rows: &[L; R]) -> L {
     const { assert!(S <= R) };
     for r in 0..S {
-        sum += coefficients[r] * rows[r];
+        sum = sum.plus_product(coefficients[r], rows[r]);
     }
     sum
 }
@@ -132,7 +132,7 @@ pub(crate) fn dot<L: Real, const S: usize, const R: usize>(coefficients: [L; S],
     const { assert!(S <= R) };
     let mut sum = coefficients[0] * rows[0];
     for r in 1..S {
-        sum += coefficients[r] * rows[r];
+        sum = sum.plus_product(coefficients[r], rows[r]);
     }
     sum
 }

@@ -28,7 +28,11 @@ pub(crate) fn newton_euler<T: Real>(
             _ => T::zero(),
         });
         let rate = data.rate.lanes(first);
-        scatter(&mut data.twist, first + 1, (velocity + locked_lanes).ad(screw) * rate + screw * accelerations);
+        scatter(
+            &mut data.twist,
+            first + 1,
+            ((velocity + locked_lanes).ad(screw) * rate).plus_scaled(screw, accelerations),
+        );
     }
     data.twist[0] = base;
     for (k, body) in model.bodies().iter().enumerate().skip(1) {

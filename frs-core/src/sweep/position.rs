@@ -8,7 +8,9 @@ use super::composite::{outside_sums, subtree_sums};
 use super::parts::{gather, scatter, splat};
 use super::{Data, groups, locked_solve};
 use crate::model::{Model, Motion};
-use crate::spatial::{Inertia, LdlFactor3, Symmetric3, Twist};
+use crate::spatial::{
+    Inertia, LdlFactor3, Symmetric3, Twist, columns, compose, cross, minus_scaled, plus_scaled, times,
+};
 use crate::{Lanes, Real};
 
 /// Fills everything in `data` that depends on `q` alone.
@@ -44,18 +46,19 @@ fn kinematics<T: Real>(model: &Model<T>, q: &[T], data: &mut Data<T>) {
     data.origin[0] = Vector3::zeros();
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
         let parent = data.rotation[body.parent];
-        let rotation = parent * body.placement.rotation;
-        let origin = data.origin[body.parent] + parent * body.placement.translation;
+        let rotation = compose(&parent, &body.placement.rotation);
+        let origin = data.origin[body.parent] + times(&parent, &body.placement.translation);
         match body.motion {
             Motion::Revolute => {
                 let (sin, cos) = (data.sin[k - 1], data.cos[k - 1]);
-                let (x, y, z) = (rotation.column(0), rotation.column(1), rotation.column(2).into_owned());
-                data.rotation[k] = Matrix3::from_columns(&[x * cos + y * sin, y * cos - x * sin, z]);
+                let [x, y, z] = columns(&rotation);
+                data.rotation[k] =
+                    Matrix3::from_columns(&[plus_scaled(x * cos, y, sin), minus_scaled(y * cos, x, sin), z]);
                 data.origin[k] = origin;
             }
             Motion::Prismatic => {
                 data.rotation[k] = rotation;
-                data.origin[k] = origin + rotation.column(2) * body.value(q);
+                data.origin[k] = plus_scaled(origin, rotation.column(2).into_owned(), body.value(q));
             }
         }
     }
@@ -67,7 +70,7 @@ fn centres<T: Real>(model: &Model<T>, data: &mut Data<T>) {
         let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
         let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
         let com: Vector3<T::Lanes> = data.tables.com.lanes(first);
-        data.three_rows.set_lanes(first, origin + rotation * com);
+        data.three_rows.set_lanes(first, origin + times(&rotation, &com));
     }
 }
 
@@ -108,7 +111,7 @@ fn mean_com<T: Real>(model: &Model<T>, data: &Data<T>, base_com: Vector3<T>) -> 
     let (base, bodies) = (&model.bodies()[0], &model.bodies()[1..]);
     let sum = bodies.iter().enumerate().fold(base_com * base.mass, |sum, (j, body)| {
         let com: Vector3<T> = data.three_rows.at(j);
-        sum + com * body.mass
+        plus_scaled(sum, com, body.mass)
     });
     sum * data.inverse_mass
 }
@@ -120,7 +123,7 @@ fn joint_columns<T: Real>(model: &Model<T>, data: &mut Data<T>) {
         let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
         let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
         let axis = rotation.column(2).into_owned();
-        data.screw.set_lanes(first, Twist::new(axis, origin.cross(&axis)));
+        data.screw.set_lanes(first, Twist::new(axis, cross(&origin, &axis)));
         for (k, body) in model.bodies().iter().enumerate().skip(first + 1).take(T::Lanes::WIDTH) {
             if body.motion == Motion::Prismatic {
                 data.screw.set(k - 1, Twist::new(Vector3::zeros(), data.rotation[k].column(2).into_owned()));

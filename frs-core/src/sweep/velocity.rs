@@ -24,10 +24,10 @@ pub(crate) fn free_velocities<T: Real>(
 ) {
     let mut base = Twist::zero();
     for j in 0..model.joints() {
-        base = base - connection.at::<Twist<T>>(j) * rate[j];
+        base = base.minus_scaled(connection.at(j), rate[j]);
     }
     velocity[0] = base;
     for (k, body) in model.bodies().iter().enumerate().skip(1) {
-        velocity[k] = velocity[body.parent] + screw.at::<Twist<T>>(k - 1) * rate[k - 1];
+        velocity[k] = velocity[body.parent].plus_scaled(screw.at(k - 1), rate[k - 1]);
     }
 }

@@ -47,6 +47,7 @@ impl Report<'_> {
                         "add": counts.add,
                         "mul": counts.mul,
                         "div": counts.div,
+                        "mul_add": counts.mul_add,
                         "sqrt": counts.sqrt,
                         "sin_cos": counts.sin_cos,
                     },
