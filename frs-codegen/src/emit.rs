@@ -161,7 +161,7 @@ impl Emitter<'_> {
     ) -> TokenStream {
         let (block, Code { name, body, fields, .. }) = (&self.schedule.blocks[number], &codes[number]);
         let words = self.words(block);
-        let element = self.number();
+        let elements = block.exports.iter().map(|&place| self.type_of(place));
         let parameters = self.parameters(block, codes, number);
         if fields.is_empty() {
             return quote! { #[doc = #words] #attribute #visible fn #name(#parameters) { #body } };
@@ -169,7 +169,7 @@ impl Emitter<'_> {
         let structure = structure(name);
         quote! {
             #[doc = #words]
-            #visible struct #structure { #(#visible #fields: #element),* }
+            #visible struct #structure { #(#visible #fields: #elements),* }
             #[doc = #words]
             #attribute
             #visible fn #name(#parameters) -> #structure {
@@ -472,6 +472,11 @@ impl Emitter<'_> {
         };
         let name = ident(name);
         quote!(#name)
+    }
+
+    /// The type of a place.
+    fn type_of(&self, place: Place) -> TokenStream {
+        if self.program.graph.is_vector(place) { quote!(F64x4) } else { self.number() }
     }
 
     /// A constant where no operation lifts it to all lanes.

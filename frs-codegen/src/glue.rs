@@ -8,7 +8,7 @@ use quote::{ToTokens, quote};
 
 use crate::emit::{Code, Emitter, ident};
 use crate::name::camel_case;
-use crate::options::Lanes;
+use crate::options::{Form, Lanes};
 use crate::program::{Function, Output};
 
 impl Emitter<'_> {
@@ -43,7 +43,11 @@ impl Emitter<'_> {
         let Some(core) = core else { return constants };
         let robot = self.robot_name(codes);
         let number = self.number();
-        let lanes = (self.options.lanes != Lanes::One).then(|| quote!(use #core::lanes::#number;));
+        let lanes = match (self.options.lanes, self.options.form) {
+            (Lanes::One, Form::Unrolled) => TokenStream::new(),
+            (Lanes::One, Form::Hybrid) => quote!(use #core::lanes::F64x4;),
+            _ => quote!(use #core::lanes::#number;),
+        };
         let (fields, payload) = match self.options.payload {
             Some(_) => {
                 let doc = " The payload: mass, centre of mass, rotational inertia about it (xx, xy, xz, yy, yz, zz), in its link's frame.";

@@ -34,7 +34,7 @@ use quote::quote;
 
 pub use error::GenerateError;
 pub use name::{camel_case, module_name};
-pub use options::{Lanes, Momentum, Options};
+pub use options::{Form, Lanes, Momentum, Options};
 pub use program::{Function, Input, Named, Output, Program};
 pub use report::{Counts, FunctionReport};
 pub use simplify::{Graph, Precision};

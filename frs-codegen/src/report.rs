@@ -38,6 +38,8 @@ pub struct Counts {
     pub sqrt: usize,
     /// Sines and cosines, each.
     pub sin_cos: usize,
+    /// Vectors put together from numbers.
+    pub gather: usize,
 }
 
 impl Counts {
@@ -49,12 +51,17 @@ impl Counts {
     /// Counts one operation.
     pub fn count(&mut self, operation: Operation) {
         match operation {
-            Operation::Input(_) | Operation::Constant(_) | Operation::Neg(_) => {}
+            Operation::Input(_)
+            | Operation::Constant(_)
+            | Operation::Neg(_)
+            | Operation::Splat(_)
+            | Operation::Lane(..) => {}
             Operation::Add(..) | Operation::Sub(..) => self.add += 1,
             Operation::Mul(..) => self.mul += 1,
             Operation::Div(..) => self.div += 1,
             Operation::Sqrt(_) => self.sqrt += 1,
             Operation::Sin(_) | Operation::Cos(_) => self.sin_cos += 1,
+            Operation::Gather(_) => self.gather += 1,
         }
     }
 
@@ -62,7 +69,7 @@ impl Counts {
     ///
     /// Twelve an operation: on baseline x86-64, `matrices` of lwr_satellite takes 11.9 and `inertia` of the quadruped 13.6.
     pub fn code_bytes(&self) -> usize {
-        12 * self.flops() + 20 * self.sin_cos
+        12 * self.flops() + 20 * self.sin_cos + 24 * self.gather
     }
 }
 
@@ -73,6 +80,7 @@ impl AddAssign for Counts {
         self.div += other.div;
         self.sqrt += other.sqrt;
         self.sin_cos += other.sin_cos;
+        self.gather += other.gather;
     }
 }
 
@@ -86,6 +94,9 @@ impl fmt::Display for Counts {
         }
         if self.sin_cos > 0 {
             write!(f, "; {} sin cos", self.sin_cos / 2)?;
+        }
+        if self.gather > 0 {
+            write!(f, "; {} vectors put together", self.gather)?;
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use frs_core::Real;
 
-use crate::record::{Operation, Place, Tape};
+use crate::record::{Operation, Place, Tape, WIDTH};
 
 /// The precision in which constants are folded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,6 +33,8 @@ impl Precision {
 #[derive(Debug, Default)]
 pub struct Graph {
     operations: Tape,
+    /// Whether a place is a vector.
+    vectors: Vec<bool>,
     places: HashMap<Operation, Place>,
     precision: Precision,
 }
@@ -69,6 +71,9 @@ impl Graph {
                 Operation::Sqrt(a) => self.of_one(Operation::Sqrt(at(a)), at(a)),
                 Operation::Sin(a) => self.of_one(Operation::Sin(at(a)), at(a)),
                 Operation::Cos(a) => self.of_one(Operation::Cos(at(a)), at(a)),
+                Operation::Gather(numbers) => self.gather(numbers.map(at)),
+                Operation::Splat(a) => self.splat(at(a)),
+                Operation::Lane(a, number) => self.lane(at(a), number),
             });
         }
         map
@@ -82,9 +87,27 @@ impl Graph {
         }
     }
 
+    /// Whether `place` is a vector.
+    pub fn is_vector(&self, place: Place) -> bool {
+        self.vectors[place as usize]
+    }
+
+    /// Whether `place` is a vector of constants.
+    pub fn is_table(&self, place: Place) -> bool {
+        match self.operation(place) {
+            Operation::Gather(numbers) => numbers.iter().all(|&number| self.constant_at(number).is_some()),
+            _ => false,
+        }
+    }
+
     /// Where `operation` stands: equal subexpressions are one.
     fn intern(&mut self, operation: Operation) -> Place {
         *self.places.entry(operation).or_insert_with(|| {
+            self.vectors.push(match operation {
+                Operation::Gather(_) | Operation::Splat(_) => true,
+                Operation::Lane(..) => false,
+                _ => operation.operands().any(|operand| self.vectors[operand as usize]),
+            });
             self.operations.push(operation);
             (self.operations.len() - 1) as Place
         })
@@ -130,7 +153,10 @@ impl Graph {
             // x − 0 = x, 0 − x = −x, x − x = 0 for every finite x.
             _ if self.is(b, 0.0) => a,
             _ if self.is(a, 0.0) => self.neg(b),
-            _ if a == b => self.constant(0.0),
+            _ if a == b => {
+                let zero = self.constant(0.0);
+                if self.is_vector(a) { self.splat(zero) } else { zero }
+            }
             // a − (−b) = a + b, (−a) − b = −(a + b), (−a) − (−b) = b − a.
             (Some(a), Some(b)) => self.sub(b, a),
             (None, Some(b)) => self.add(a, b),
@@ -154,7 +180,8 @@ impl Graph {
         }
         match (self.sign(a), self.sign(b)) {
             // x · 0 = 0 for every finite x, x · 1 = x.
-            _ if self.is(a, 0.0) || self.is(b, 0.0) => self.constant(0.0),
+            _ if self.is(a, 0.0) => a,
+            _ if self.is(b, 0.0) => b,
             _ if self.is(a, 1.0) => b,
             _ if self.is(b, 1.0) => a,
             // The sign of a product is the product of the signs; its size does not depend on them.
@@ -207,8 +234,59 @@ impl Graph {
         }
     }
 
+    /// The vector of these numbers.
+    fn gather(&mut self, numbers: [Place; WIDTH]) -> Place {
+        let lanes = numbers.map(|number| self.operation(number));
+        let signs = numbers.map(|number| self.sign(number));
+        match (lanes, signs) {
+            // One number in all lanes.
+            _ if numbers == [numbers[0]; WIDTH] => self.splat(numbers[0]),
+            // All lanes of a vector are the vector.
+            ([Operation::Lane(vector, _), ..], _)
+                if (0..).zip(lanes).all(|(number, lane)| lane == Operation::Lane(vector, number)) =>
+            {
+                vector
+            }
+            // Lanes turn their signs together.
+            (_, [Some(a), Some(b), Some(c), Some(d)]) => {
+                let vector = self.gather([a, b, c, d]);
+                self.neg(vector)
+            }
+            _ => self.intern(Operation::Gather(numbers)),
+        }
+    }
+
+    /// The vector of the number `a` alone.
+    fn splat(&mut self, a: Place) -> Place {
+        match self.sign(a) {
+            Some(a) => {
+                let vector = self.splat(a);
+                self.neg(vector)
+            }
+            None => self.intern(Operation::Splat(a)),
+        }
+    }
+
+    /// Number `number` of the vector `a`.
+    fn lane(&mut self, a: Place, number: u8) -> Place {
+        match self.operation(a) {
+            Operation::Gather(numbers) => numbers[usize::from(number)],
+            Operation::Splat(a) => a,
+            // Lanes turn their signs together.
+            Operation::Neg(a) => {
+                let number = self.lane(a, number);
+                self.neg(number)
+            }
+            _ => self.intern(Operation::Lane(a, number)),
+        }
+    }
+
     /// A function of one number: folded where the number is known.
     fn of_one(&mut self, operation: Operation, a: Place) -> Place {
+        if let (Operation::Sqrt(_), Operation::Splat(a)) = (operation, self.operation(a)) {
+            let root = self.of_one(Operation::Sqrt(a), a);
+            return self.splat(root);
+        }
         match self.constant_at(a).map(|value| evaluate(operation, [value, 0.0], self.precision)) {
             Some(value) if value.is_finite() => self.constant(value),
             _ => self.intern(operation),
@@ -224,14 +302,29 @@ impl Graph {
         }
     }
 
+    /// Whether `place` is the constant `value`, or a vector of nothing else.
     fn is(&self, place: Place, value: f64) -> bool {
-        self.constant_at(place) == Some(value)
+        match self.operation(place) {
+            Operation::Splat(a) => self.is(a, value),
+            _ => self.constant_at(place) == Some(value),
+        }
     }
 
-    /// The result of an operation between constants, computed as it would be at run time.
+    /// The result of an operation between constants, computed as it would be at run time; between vectors of one number each, that of the numbers.
     fn fold(&mut self, operation: Operation) -> Option<Place> {
         let mut operands = operation.operands();
-        let (a, b) = (self.constant_at(operands.next()?)?, self.constant_at(operands.next()?)?);
+        let (a, b) = (operands.next()?, operands.next()?);
+        if let (Operation::Splat(a), Operation::Splat(b)) = (self.operation(a), self.operation(b)) {
+            let number = match operation {
+                Operation::Add(..) => self.add(a, b),
+                Operation::Sub(..) => self.sub(a, b),
+                Operation::Mul(..) => self.mul(a, b),
+                Operation::Div(..) => self.div(a, b),
+                _ => unreachable!("no other operation has two operands"),
+            };
+            return Some(self.splat(number));
+        }
+        let (a, b) = (self.constant_at(a)?, self.constant_at(b)?);
         let value = evaluate(operation, [a, b], self.precision);
         value.is_finite().then(|| self.constant(value))
     }
