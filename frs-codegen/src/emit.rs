@@ -1,4 +1,4 @@
-//! The unrolled form: every operation is written out once, in order.
+//! Every operation is written out once, in order: over numbers, or in the hybrid form over numbers and vectors.
 //!
 //! A section becomes a function that returns a structure of what others read; a quantity becomes a public function that
 //! calls the sections it stands on and writes its outputs.
@@ -450,8 +450,9 @@ impl Emitter<'_> {
     /// What some blocks perform.
     fn counts<'a>(&self, blocks: impl IntoIterator<Item = &'a Block>) -> Counts {
         let mut counts = Counts::default();
-        for &place in blocks.into_iter().flat_map(|block| &block.operations) {
-            counts.count(self.program.graph.operation(place));
+        let graph = &self.program.graph;
+        for &place in blocks.into_iter().flat_map(|block| &block.operations).filter(|&&place| !graph.is_table(place)) {
+            counts.count(graph.operation(place));
         }
         counts
     }

@@ -32,7 +32,7 @@ pub enum GenerateError {
         element: &'static str,
     },
     /// The hybrid form of something else than one state in `f64`.
-    #[error("form = hybrid: it excludes {other}; expected one state of f64; leave one of the two out")]
+    #[error("form: hybrid and {other} exclude each other; expected one state of f64; leave one of the two out")]
     Form {
         /// What it was to be combined with.
         other: &'static str,

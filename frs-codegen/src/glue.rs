@@ -8,7 +8,7 @@ use quote::{ToTokens, quote};
 
 use crate::emit::{Code, Emitter, ident};
 use crate::name::camel_case;
-use crate::options::{Form, Lanes};
+use crate::options::Lanes;
 use crate::program::{Function, Output};
 
 impl Emitter<'_> {
@@ -30,8 +30,9 @@ impl Emitter<'_> {
         ]
     }
 
-    /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it.
-    pub fn robot(&self, core: Option<&TokenStream>, codes: &[Code]) -> TokenStream {
+    /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it. `vectors`: whether the functions of
+    /// one state hold vectors.
+    pub fn robot(&self, core: Option<&TokenStream>, codes: &[Code], vectors: bool) -> TokenStream {
         let n = Literal::usize_unsuffixed(self.model.dof());
         let coordinates = self.model.coordinates().iter().map(|coordinate| &coordinate.name);
         let constants = quote! {
@@ -43,9 +44,9 @@ impl Emitter<'_> {
         let Some(core) = core else { return constants };
         let robot = self.robot_name(codes);
         let number = self.number();
-        let lanes = match (self.options.lanes, self.options.form) {
-            (Lanes::One, Form::Unrolled) => TokenStream::new(),
-            (Lanes::One, Form::Hybrid) => quote!(use #core::lanes::F64x4;),
+        let lanes = match self.options.lanes {
+            Lanes::One if vectors => quote!(use #core::lanes::F64x4;),
+            Lanes::One => TokenStream::new(),
             _ => quote!(use #core::lanes::#number;),
         };
         let (fields, payload) = match self.options.payload {
@@ -155,6 +156,13 @@ pub fn turn(functions: &TokenStream) -> TokenStream {
             #(#items)*
         }
     }
+}
+
+/// Whether `word` is among the identifiers of `tokens`.
+pub fn mentions(tokens: &TokenStream, word: &str) -> bool {
+    let mut known = BTreeSet::new();
+    words(tokens.clone(), &mut known);
+    known.contains(word)
 }
 
 /// Adds all identifiers of `tokens`.

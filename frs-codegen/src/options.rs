@@ -129,7 +129,7 @@ impl Options {
     pub(crate) fn check(&self) -> Result<(), GenerateError> {
         match (self.precision, self.lanes) {
             (Precision::Single, Lanes::Four) => Err(GenerateError::Lanes { lanes: 4, element: "f32" }),
-            (Precision::Single, _) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "scalar = f32" }),
+            (Precision::Single, _) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "f32" }),
             (_, Lanes::Four | Lanes::Eight) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "lanes" }),
             _ => Ok(()),
         }

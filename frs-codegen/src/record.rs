@@ -297,21 +297,28 @@ impl Lanes<Grouped> for Group {
 /// If the tape holds vectors: it is for recordings over [`Recorded`].
 pub fn replay<T: Real>(tape: &[Operation], inputs: &[T]) -> Vec<T> {
     let mut values: Vec<T> = Vec::with_capacity(tape.len());
-    for operation in tape {
-        let value = |place: Place| values[place as usize];
-        values.push(match *operation {
-            Operation::Input(number) => inputs[number as usize],
-            Operation::Constant(bits) => T::from_f64(f64::from_bits(bits)),
-            Operation::Add(a, b) => value(a) + value(b),
-            Operation::Sub(a, b) => value(a) - value(b),
-            Operation::Mul(a, b) => value(a) * value(b),
-            Operation::Div(a, b) => value(a) / value(b),
-            Operation::Neg(a) => -value(a),
-            Operation::Sqrt(a) => value(a).sqrt(),
-            Operation::Sin(a) => value(a).sin_cos().0,
-            Operation::Cos(a) => value(a).sin_cos().1,
-            Operation::Gather(_) | Operation::Splat(_) | Operation::Lane(..) => panic!("{operation:?} is no number's"),
-        });
+    for &operation in tape {
+        values.push(perform(operation, inputs, |place| values[place as usize]));
     }
     values
+}
+
+/// Performs one operation on numbers, given the value at every place before it.
+///
+/// # Panics
+/// If it makes a vector or takes a number out of one.
+pub fn perform<T: Real>(operation: Operation, inputs: &[T], value: impl Fn(Place) -> T) -> T {
+    match operation {
+        Operation::Input(number) => inputs[number as usize],
+        Operation::Constant(bits) => T::from_f64(f64::from_bits(bits)),
+        Operation::Add(a, b) => value(a) + value(b),
+        Operation::Sub(a, b) => value(a) - value(b),
+        Operation::Mul(a, b) => value(a) * value(b),
+        Operation::Div(a, b) => value(a) / value(b),
+        Operation::Neg(a) => -value(a),
+        Operation::Sqrt(a) => value(a).sqrt(),
+        Operation::Sin(a) => value(a).sin_cos().0,
+        Operation::Cos(a) => value(a).sin_cos().1,
+        Operation::Gather(_) | Operation::Splat(_) | Operation::Lane(..) => panic!("{operation:?} is no number's"),
+    }
 }

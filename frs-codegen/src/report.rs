@@ -38,7 +38,7 @@ pub struct Counts {
     pub sqrt: usize,
     /// Sines and cosines, each.
     pub sin_cos: usize,
-    /// Vectors put together from numbers.
+    /// Vectors put together from numbers that are not all constants.
     pub gather: usize,
 }
 

@@ -310,23 +310,49 @@ impl Graph {
         }
     }
 
-    /// The result of an operation between constants, computed as it would be at run time; between vectors of one number each, that of the numbers.
+    /// The result of an operation between constants, computed as it would be at run time; of an operation that can move behind or before the
+    /// vectors that its operands are made to or taken from, where it does the same to the same numbers.
     fn fold(&mut self, operation: Operation) -> Option<Place> {
         let mut operands = operation.operands();
         let (a, b) = (operands.next()?, operands.next()?);
-        if let (Operation::Splat(a), Operation::Splat(b)) = (self.operation(a), self.operation(b)) {
-            let number = match operation {
-                Operation::Add(..) => self.add(a, b),
-                Operation::Sub(..) => self.sub(a, b),
-                Operation::Mul(..) => self.mul(a, b),
-                Operation::Div(..) => self.div(a, b),
-                _ => unreachable!("no other operation has two operands"),
-            };
-            return Some(self.splat(number));
+        let divides = matches!(operation, Operation::Div(..));
+        match (self.operation(a), self.operation(b)) {
+            (Operation::Splat(a), Operation::Splat(b)) => {
+                let number = self.of_two(operation, a, b);
+                Some(self.splat(number))
+            }
+            // Once for all lanes. A division is not: its time grows with the lanes.
+            (Operation::Lane(a, lane), Operation::Lane(b, other)) if lane == other && !divides => {
+                let vector = self.of_two(operation, a, b);
+                Some(self.lane(vector, lane))
+            }
+            (Operation::Lane(a, lane), Operation::Constant(_)) if !divides => {
+                let b = self.splat(b);
+                let vector = self.of_two(operation, a, b);
+                Some(self.lane(vector, lane))
+            }
+            (Operation::Constant(_), Operation::Lane(b, lane)) if !divides => {
+                let a = self.splat(a);
+                let vector = self.of_two(operation, a, b);
+                Some(self.lane(vector, lane))
+            }
+            (Operation::Constant(a), Operation::Constant(b)) => {
+                let value = evaluate(operation, [a, b].map(f64::from_bits), self.precision);
+                value.is_finite().then(|| self.constant(value))
+            }
+            _ => None,
         }
-        let (a, b) = (self.constant_at(a)?, self.constant_at(b)?);
-        let value = evaluate(operation, [a, b], self.precision);
-        value.is_finite().then(|| self.constant(value))
+    }
+
+    /// `operation` of other operands.
+    fn of_two(&mut self, operation: Operation, a: Place, b: Place) -> Place {
+        match operation {
+            Operation::Add(..) => self.add(a, b),
+            Operation::Sub(..) => self.sub(a, b),
+            Operation::Mul(..) => self.mul(a, b),
+            Operation::Div(..) => self.div(a, b),
+            _ => unreachable!("not an operation of two operands"),
+        }
     }
 }
 
