@@ -452,7 +452,10 @@ impl Emitter<'_> {
         let mut counts = Counts::default();
         let graph = &self.program.graph;
         for &place in blocks.into_iter().flat_map(|block| &block.operations).filter(|&&place| !graph.is_table(place)) {
-            counts.count(graph.operation(place));
+            match graph.is_vector(place) {
+                true => counts.count_of_vectors(graph.operation(place)),
+                false => counts.count(graph.operation(place)),
+            }
         }
         counts
     }

@@ -36,8 +36,8 @@ pub enum Form {
     /// Number by number.
     #[default]
     Unrolled,
-    /// What the core does to four bodies or joints at once, by vectors of four; number by number what goes from body to body. Less
-    /// machine code. It needs [`F64x4`](frs_core::lanes::F64x4).
+    /// What the core does to four bodies or joints at once, by vectors of four; number by number what goes from body to body. Half the
+    /// machine code where a register holds four numbers. It needs [`F64x4`](frs_core::lanes::F64x4).
     Hybrid,
 }
 

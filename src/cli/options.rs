@@ -47,7 +47,7 @@ pub struct GenerateArgs {
 enum Form {
     /// number by number
     Unrolled,
-    /// what is the same for four bodies by vectors: less machine code
+    /// what is the same for four bodies by vectors: half the machine code where a register holds four numbers
     Hybrid,
 }
 
