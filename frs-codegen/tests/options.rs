@@ -1,10 +1,12 @@
 //! Every option changes what is computed, never the bits of what remains.
 
+mod side_by_side;
+
 use std::path::Path;
 
-use frs_codegen::record::{Operation, perform, replay};
+use frs_codegen::record::{Operation, replay};
 use frs_codegen::{Counts, Form, Lanes, Momentum, Options, Precision, Program, generate};
-use frs_core::lanes::{F64x4, F64x8};
+use frs_core::lanes::F64x8;
 use frs_core::{Evaluator, FloatingBase, Model, Quantity, Real};
 
 const STATES: usize = 200;
@@ -66,24 +68,14 @@ fn bits<T: Real>(outputs: &[Vec<T>], bits: impl Fn(T) -> u64) -> Vec<Vec<u64>> {
     outputs.iter().map(|output| output.iter().map(|&number| bits(number)).collect()).collect()
 }
 
-/// The outputs of a program in the hybrid form: every number is held in all lanes, so that vectors can stand beside it.
+/// The same of a program in the hybrid form.
 fn interpret_hybrid(program: &Program, quantity: Quantity, input: &dyn Fn(&str) -> Vec<f64>) -> Vec<Vec<f64>> {
     let function = program.functions.iter().find(|function| function.quantity == quantity).expect("it was asked for");
-    let mut numbers = vec![F64x4::splat(f64::NAN); program.inputs.iter().map(|input| input.len).sum()];
+    let mut numbers = vec![f64::NAN; program.inputs.iter().map(|input| input.len).sum()];
     for one in function.inputs.iter().map(|&array| program.inputs[array]) {
-        let values: Vec<F64x4> = input(one.name).into_iter().map(F64x4::splat).collect();
-        numbers[one.start as usize..][..one.len].copy_from_slice(&values);
+        numbers[one.start as usize..][..one.len].copy_from_slice(&input(one.name));
     }
-    let mut values: Vec<F64x4> = Vec::new();
-    for &operation in program.graph.operations() {
-        let lane = |place: u32, number: u8| values[place as usize].as_array()[usize::from(number)];
-        values.push(match operation {
-            Operation::Gather(numbers) => F64x4::from_array(numbers.map(|number| lane(number, 0))),
-            Operation::Splat(number) => values[number as usize],
-            Operation::Lane(vector, number) => F64x4::splat(lane(vector, number)),
-            _ => perform(operation, &numbers, |place| values[place as usize]),
-        });
-    }
+    let values = side_by_side::replay(program.graph.operations(), &numbers);
     let output = |places: &Vec<u32>| places.iter().map(|&place| values[place as usize].as_array()[0] + 0.0).collect();
     function.outputs.iter().map(|one| output(&one.places)).collect()
 }
