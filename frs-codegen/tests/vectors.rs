@@ -8,8 +8,8 @@ use side_by_side::replay;
 
 const INPUTS: u32 = 6;
 
-/// A random recording; how often each kind occurs favours what can be folded.
-fn recording(random: &mut fastrand::Rng, len: usize) -> Tape {
+/// A random recording, and which of its places are vectors; how often each kind occurs favours what can be folded.
+fn recording(random: &mut fastrand::Rng, len: usize) -> (Tape, Vec<Place>) {
     const CONSTANTS: [f64; 6] = [0.0, -0.0, 1.0, -1.0, 0.5, -2.5];
     let mut tape: Tape = (0..INPUTS).map(Operation::Input).collect();
     tape.extend(CONSTANTS.map(Operation::constant));
@@ -57,7 +57,7 @@ fn recording(random: &mut fastrand::Rng, len: usize) -> Tape {
         });
         if of_vectors { &mut vectors } else { &mut numbers }.push(place);
     }
-    tape
+    (tape, vectors)
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn a_folded_recording_of_vectors_is_the_recording() {
     let mut random = fastrand::Rng::with_seed(9);
     let (mut compared, mut folded) = (0, 0);
     for _ in 0..5000 {
-        let tape = recording(&mut random, 80);
+        let (tape, vectors) = recording(&mut random, 80);
         let mut graph = Graph::new(Precision::Double);
         let places = graph.absorb(&tape);
         let inputs: Vec<f64> = (0..INPUTS).map(|_| random.f64() * 4.0 - 2.0).collect();
@@ -74,6 +74,12 @@ fn a_folded_recording_of_vectors_is_the_recording() {
             continue;
         }
         for (place, (expected, &to)) in expected.iter().zip(&places).enumerate() {
+            assert_eq!(
+                graph.is_vector(to),
+                vectors.contains(&(place as Place)),
+                "{place}: {:?} in {tape:?}",
+                tape[place]
+            );
             // 0 has no sign.
             let [expected, actual] = [*expected, actual[to as usize]].map(|value| (value + 0.0).to_array());
             assert_eq!(expected.map(f64::to_bits), actual.map(f64::to_bits), "{place}: {:?} in {tape:?}", tape[place]);
