@@ -452,10 +452,8 @@ impl Emitter<'_> {
         let mut counts = Counts::default();
         let graph = &self.program.graph;
         for &place in blocks.into_iter().flat_map(|block| &block.operations).filter(|&&place| !graph.is_table(place)) {
-            match graph.is_vector(place) {
-                true => counts.count_of_vectors(graph.operation(place)),
-                false => counts.count(graph.operation(place)),
-            }
+            let operation = graph.operation(place);
+            if graph.is_vector(place) { counts.count_of_vectors(operation) } else { counts.count(operation) }
         }
         counts
     }

@@ -310,8 +310,8 @@ impl Graph {
         }
     }
 
-    /// The result of an operation between constants, computed as it would be at run time; of an operation that can move behind or before the
-    /// vectors that its operands are made to or taken from, where it does the same to the same numbers.
+    /// The result of an operation between constants, computed as it would be at run time. An operation on vectors of one number each is one on
+    /// the numbers, and one on numbers of the same lane is one on their vectors: each lane keeps its own.
     fn fold(&mut self, operation: Operation) -> Option<Place> {
         let mut operands = operation.operands();
         let (a, b) = (operands.next()?, operands.next()?);

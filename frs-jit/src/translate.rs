@@ -122,7 +122,7 @@ impl<'a> Translation<'a> {
             }
             Operation::Sin(_) | Operation::Cos(_) => unreachable!("angles are turned between parts"),
             Operation::Gather(_) | Operation::Splat(_) | Operation::Lane(..) => {
-                unreachable!("recordings over `Recorded` hold no vectors")
+                unreachable!("vectors are refused before")
             }
         }
     }
