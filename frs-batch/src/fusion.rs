@@ -68,6 +68,9 @@ impl<'a> Fusion<'a> {
             Operation::Neg(a) => (Code::Neg, [a; 3]),
             Operation::Sqrt(a) => (Code::Sqrt, [a; 3]),
             Operation::Input(_) | Operation::Constant(_) | Operation::Sin(_) | Operation::Cos(_) => return None,
+            Operation::Gather(_) | Operation::Splat(_) | Operation::Lane(..) => {
+                unreachable!("recordings over `Recorded` hold no vectors")
+            }
         };
         Some(Step { code, to: place, from })
     }

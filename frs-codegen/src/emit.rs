@@ -1,4 +1,4 @@
-//! The unrolled form: every operation is written out once, in order.
+//! Every operation is written out once, in order: over numbers, or in the hybrid form over numbers and vectors.
 //!
 //! A section becomes a function that returns a structure of what others read; a quantity becomes a public function that
 //! calls the sections it stands on and writes its outputs.
@@ -161,7 +161,7 @@ impl Emitter<'_> {
     ) -> TokenStream {
         let (block, Code { name, body, fields, .. }) = (&self.schedule.blocks[number], &codes[number]);
         let words = self.words(block);
-        let element = self.number();
+        let elements = block.exports.iter().map(|&place| self.type_of(place));
         let parameters = self.parameters(block, codes, number);
         if fields.is_empty() {
             return quote! { #[doc = #words] #attribute #visible fn #name(#parameters) { #body } };
@@ -169,7 +169,7 @@ impl Emitter<'_> {
         let structure = structure(name);
         quote! {
             #[doc = #words]
-            #visible struct #structure { #(#visible #fields: #element),* }
+            #visible struct #structure { #(#visible #fields: #elements),* }
             #[doc = #words]
             #attribute
             #visible fn #name(#parameters) -> #structure {
@@ -451,8 +451,10 @@ impl Emitter<'_> {
     /// What some blocks perform.
     fn counts<'a>(&self, blocks: impl IntoIterator<Item = &'a Block>) -> Counts {
         let mut counts = Counts::default();
-        for &place in blocks.into_iter().flat_map(|block| &block.operations) {
-            counts.count(self.program.graph.operation(place));
+        let graph = &self.program.graph;
+        for &place in blocks.into_iter().flat_map(|block| &block.operations).filter(|&&place| !graph.is_table(place)) {
+            let operation = graph.operation(place);
+            if graph.is_vector(place) { counts.count_of_vectors(operation) } else { counts.count(operation) }
         }
         counts
     }
@@ -473,6 +475,11 @@ impl Emitter<'_> {
         };
         let name = ident(name);
         quote!(#name)
+    }
+
+    /// The type of a place.
+    fn type_of(&self, place: Place) -> TokenStream {
+        if self.program.graph.is_vector(place) { quote!(F64x4) } else { self.number() }
     }
 
     /// A constant where no operation lifts it to all lanes.

@@ -31,6 +31,12 @@ pub enum GenerateError {
         /// Of what.
         element: &'static str,
     },
+    /// The hybrid form of something else than one state in `f64`.
+    #[error("form: hybrid and {other} exclude each other; expected one state of f64; leave one of the two out")]
+    Form {
+        /// What it was to be combined with.
+        other: &'static str,
+    },
     /// A number of the robot, or a held value, that the scalar cannot hold.
     #[error(
         "{element}: a number of this robot is too large for it; expected finite numbers; choose f64, or smaller values"

@@ -130,6 +130,19 @@ impl Expressions<'_> {
                 let both = self.sin_cos(a);
                 (quote!(#both.1), Binding::Atom)
             }
+            Operation::Gather(numbers) => {
+                let numbers = numbers.map(|number| at(number, Binding::Sum));
+                (quote!(F64x4::from_array([#(#numbers),*])), Binding::Atom)
+            }
+            // A vector takes a number on its other side: it is the same in all lanes.
+            Operation::Splat(a) => match (self.names)(a) {
+                Some(name) => (name, Binding::Atom),
+                None => self.operation(a),
+            },
+            Operation::Lane(a, number) => {
+                let (a, number) = (at(a, Binding::Atom), Literal::u8_unsuffixed(number));
+                (quote!(#a.as_array()[#number]), Binding::Atom)
+            }
         }
     }
 

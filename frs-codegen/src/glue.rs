@@ -37,8 +37,9 @@ impl Emitter<'_> {
         lines
     }
 
-    /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it.
-    pub fn robot(&self, core: Option<&TokenStream>, codes: &[Code]) -> TokenStream {
+    /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it. `vectors`: whether the functions of
+    /// one state hold vectors.
+    pub fn robot(&self, core: Option<&TokenStream>, codes: &[Code], vectors: bool) -> TokenStream {
         let n = Literal::usize_unsuffixed(self.model.dof());
         let coordinates = self.model.coordinates().iter().map(|coordinate| &coordinate.name);
         let constants = quote! {
@@ -50,7 +51,11 @@ impl Emitter<'_> {
         let Some(core) = core else { return constants };
         let robot = self.robot_name(codes);
         let number = self.number();
-        let lanes = (self.options.lanes != Lanes::One).then(|| quote!(use #core::lanes::#number;));
+        let lanes = match self.options.lanes {
+            Lanes::One if vectors => quote!(use #core::lanes::F64x4;),
+            Lanes::One => TokenStream::new(),
+            _ => quote!(use #core::lanes::#number;),
+        };
         let (fields, payload) = match self.options.payload {
             Some(_) => {
                 let doc = " The payload: mass, centre of mass, rotational inertia about it (xx, xy, xz, yy, yz, zz), in its link's frame.";
@@ -164,6 +169,13 @@ pub fn turn(functions: &TokenStream) -> TokenStream {
             #(#items)*
         }
     }
+}
+
+/// Whether `word` is among the identifiers of `tokens`.
+pub fn mentions(tokens: &TokenStream, word: &str) -> bool {
+    let mut known = BTreeSet::new();
+    words(tokens.clone(), &mut known);
+    known.contains(word)
 }
 
 /// Adds all identifiers of `tokens`.

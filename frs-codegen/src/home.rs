@@ -112,12 +112,13 @@ impl<'p> Homes<'p> {
         }
     }
 
-    /// The place whose value stands behind signs; nothing for what is written where it is read.
+    /// The place whose value stands behind signs and lanes; nothing for what is written where it is read.
     fn value(&self, place: Place) -> Option<Place> {
-        match self.program.graph.operation(place) {
-            Operation::Neg(a) => self.value(a),
-            Operation::Input(_) | Operation::Constant(_) => None,
-            _ => Some(place),
+        let operation = self.program.graph.operation(place);
+        match (operation, operation.handed_on()) {
+            (_, Some(a)) => self.value(a),
+            (Operation::Input(_) | Operation::Constant(_), _) => None,
+            _ => Some(place).filter(|&place| !self.program.graph.is_table(place)),
         }
     }
 
@@ -197,11 +198,11 @@ impl<'p> Homes<'p> {
         lets
     }
 
-    /// The values that a place reads, signs passed over; none for a sign itself.
+    /// The values that a place reads, signs and lanes passed over; none for a sign itself.
     fn reads(&self, place: Place) -> impl Iterator<Item = Place> {
         let operation = self.program.graph.operation(place);
-        let sign = matches!(operation, Operation::Neg(_));
-        operation.operands().filter(move |_| !sign).filter_map(|operand| self.value(operand))
+        let hands_on = operation.handed_on().is_some();
+        operation.operands().filter(move |_| !hands_on).filter_map(|operand| self.value(operand))
     }
 
     /// The first place that reads each place, and as which operand.

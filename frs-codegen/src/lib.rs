@@ -34,7 +34,7 @@ use quote::quote;
 
 pub use error::GenerateError;
 pub use name::{camel_case, module_name};
-pub use options::{Lanes, Momentum, Options};
+pub use options::{Form, Lanes, Momentum, Options};
 pub use program::{Function, Input, Named, Output, Program};
 pub use report::{Counts, FunctionReport};
 pub use simplify::{Graph, Precision};
@@ -73,7 +73,8 @@ pub fn generate_on(
     let emitter = emit::Emitter { program: &program, schedule: &schedule, parts: &parts, options, model, comments };
     let codes = emitter.codes();
     let (functions, reports) = emitter.functions(&codes);
-    let robot = emitter.robot((!options.standalone).then_some(core), &codes);
+    let vectors = options.form == Form::Hybrid && glue::mentions(&functions, "F64x4");
+    let robot = emitter.robot((!options.standalone).then_some(core), &codes, vectors);
     let turns = options.lanes == Lanes::One && reports.iter().any(|report| report.counts.sin_cos > 0);
     let turn = match (turns, options.standalone) {
         (false, _) => TokenStream::new(),

@@ -216,7 +216,10 @@ impl Scope<'_> {
         match self.program.graph.operation(place) {
             Operation::Sin(a) => angle(a).map(|name| format!("sin_{name}")),
             Operation::Cos(a) => angle(a).map(|name| format!("cos_{name}")),
-            _ => self.named(place).map(|named| parts.identifier(named)),
+            _ => self.named(place).map(|named| {
+                let group = if self.program.graph.is_vector(place) { "_x4" } else { "" };
+                parts.identifier(named) + group
+            }),
         }
     }
 
@@ -228,11 +231,7 @@ impl Scope<'_> {
         }
         let (reader, position) = self.schedule.reader[place as usize].expect("a place is read or written");
         let owner = self.own_name(reader, parts).unwrap_or_else(|| self.outer_name(reader, parts));
-        if matches!(self.program.graph.operation(reader), Operation::Neg(_)) {
-            owner
-        } else {
-            format!("{owner}_{position}")
-        }
+        if self.program.graph.operation(reader).handed_on().is_some() { owner } else { format!("{owner}_{position}") }
     }
 
     /// What the sweeps or the question call a place.

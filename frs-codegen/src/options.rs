@@ -24,8 +24,21 @@ pub struct Options {
     pub precision: Precision,
     /// How many states are evaluated at once: 1, or the lanes of a SIMD type.
     pub lanes: Lanes,
+    /// In what form the operations are written.
+    pub form: Form,
     /// Whether the text stands alone, without `frs-core`.
     pub standalone: bool,
+}
+
+/// How the operations of one state are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Form {
+    /// Number by number.
+    #[default]
+    Unrolled,
+    /// What the core does to four bodies or joints at once, by vectors of four; number by number what goes from body to body. Half the
+    /// machine code where a register holds four numbers. It needs [`F64x4`](frs_core::lanes::F64x4).
+    Hybrid,
 }
 
 /// What is known about the momentum of a robot.
@@ -116,6 +129,8 @@ impl Options {
     pub(crate) fn check(&self) -> Result<(), GenerateError> {
         match (self.precision, self.lanes) {
             (Precision::Single, Lanes::Four) => Err(GenerateError::Lanes { lanes: 4, element: "f32" }),
+            (Precision::Single, _) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "f32" }),
+            (_, Lanes::Four | Lanes::Eight) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "lanes" }),
             _ => Ok(()),
         }
     }

@@ -3,13 +3,12 @@
 use std::collections::HashMap;
 
 use frs_core::spatial::Symmetric3;
-use frs_core::{Argument, Evaluator, FloatingBase, Label, Model, Pass, Quantity, Real};
+use frs_core::{Argument, Evaluator, FloatingBase, Label, Model, Pass, Quantity};
 use nalgebra::Vector3;
-use num_traits::Zero;
 
 use crate::error::GenerateError;
-use crate::options::{Momentum, Options};
-use crate::record::{Operation, Place, Recorded, record};
+use crate::options::{Form, Momentum, Options};
+use crate::record::{Grouped, Operation, Place, Recorded, Recording, record};
 use crate::simplify::Graph;
 
 /// All quantities of a robot over one graph.
@@ -127,6 +126,18 @@ impl Program {
     }
 
     fn function(&mut self, model: &Model, options: &Options, quantity: Quantity) -> Result<(), GenerateError> {
+        match options.form {
+            Form::Unrolled => self.function_over::<Recorded>(model, options, quantity),
+            Form::Hybrid => self.function_over::<Grouped>(model, options, quantity),
+        }
+    }
+
+    fn function_over<T: Recording>(
+        &mut self,
+        model: &Model,
+        options: &Options,
+        quantity: Quantity,
+    ) -> Result<(), GenerateError> {
         let n = model.dof();
         let mut numbers = Vec::new();
         let arguments: Vec<(Argument, Option<Input>)> = quantity
@@ -142,7 +153,7 @@ impl Program {
             })
             .collect();
         let payload = options.payload.as_deref().map(|link| (link, self.inputs[0]));
-        let ((outputs, labels), tape) = record(|| evaluate(model, payload, quantity, &arguments));
+        let ((outputs, labels), tape) = record(|| evaluate::<T>(model, payload, quantity, &arguments));
         let map = self.graph.absorb(&tape);
         if self
             .graph
@@ -164,17 +175,22 @@ impl Program {
             function.inputs.insert(0, 0);
         }
         for (argument, values) in quantity.outputs().zip(outputs?) {
-            let places = values.iter().map(|value| map[value.0 as usize]).collect();
+            let places = values.iter().map(|value| map[value.place() as usize]).collect();
             function.outputs.push(output(argument, n, places, options, quantity));
         }
         for label in labels {
             let names = if label.pass == Pass::Question { &mut function.scratch } else { &mut self.sweeps };
             for (component, value) in label.components.iter().zip(&label.values) {
-                let place = map[value.0 as usize];
+                let place = map[value.place() as usize];
                 let (place, minus) = match self.graph.operation(place) {
                     Operation::Input(_) | Operation::Constant(_) => continue,
                     Operation::Neg(a) => (a, true),
                     _ => (place, false),
+                };
+                // A vector is called after the first of its lanes that has a name.
+                let place = match self.graph.operation(place) {
+                    Operation::Lane(vector, _) => vector,
+                    _ => place,
                 };
                 let Label { pass, symbol, body, .. } = label;
                 let named = Named { pass, symbol, body, component, minus };
@@ -245,18 +261,18 @@ fn links(model: &Model, options: &Options) -> Result<Vec<usize>, GenerateError> 
     }
 }
 
-type Outputs = Result<Vec<Vec<Recorded>>, GenerateError>;
+type Outputs<T> = Result<Vec<Vec<T>>, GenerateError>;
 
 /// Runs the core over recorded numbers.
-fn evaluate(
+fn evaluate<T: Recording>(
     model: &Model,
     payload: Option<(&str, Input)>,
     quantity: Quantity,
     arguments: &[(Argument, Option<Input>)],
-) -> (Outputs, Vec<Label<Recorded>>) {
+) -> (Outputs<T>, Vec<Label<T>>) {
     let n = model.dof();
-    let entries = |input: Input| (input.start..).take(input.len).map(Recorded::input).collect::<Vec<_>>();
-    let mut model = model.map(Recorded::from_f64);
+    let entries = |input: Input| (input.start..).take(input.len).map(T::input).collect::<Vec<_>>();
+    let mut model = model.map(T::from_f64);
     if let Some((link, input)) = payload {
         let numbers = entries(input);
         let inertial = frs_core::model::Inertial {
@@ -276,14 +292,13 @@ fn evaluate(
             Err(error) => return (Err(error.into()), Vec::new()),
         };
     }
-    let inputs: Vec<Vec<Recorded>> = arguments
+    let inputs: Vec<Vec<T>> = arguments
         .iter()
-        .map(|(argument, input)| input.map_or_else(|| vec![Recorded::zero(); argument.len(n)], entries))
+        .map(|(argument, input)| input.map_or_else(|| vec![T::zero(); argument.len(n)], entries))
         .collect();
-    let inputs: Vec<&[Recorded]> = inputs.iter().map(Vec::as_slice).collect();
-    let mut outputs: Vec<Vec<Recorded>> =
-        quantity.outputs().map(|argument| vec![Recorded::zero(); argument.len(n)]).collect();
-    let mut slices: Vec<&mut [Recorded]> = outputs.iter_mut().map(Vec::as_mut_slice).collect();
+    let inputs: Vec<&[T]> = inputs.iter().map(Vec::as_slice).collect();
+    let mut outputs: Vec<Vec<T>> = quantity.outputs().map(|argument| vec![T::zero(); argument.len(n)]).collect();
+    let mut slices: Vec<&mut [T]> = outputs.iter_mut().map(Vec::as_mut_slice).collect();
     let mut evaluator = Evaluator::new(&model);
     evaluator.answer(quantity, &inputs, &mut slices);
     (Ok(outputs), evaluator.workspace().labels())

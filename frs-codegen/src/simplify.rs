@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use frs_core::Real;
 
-use crate::record::{Operation, Place, Tape};
+use crate::record::{Operation, Place, Tape, WIDTH};
 
 /// The precision in which constants are folded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,6 +33,8 @@ impl Precision {
 #[derive(Debug, Default)]
 pub struct Graph {
     operations: Tape,
+    /// Whether a place is a vector.
+    vectors: Vec<bool>,
     places: HashMap<Operation, Place>,
     precision: Precision,
 }
@@ -70,6 +72,9 @@ impl Graph {
                 Operation::Sqrt(a) => self.of_one(Operation::Sqrt(at(a)), at(a)),
                 Operation::Sin(a) => self.of_one(Operation::Sin(at(a)), at(a)),
                 Operation::Cos(a) => self.of_one(Operation::Cos(at(a)), at(a)),
+                Operation::Gather(numbers) => self.gather(numbers.map(at)),
+                Operation::Splat(a) => self.splat(at(a)),
+                Operation::Lane(a, number) => self.lane(at(a), number),
             });
         }
         map
@@ -83,9 +88,27 @@ impl Graph {
         }
     }
 
+    /// Whether `place` is a vector.
+    pub fn is_vector(&self, place: Place) -> bool {
+        self.vectors[place as usize]
+    }
+
+    /// Whether `place` is a vector of constants.
+    pub fn is_table(&self, place: Place) -> bool {
+        match self.operation(place) {
+            Operation::Gather(numbers) => numbers.iter().all(|&number| self.constant_at(number).is_some()),
+            _ => false,
+        }
+    }
+
     /// Where `operation` stands: equal subexpressions are one.
     fn intern(&mut self, operation: Operation) -> Place {
         *self.places.entry(operation).or_insert_with(|| {
+            self.vectors.push(match operation {
+                Operation::Gather(_) | Operation::Splat(_) => true,
+                Operation::Lane(..) => false,
+                _ => operation.operands().any(|operand| self.vectors[operand as usize]),
+            });
             self.operations.push(operation);
             (self.operations.len() - 1) as Place
         })
@@ -131,7 +154,10 @@ impl Graph {
             // x − 0 = x, 0 − x = −x, x − x = 0 for every finite x.
             _ if self.is(b, 0.0) => a,
             _ if self.is(a, 0.0) => self.neg(b),
-            _ if a == b => self.constant(0.0),
+            _ if a == b => {
+                let zero = self.constant(0.0);
+                if self.is_vector(a) { self.splat(zero) } else { zero }
+            }
             // a − (−b) = a + b, (−a) − b = −(a + b), (−a) − (−b) = b − a.
             (Some(a), Some(b)) => self.sub(b, a),
             (None, Some(b)) => self.add(a, b),
@@ -155,7 +181,8 @@ impl Graph {
         }
         match (self.sign(a), self.sign(b)) {
             // x · 0 = 0 for every finite x, x · 1 = x.
-            _ if self.is(a, 0.0) || self.is(b, 0.0) => self.constant(0.0),
+            _ if self.is(a, 0.0) => a,
+            _ if self.is(b, 0.0) => b,
             _ if self.is(a, 1.0) => b,
             _ if self.is(b, 1.0) => a,
             // The sign of a product is the product of the signs; its size does not depend on them.
@@ -241,8 +268,59 @@ impl Graph {
         }
     }
 
+    /// The vector of these numbers.
+    fn gather(&mut self, numbers: [Place; WIDTH]) -> Place {
+        let lanes = numbers.map(|number| self.operation(number));
+        let signs = numbers.map(|number| self.sign(number));
+        match (lanes, signs) {
+            // One number in all lanes.
+            _ if numbers == [numbers[0]; WIDTH] => self.splat(numbers[0]),
+            // All lanes of a vector are the vector.
+            ([Operation::Lane(vector, _), ..], _)
+                if (0..).zip(lanes).all(|(number, lane)| lane == Operation::Lane(vector, number)) =>
+            {
+                vector
+            }
+            // Lanes turn their signs together.
+            (_, [Some(a), Some(b), Some(c), Some(d)]) => {
+                let vector = self.gather([a, b, c, d]);
+                self.neg(vector)
+            }
+            _ => self.intern(Operation::Gather(numbers)),
+        }
+    }
+
+    /// The vector of the number `a` alone.
+    fn splat(&mut self, a: Place) -> Place {
+        match self.sign(a) {
+            Some(a) => {
+                let vector = self.splat(a);
+                self.neg(vector)
+            }
+            None => self.intern(Operation::Splat(a)),
+        }
+    }
+
+    /// Number `number` of the vector `a`.
+    fn lane(&mut self, a: Place, number: u8) -> Place {
+        match self.operation(a) {
+            Operation::Gather(numbers) => numbers[usize::from(number)],
+            Operation::Splat(a) => a,
+            // Lanes turn their signs together.
+            Operation::Neg(a) => {
+                let number = self.lane(a, number);
+                self.neg(number)
+            }
+            _ => self.intern(Operation::Lane(a, number)),
+        }
+    }
+
     /// A function of one number: folded where the number is known.
     fn of_one(&mut self, operation: Operation, a: Place) -> Place {
+        if let (Operation::Sqrt(_), Operation::Splat(a)) = (operation, self.operation(a)) {
+            let root = self.of_one(Operation::Sqrt(a), a);
+            return self.splat(root);
+        }
         match self.constant_at(a).map(|value| evaluate(operation, [value, 0.0, 0.0], self.precision)) {
             Some(value) if value.is_finite() => self.constant(value),
             _ => self.intern(operation),
@@ -258,8 +336,12 @@ impl Graph {
         }
     }
 
+    /// Whether `place` is the constant `value`, or a vector of nothing else.
     fn is(&self, place: Place, value: f64) -> bool {
-        self.constant_at(place) == Some(value)
+        match self.operation(place) {
+            Operation::Splat(a) => self.is(a, value),
+            _ => self.constant_at(place) == Some(value),
+        }
     }
 
     /// Two ways to write one number: the first if it stands there, else the second.
@@ -267,14 +349,52 @@ impl Graph {
         if self.places.contains_key(&known) { self.intern(known) } else { self.intern(new) }
     }
 
-    /// The result of an operation between constants, computed as it would be at run time.
+    /// The result of an operation between constants, computed as it would be at run time. An operation on vectors of one number each is one on
+    /// the numbers, and one on numbers of the same lane is one on their vectors: each lane keeps its own.
     fn fold(&mut self, operation: Operation) -> Option<Place> {
-        let mut numbers = [0.0; 3];
-        for (number, operand) in numbers.iter_mut().zip(operation.operands()) {
-            *number = self.constant_at(operand)?;
+        let places: Vec<Place> = operation.operands().collect();
+        let operands: Vec<Operation> = places.iter().map(|&place| self.operation(place)).collect();
+        let numbers: Option<Vec<f64>> = places.iter().map(|&place| self.constant_at(place)).collect();
+        if let Some(numbers) = numbers {
+            let mut three = [0.0; 3];
+            three[..numbers.len()].copy_from_slice(&numbers);
+            let value = evaluate(operation, three, self.precision);
+            return value.is_finite().then(|| self.constant(value));
         }
-        let value = evaluate(operation, numbers, self.precision);
-        value.is_finite().then(|| self.constant(value))
+        let alone = |operand: &Operation| if let Operation::Splat(a) = operand { Some(*a) } else { None };
+        if let Some(numbers) = operands.iter().map(alone).collect::<Option<Vec<Place>>>() {
+            let number = self.of(operation, &numbers);
+            return Some(self.splat(number));
+        }
+        // Once for all lanes. A division is not: its time grows with the lanes.
+        let lane = operands
+            .iter()
+            .find_map(|operand| if let Operation::Lane(_, lane) = operand { Some(*lane) } else { None })?;
+        let same = |operand: &Operation| match operand {
+            Operation::Lane(_, other) => *other == lane,
+            Operation::Constant(_) => true,
+            _ => false,
+        };
+        if matches!(operation, Operation::Div(..)) || !operands.iter().all(same) {
+            return None;
+        }
+        let vectors: Vec<Place> = (operands.iter().zip(&places))
+            .map(|(operand, &place)| if let Operation::Lane(vector, _) = operand { *vector } else { self.splat(place) })
+            .collect();
+        let vector = self.of(operation, &vectors);
+        Some(self.lane(vector, lane))
+    }
+
+    /// `operation` of other operands.
+    fn of(&mut self, operation: Operation, operands: &[Place]) -> Place {
+        match (operation, operands) {
+            (Operation::Add(..), &[a, b]) => self.add(a, b),
+            (Operation::Sub(..), &[a, b]) => self.sub(a, b),
+            (Operation::Mul(..), &[a, b]) => self.mul(a, b),
+            (Operation::Div(..), &[a, b]) => self.div(a, b),
+            (Operation::MulAdd(..), &[a, b, c]) => self.mul_add(a, b, c),
+            _ => unreachable!("not an operation of several operands"),
+        }
     }
 }
 

@@ -1,9 +1,11 @@
 //! Every option changes what is computed, never the bits of what remains.
 
+mod side_by_side;
+
 use std::path::Path;
 
-use frs_codegen::record::replay;
-use frs_codegen::{Counts, Momentum, Options, Precision, Program, generate};
+use frs_codegen::record::{Operation, replay};
+use frs_codegen::{Counts, Form, Lanes, Momentum, Options, Precision, Program, generate};
 use frs_core::lanes::F64x8;
 use frs_core::{Evaluator, FloatingBase, Model, Quantity, Real};
 
@@ -64,6 +66,18 @@ fn state(random: &mut fastrand::Rng, n: usize, zero: &[&str]) -> impl Fn(&str) -
 
 fn bits<T: Real>(outputs: &[Vec<T>], bits: impl Fn(T) -> u64) -> Vec<Vec<u64>> {
     outputs.iter().map(|output| output.iter().map(|&number| bits(number)).collect()).collect()
+}
+
+/// The same of a program in the hybrid form.
+fn interpret_hybrid(program: &Program, quantity: Quantity, input: &dyn Fn(&str) -> Vec<f64>) -> Vec<Vec<f64>> {
+    let function = program.functions.iter().find(|function| function.quantity == quantity).expect("it was asked for");
+    let mut numbers = vec![f64::NAN; program.inputs.iter().map(|input| input.len).sum()];
+    for one in function.inputs.iter().map(|&array| program.inputs[array]) {
+        numbers[one.start as usize..][..one.len].copy_from_slice(&input(one.name));
+    }
+    let values = side_by_side::replay(program.graph.operations(), &numbers);
+    let output = |places: &Vec<u32>| places.iter().map(|&place| values[place as usize].as_array()[0] + 0.0).collect();
+    function.outputs.iter().map(|one| output(&one.places)).collect()
 }
 
 /// Under `options` every function that remains equals the core with the inputs in `zero` at zero; ξ̇ may be cut to q̈.
@@ -256,6 +270,52 @@ fn eight_lanes_are_eight_states() {
             }
         }
     }
+}
+
+#[test]
+fn the_hybrid_form_is_the_core() {
+    let hybrid = Options { form: Form::Hybrid, ..Options::default() };
+    for model in robots() {
+        let program = Program::new(&model, &hybrid).unwrap();
+        assert!(program.graph.operations().iter().any(|operation| matches!(operation, Operation::Gather(_))));
+        let mut random = fastrand::Rng::with_seed(8);
+        for function in &program.functions {
+            for _ in 0..STATES / 4 {
+                let state = state(&mut random, model.dof(), &[]);
+                let expected = core(&model, function.quantity, &state);
+                let actual = interpret_hybrid(&program, function.quantity, &state);
+                let name = function.quantity.name();
+                assert_eq!(bits(&actual, f64::to_bits), bits(&expected, f64::to_bits), "{} {name}", model.name());
+            }
+        }
+    }
+}
+
+/// A vector operation is one.
+#[test]
+fn the_hybrid_form_takes_half_the_operations() {
+    let model = robot("humanoid");
+    for quantity in [Quantity::Inertia, Quantity::Matrices] {
+        let [unrolled, hybrid] = [Form::Unrolled, Form::Hybrid].map(|form| {
+            let options = Options { form, outputs: Some(vec![quantity]), ..Options::default() };
+            counts(&model, &options, quantity.name()).flops()
+        });
+        assert!(2 * hybrid < unrolled, "{}: {hybrid} of {unrolled}", quantity.name());
+    }
+}
+
+#[test]
+fn the_hybrid_form_is_one_state_of_doubles() {
+    let model = robot("planar_three_link");
+    let error = |options: Options| generate(&model, &options).err().map(|error| error.to_string()).unwrap_or_default();
+    let hybrid = Options { form: Form::Hybrid, ..Options::default() };
+    assert_eq!(error(hybrid.clone()), "");
+    for lanes in [Lanes::Four, Lanes::Eight] {
+        let words = error(Options { lanes, ..hybrid.clone() });
+        assert!(words.starts_with("form: hybrid and lanes exclude each other"), "{words}");
+    }
+    let words = error(Options { precision: Precision::Single, ..hybrid });
+    assert!(words.starts_with("form: hybrid and f32 exclude each other"), "{words}");
 }
 
 #[test]

@@ -81,6 +81,9 @@ pub trait Lanes<T>: Real {
     /// Sets the number in lane `lane`.
     fn set_lane(&mut self, lane: usize, value: T);
 
+    /// The first `lanes` of these, and the rest of `others`.
+    fn first_of(self, lanes: usize, others: Self) -> Self;
+
     /// The first [`WIDTH`](Self::WIDTH) of `numbers`.
     fn read(numbers: &[T]) -> Self;
 
@@ -115,6 +118,11 @@ impl<T: Real> Lanes<T> for T {
     #[inline(always)]
     fn set_lane(&mut self, _: usize, value: T) {
         *self = value;
+    }
+
+    #[inline(always)]
+    fn first_of(self, lanes: usize, others: Self) -> Self {
+        if lanes > 0 { self } else { others }
     }
 
     #[inline(always)]

@@ -131,6 +131,9 @@ fn check(tape: &[Operation], outputs: &[Place], slices: &[usize], inputs: &[usiz
         if later || matches!(operation, Operation::Input(number) if number as usize >= all) {
             return Err(JitError::Unknown { place, operation, inputs: all });
         }
+        if matches!(operation, Operation::Gather(_) | Operation::Splat(_) | Operation::Lane(..)) {
+            return Err(JitError::Vector { place, operation });
+        }
     }
     match outputs.iter().find(|&&output| output as usize >= tape.len()) {
         Some(&place) => Err(JitError::NoPlace { place, len: tape.len() }),

@@ -20,6 +20,14 @@ pub enum JitError {
         /// How many inputs there are.
         inputs: usize,
     },
+    /// An operation that makes a vector or takes a number out of one.
+    #[error("place {place}: {operation:?} is of vectors; expected operations on numbers; record over `Recorded`")]
+    Vector {
+        /// Where it stands.
+        place: usize,
+        /// What it is.
+        operation: Operation,
+    },
     /// An output that the recording does not hold.
     #[error("output {place}: the recording ends at {len}; expected a place of the recording")]
     NoPlace {

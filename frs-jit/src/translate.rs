@@ -125,6 +125,9 @@ impl<'a> Translation<'a> {
                 self.cursor.ins().sqrt(a)
             }
             Operation::Sin(_) | Operation::Cos(_) => unreachable!("angles are turned between parts"),
+            Operation::Gather(_) | Operation::Splat(_) | Operation::Lane(..) => {
+                unreachable!("vectors are refused before")
+            }
         }
     }
 

@@ -147,6 +147,12 @@ fn a_recording_that_reads_what_is_not_there_is_refused() {
 }
 
 #[test]
+fn a_recording_of_vectors_is_refused() {
+    let error = Code::compile(&[Operation::Input(0), Operation::Splat(0), Operation::Lane(1, 0)], &[2], 1).unwrap_err();
+    assert!(matches!(error, JitError::Vector { place: 1, .. }), "{error}");
+}
+
+#[test]
 fn more_than_can_be_counted_is_refused() {
     let error = Code::compile(&[], &[], usize::MAX).unwrap_err();
     assert!(matches!(error, JitError::TooMany { what: "inputs", .. }), "{error}");

@@ -1,6 +1,6 @@
 //! What a user asks of `frs_model!`, with the place of every word.
 
-use frs_codegen::{GenerateError, Lanes, Momentum, Options, Precision, module_name};
+use frs_codegen::{Form, GenerateError, Lanes, Momentum, Options, Precision, module_name};
 use frs_core::Quantity;
 use frs_core::model::SpecialiseError;
 use proc_macro2::{Span, TokenStream};
@@ -10,7 +10,7 @@ use syn::{Attribute, Ident, LitStr, Token, Visibility, bracketed, parse_quote};
 use crate::setting::{Setting, settings};
 
 /// Each key, what it expects, and how it is written.
-const KEYS: [(&str, &str, &str); 10] = [
+const KEYS: [(&str, &str, &str); 11] = [
     ("root", "the name of a link in quotes", r#"root = "base""#),
     ("outputs", "names of quantities", "outputs(inertia, d_mu, b2)"),
     ("links", "names of links", r#"links("tool0", "camera")"#),
@@ -19,6 +19,7 @@ const KEYS: [(&str, &str, &str); 10] = [
     ("lock", "coordinates, each with a number (rad, m)", r#"lock(elbow = 1.2, "joint 3" = -0.5)"#),
     ("payload", "the name of a link in quotes", r#"payload = "gripper""#),
     ("lanes", "1, 4 or 8", "lanes = 8"),
+    ("form", "unrolled or hybrid", "form = hybrid"),
     ("scalar", "f64 or f32", "scalar = f32"),
     ("lenient", "true or false", "lenient = true"),
 ];
@@ -138,6 +139,9 @@ impl Request {
             "lanes" => setting
                 .word(&[("1", Lanes::One), ("4", Lanes::Four), ("8", Lanes::Eight)])
                 .map(|lanes| options.lanes = lanes),
+            "form" => {
+                setting.word(&[("unrolled", Form::Unrolled), ("hybrid", Form::Hybrid)]).map(|form| options.form = form)
+            }
             "scalar" => setting
                 .word(&[("f64", Precision::Double), ("f32", Precision::Single)])
                 .map(|precision| options.precision = precision),
@@ -210,6 +214,10 @@ impl Request {
             GenerateError::Lanes { .. } => {
                 options.lanes = Lanes::One;
                 ("lanes", None)
+            }
+            GenerateError::Form { .. } => {
+                options.form = Form::Unrolled;
+                ("form", None)
             }
             GenerateError::TooLarge { .. } => {
                 // Held values may be it, and the numbers of a robot fit into doubles.

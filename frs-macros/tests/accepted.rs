@@ -16,11 +16,14 @@ frs::frs_model!(
     lenient = true,
 );
 
+frs::frs_model!(mod grouped = "tests/ui/arm.urdf", form = hybrid, outputs(inertia));
+
 use frs::lanes::F32x8;
 
 #[test]
 fn both_forms_and_every_key_are_accepted() {
     assert_eq!((arm::COORDINATES, held::COORDINATES), (["shoulder", "elbow"], ["shoulder"]));
+    assert_eq!(grouped::DOF, 2);
     let zero = F32x8::splat(0.0);
     let (mut pose, mut jacobian) = ([[zero; 3]; 4], [zero; 6]);
     held::kinematics_camera(&[zero; 10], &[zero], &mut pose, &mut jacobian);

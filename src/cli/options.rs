@@ -37,6 +37,18 @@ pub struct GenerateArgs {
     /// Evaluate so many states at once, side by side in one instruction.
     #[arg(long, help_heading = HEADING, value_name = "N", default_value = "1", value_parser = lanes())]
     lanes: Lanes,
+    /// In what form one state's operations are written.
+    #[arg(long, help_heading = HEADING, value_enum, default_value = "unrolled")]
+    form: Form,
+}
+
+/// How the operations of one state are written.
+#[derive(Clone, Copy, ValueEnum)]
+enum Form {
+    /// number by number
+    Unrolled,
+    /// what is the same for four bodies by vectors: half the machine code where a register holds four numbers
+    Hybrid,
 }
 
 /// What is known about the momentum.
@@ -67,6 +79,10 @@ impl GenerateArgs {
             payload: self.payload.clone(),
             precision: if self.f32 { Precision::Single } else { Precision::Double },
             lanes: self.lanes,
+            form: match self.form {
+                Form::Unrolled => frs_codegen::Form::Unrolled,
+                Form::Hybrid => frs_codegen::Form::Hybrid,
+            },
             standalone: false,
         })
     }

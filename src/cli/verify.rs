@@ -38,8 +38,8 @@ use super::{Failure, RobotArgs};
 ///
 /// Times are medians in nanoseconds for one state, of the compiled program and of the core.
 ///
-/// The compiler is the one named by the variable RUSTC, or rustc on the path. With lanes, cargo builds the program too, for
-/// this processor, and needs the crate wide.
+/// The compiler is the one named by the variable RUSTC, or rustc on the path. With lanes and of the
+/// hybrid form cargo builds the program, for this processor, and needs the crate wide.
 #[derive(Args)]
 #[command(
     after_help = "Exit codes: 0 all bits are the same, 1 some differ or the code does not compile, 2 bad input or no compiler."
@@ -78,8 +78,7 @@ impl Verify {
         let generated = generate(&model, options).map_err(invalid)?;
         let text = generated.included_text();
         let layout = Layout::new(&generated.functions);
-        let harness =
-            Harness::write::<E>(&text, &generated.functions, &layout, options.lanes).map_err(Failure::Input)?;
+        let harness = Harness::write::<E>(&text, &generated.functions, &layout, options).map_err(Failure::Input)?;
 
         let started = Instant::now();
         let spinner = ProgressBar::new_spinner().with_message(format!("compiling {} lines", text.lines().count()));

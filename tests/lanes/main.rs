@@ -1,4 +1,4 @@
-//! Generated code over lanes and single precision, compiled: every lane has the bits of the core.
+//! Generated code over lanes, in single precision and in the hybrid form, compiled: every lane has the bits of the core.
 
 use std::path::Path;
 
@@ -8,6 +8,7 @@ use frs::{Evaluator, FloatingBase, Model, Quantity, Real};
 frs::frs_model!(mod four = "robots/planar_three_link.urdf", lanes = 4);
 frs::frs_model!(mod eight = "robots/planar_three_link.urdf", lanes = 8);
 frs::frs_model!(mod arm = "robots/lwr_satellite.urdf", lanes = 8, outputs(inertia));
+frs::frs_model!(mod hybrid = "robots/lwr_satellite.urdf", form = hybrid, outputs(inertia, matrices, forward_dynamics));
 frs::frs_model!(mod single = "robots/lwr_satellite.urdf", scalar = f32, outputs(inertia, b2, forward_dynamics));
 frs::frs_model!(mod eight_single = "robots/planar_three_link.urdf", scalar = f32, lanes = 8);
 
@@ -49,6 +50,7 @@ lanes! {
     F64x4: f64, 4, F64x4::from_array, F64x4::to_array;
     F64x8: f64, 8, F64x8::from_array, F64x8::to_array;
     F32x8: f32, 8, F32x8::from_array, F32x8::to_array;
+    f64: f64, 1, |[one]: [f64; 1]| one, |one| [one];
     f32: f32, 1, |[one]: [f32; 1]| one, |one| [one];
 }
 
@@ -109,6 +111,11 @@ fn eight_doubles() {
 #[test]
 fn eight_doubles_of_an_arm() {
     every_lane_has_the_bits_of_the_core("lwr_satellite.urdf", arm::LwrSatellite);
+}
+
+#[test]
+fn one_double_in_the_hybrid_form() {
+    every_lane_has_the_bits_of_the_core("lwr_satellite.urdf", hybrid::LwrSatellite);
 }
 
 #[test]

@@ -40,7 +40,7 @@ OWN = {
 }
 OWN_STATES = 10000
 # Without optimisation each operation is what is written, and lanes compile in seconds; generated/ itself is tested optimised.
-KINDS = [["--lanes", "4"], ["--lanes", "8"], ["--f32"], ["--f32", "--lanes", "8"], []]
+KINDS = [["--lanes", "4"], ["--lanes", "8"], ["--f32"], ["--f32", "--lanes", "8"], ["--form", "hybrid"], []]
 
 
 # Where each thread's builds stand: what lanes stand on is compiled once.

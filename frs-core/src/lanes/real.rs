@@ -75,6 +75,11 @@ macro_rules! impl_real {
             }
 
             #[inline(always)]
+            fn first_of(self, lanes: usize, others: Self) -> Self {
+                Self::from_array([$($lane as $element),*]).select_below(lanes as f64, self, others)
+            }
+
+            #[inline(always)]
             fn read(numbers: &[$element]) -> Self {
                 <Self as Lanes<$element>>::from_fn(|lane| numbers[lane])
             }

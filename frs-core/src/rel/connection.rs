@@ -1,10 +1,10 @@
 //! A_l, the local mechanical connection, and M_bq.
 
-use nalgebra::Matrix6xX;
+use nalgebra::{Matrix6xX, Vector3};
 
 use crate::Real;
 use crate::spatial::{Twist, Wrench};
-use crate::sweep::{Moving, Shape};
+use crate::sweep::{Moving, Shape, splat};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The coupling block `M_bq = Σ_k X_kᵀ M_k J_k` (6×n, base frame): momentum per joint rate with the base held still.
@@ -12,8 +12,8 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` does not have n columns.
     pub fn base_joint_inertia(&self, out: &mut Matrix6xX<T>) {
-        let centre = -self.com();
-        self.model.gather_columns(out, |j| self.data.inside.at::<Wrench<T>>(j).at(centre).to_array());
+        let centre: Vector3<T::Lanes> = splat(-self.com());
+        self.model.gather_groups(out, |first| self.data.inside.lanes::<Wrench<_>>(first).at(centre).to_array());
     }
 
     /// The local mechanical connection `A_l = Λ_b⁻¹ M_bq` (6×n, base frame): at zero momentum the base moves with
@@ -24,8 +24,8 @@ impl<T: Real> Shape<'_, '_, T> {
     /// # Panics
     /// If `out` does not have n columns.
     pub fn connection(&self, out: &mut Matrix6xX<T>) {
-        let centre = -self.com();
-        self.model.gather_columns(out, |j| self.data.connection.at::<Twist<T>>(j).at(centre).to_array());
+        let centre: Vector3<T::Lanes> = splat(-self.com());
+        self.model.gather_groups(out, |first| self.data.connection.lanes::<Twist<_>>(first).at(centre).to_array());
     }
 }
 

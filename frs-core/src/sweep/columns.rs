@@ -106,9 +106,7 @@ impl<T: Real> Row<T> {
             before(g).write(&mut numbers[g * width..]);
         }
         if stop < resume {
-            let number = T::Lanes::from_fn(|lane| T::from_f64(lane as f64));
-            let both = number.select_below(shared as f64, before(border), behind(border));
-            both.write(&mut numbers[border * width..]);
+            before(border).first_of(shared, behind(border)).write(&mut numbers[border * width..]);
         }
         for g in resume..last {
             behind(g).write(&mut numbers[g * width..]);

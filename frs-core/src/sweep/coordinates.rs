@@ -18,15 +18,35 @@ impl<T: Real> Model<T> {
 
     /// `out[·, c] = Σ_j ratio_j·value(j)`: the same for columns of six.
     pub(crate) fn gather_columns(&self, out: &mut Matrix6xX<T>, value: impl Fn(usize) -> [T; 6]) {
-        assert_eq!(out.ncols(), self.dof(), "the output must have one column per coordinate");
-        let (columns, _) = out.as_mut_slice().as_chunks_mut::<6>();
-        columns.fill([T::zero(); 6]);
+        let columns = self.empty_columns(out);
         for (j, body) in self.bodies()[1..].iter().enumerate() {
             let (column, value) = (&mut columns[body.drive.coordinate], value(j));
             for r in 0..6 {
                 column[r] += value[r] * body.drive.ratio;
             }
         }
+    }
+
+    /// The same, with the values of the joints from `first` on side by side in `values(first)`.
+    pub(crate) fn gather_groups(&self, out: &mut Matrix6xX<T>, values: impl Fn(usize) -> [T::Lanes; 6]) {
+        let columns = self.empty_columns(out);
+        for (group, bodies) in self.bodies()[1..].chunks(T::Lanes::WIDTH).enumerate() {
+            let values = values(group * T::Lanes::WIDTH);
+            for (lane, body) in bodies.iter().enumerate() {
+                let column = &mut columns[body.drive.coordinate];
+                for r in 0..6 {
+                    column[r] += values[r].lane(lane) * body.drive.ratio;
+                }
+            }
+        }
+    }
+
+    /// The columns of `out`, zero.
+    fn empty_columns<'o>(&self, out: &'o mut Matrix6xX<T>) -> &'o mut [[T; 6]] {
+        assert_eq!(out.ncols(), self.dof(), "the output must have one column per coordinate");
+        let (columns, _) = out.as_mut_slice().as_chunks_mut();
+        columns.fill([T::zero(); 6]);
+        columns
     }
 }
 

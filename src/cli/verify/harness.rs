@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
-use frs_codegen::{FunctionReport, Lanes};
+use frs_codegen::{Form, FunctionReport, Lanes, Options};
 use tempfile::TempDir;
 
 use super::element::Element;
@@ -33,7 +33,8 @@ wide = "1.7"
 pub struct Harness {
     /// Holds the program, as long as this lives.
     folder: TempDir,
-    lanes: Lanes,
+    /// Whether the program holds vectors, which stand on a crate.
+    vectors: bool,
 }
 
 impl Harness {
@@ -42,12 +43,18 @@ impl Harness {
         robot: &str,
         functions: &[FunctionReport],
         layout: &Layout,
-        lanes: Lanes,
+        options: &Options,
     ) -> Result<Self, String> {
         let folder = tempfile::tempdir().map_err(|error| format!("no temporary folder can be made: {error}"))?;
+        let lanes = options.lanes;
         let number = number::<E>(lanes);
-        let lane_types = if lanes == Lanes::One { "" } else { "mod lanes;\nmod turn;\n" };
-        let imports = if lanes == Lanes::One { String::new() } else { format!("use crate::lanes::{number};\n") };
+        let vector = match (lanes, options.form) {
+            (Lanes::One, Form::Unrolled) => None,
+            (Lanes::One, Form::Hybrid) => Some("F64x4"),
+            _ => Some(number.as_str()),
+        };
+        let lane_types = if vector.is_some() { "mod lanes;\nmod turn;\n" } else { "" };
+        let imports = vector.map_or_else(String::new, |vector| format!("use crate::lanes::{vector};\n"));
         let main = format!(
             "{PROGRAM}\nmod robot;\nmod time;\n{lane_types}{}",
             definitions::<E>(functions, layout, lanes, &number)
@@ -65,12 +72,12 @@ impl Harness {
             files.iter().try_for_each(|(name, text)| fs::write(folder.path().join(name), text))
         };
         write().map_err(|error| format!("{}: cannot be written: {error}", folder.path().display()))?;
-        Ok(Self { folder, lanes })
+        Ok(Self { folder, vectors: vector.is_some() })
     }
 
     /// Compiles the program, at this level of optimisation.
     pub fn compile(&self, level: u8) -> Result<(), Failure> {
-        if self.lanes != Lanes::One {
+        if self.vectors {
             return self.cargo(level, true).or_else(|_| self.cargo(level, false));
         }
         let mut rustc = tool("RUSTC", "rustc");
@@ -95,7 +102,7 @@ impl Harness {
     }
 
     fn executable(&self) -> PathBuf {
-        let folder = if self.lanes == Lanes::One { self.folder.path().into() } else { self.target().join("release") };
+        let folder = if self.vectors { self.target().join("release") } else { self.folder.path().into() };
         folder.join("check").with_extension(env::consts::EXE_EXTENSION)
     }
 
@@ -126,7 +133,7 @@ fn run(command: &mut Command) -> Result<(), Failure> {
     let output = command.stdin(Stdio::null()).output().map_err(|error| {
         Failure::Input(format!(
             "{name}: cannot be started: {error}; expected a Rust compiler of edition 2024; install one from \
-             https://rustup.rs, or name it in the variable RUSTC (for lanes cargo, in CARGO)"
+             https://rustup.rs, or name it in the variable RUSTC (for lanes and the hybrid form cargo, in CARGO)"
         ))
     })?;
     if output.status.success() {
@@ -134,7 +141,7 @@ fn run(command: &mut Command) -> Result<(), Failure> {
     }
     let complaint = String::from_utf8_lossy(&output.stderr);
     Err(Failure::Check(format!(
-        "{name}: the generated code could not be compiled ({}); lanes need the crate wide, from cargo's cache or \
+        "{name}: the generated code could not be compiled ({}); lanes and the hybrid form need the crate wide, from cargo's cache or \
          registry; the compiler said:\n{}",
         output.status,
         complaint.trim_end()
