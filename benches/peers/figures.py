@@ -8,9 +8,9 @@ import numpy as np
 
 import plan
 
-# One state at a time, and eight side by side.
-ONE_STATE = ["generated", "compiled", "core"]
-EIGHT = ["generated_8", "core_8"]
+# One state at a time, and several side by side.
+ONE_STATE = ["hybrid", "generated", "compiled", "core"]
+SIDE_BY_SIDE = ["generated_4", "generated_8", "core_4", "core_8"]
 
 
 class Robot:
@@ -38,7 +38,7 @@ class Robot:
 
     def peer_work(self, contestant, work):
         """What a contestant calls it."""
-        ours = contestant.startswith(("core", "generated", "single", "compiled"))
+        ours = contestant.startswith(("core", "generated", "hybrid", "single", "compiled"))
         return work if ours else plan.WORKS[work][1]
 
     def times_faster(self, contestant, work, kind="ns"):

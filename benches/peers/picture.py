@@ -14,7 +14,7 @@ from figures import read  # noqa: E402
 WORKS = {"inertia": "Λ_b, A_l, Λ_q", "matrices": "Λ_b, A_l, Λ_q, D_μ, B_2", "forward": "ξ̇", "curvature": "curvature"}
 COLOURS = {
     "casadi": ("CasADi's C", "#b0b0b0"), "mujoco": ("MuJoCo", "#8a8a8a"), "dynibo": ("dynibo", "#666666"),
-    "core": ("core", "#9ecae1"), "compiled": ("compiled at run time", "#4292c6"), "generated": ("generated", "#08519c"),
+    "core": ("core", "#9ecae1"), "compiled": ("compiled at run time", "#4292c6"), "generated": ("generated", "#08519c"), "hybrid": ("generated, hybrid form", "#31a354"),
     "core_8": ("core, 8 lanes", "#fdae6b"), "generated_8": ("generated, 8 lanes", "#d94801"),
 }
 STYLES = {"pinocchio": "#666666", "core": "#4292c6", "generated": "#08519c"}

@@ -28,6 +28,7 @@ WORKS = {
 # Forms of generated code: how `frs generate` is asked for them, and the works that they are generated for.
 FORMS = {
     "generated": ([], ["inertia", "matrices", "all_d", "forward", "curvature"]),
+    "hybrid": (["--form", "hybrid"], ["inertia", "matrices", "forward", "curvature"]),
     "generated_4": (["--lanes", "4"], ["inertia", "matrices", "forward"]),
     "generated_8": (["--lanes", "8"], ["inertia", "matrices", "forward"]),
     "single_8": (["--lanes", "8", "--f32"], ["inertia", "matrices", "forward"]),

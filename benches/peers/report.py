@@ -22,7 +22,7 @@ HEADINGS = {
 }
 BEGIN, END = "<!-- race -->", "<!-- /race -->"
 PEERS = ["pinocchio_gcc", "pinocchio_wheel", "casadi", "mujoco", "dynibo"]
-OURS = ["core", "core_4", "core_8", "compiled", "generated", "generated_4", "generated_8", "single_8"]
+OURS = ["core", "core_4", "core_8", "compiled", "generated", "hybrid", "generated_4", "generated_8", "single_8"]
 TITLES = {
     "pinocchio_gcc": "gcc", "pinocchio_wheel": "wheel", "casadi": "CasADi", "mujoco": "MuJoCo", "core_4": "core, 4 lanes",
     "core_8": "core, 8 lanes", "compiled": "at run time", "generated_4": "4 lanes", "generated_8": "8 lanes", "single_8": "8 × f32",
@@ -77,8 +77,10 @@ def code_table(robots):
             kibibytes = f"{code['bytes'] / 1024:.0f}" if "bytes" in code else "–"
             stack = f"{100 * code['stack']:.0f} %" if "stack" in code else "–"
             limits = [times(robot.from_limit(form, work)) for form in ("generated", "generated_4", "generated_8", "single_8")]
-            rows.append([robot.name, f"`{quantity}`", f"{code['operations']:,}", kibibytes, stack, *limits])
-    columns = ["robot", "quantity", "operations", "code, KiB", "on the stack", "time / limit", "4 lanes", "8 lanes", "8 × f32"]
+            hybrid = robot.code.get("hybrid", {}).get(quantity, {})
+            hybrid = [f"{hybrid['operations']:,}" if hybrid else "–", f"{hybrid['bytes'] / 1024:.0f}" if "bytes" in hybrid else "–"]
+            rows.append([robot.name, f"`{quantity}`", f"{code['operations']:,}", kibibytes, stack, *limits, *hybrid, times(robot.from_limit("hybrid", work))])
+    columns = ["robot", "quantity", "operations", "code, KiB", "on the stack", "time / limit", "4 lanes", "8 lanes", "8 × f32", "hybrid: operations", "code, KiB", "time / limit"]
     table("Generated code beside the limit of two operations a cycle", columns, rows)
 
 
@@ -88,12 +90,12 @@ def cold_table(robots):
     for robot in robots:
         for work in ("inertia", "matrices", "forward"):
             cells = []
-            for one in ("pinocchio", *("core", "compiled", "generated")):
+            for one in ("pinocchio", "core", "compiled", "generated", "hybrid"):
                 name = robot.peer_work(one, work)
                 warm, cold = robot.time(one, name), robot.time(one, name, "cold_ns")
                 cells.append("–" if warm is None else f"{micro(warm)} / {micro(cold)}")
             rows.append([robot.name, work, *cells])
-    table("Warm / cold, µs a state", ["robot", "work", "Pinocchio, clang", "core", "at run time", "generated"], rows)
+    table("Warm / cold, µs a state", ["robot", "work", "Pinocchio, clang", "core", "at run time", "generated", "hybrid"], rows)
 
 
 def tables(path):
