@@ -149,6 +149,9 @@ impl Expressions<'_> {
     /// The place as an argument of a method, where no operator lifts a constant to all lanes.
     fn argument(&self, place: Place) -> TokenStream {
         let value = self.operand(place, Binding::Sum);
+        if self.is_splat(place) {
+            return quote!(F64x4::splat(#value));
+        }
         if self.program.graph.constant_at(place).is_some() { (self.lift)(value) } else { value }
     }
 
@@ -163,7 +166,17 @@ impl Expressions<'_> {
                 if value < 0.0 { quote!((-#size)) } else { quote!(#size) }
             }
             (Some(_), _) => self.argument(place),
+            (None, _) if self.is_splat(place) => self.argument(place),
             (None, _) => self.operand(place, Binding::Atom),
+        }
+    }
+
+    /// Whether a vector is written as the number that stands in all its lanes.
+    fn is_splat(&self, place: Place) -> bool {
+        match self.program.graph.operation(place) {
+            Operation::Splat(_) => true,
+            Operation::Neg(a) => self.is_splat(a),
+            _ => false,
         }
     }
 
