@@ -39,7 +39,7 @@ def ratios(robots, path):
         axis.set_title(f"{title}: times as fast as Pinocchio, clang -O3 -march=native (the line)", loc="left")
         axis.set_xticks(range(len(robots)), [f"{robot.name} ({robot.n})" for robot in robots])
     handles = dict(zip(*reversed([sum(parts, []) for parts in zip(*(axis.get_legend_handles_labels() for axis in axes))])))
-    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=len(handles))
+    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=(len(handles) + 1) // 2)
     figure.savefig(path, metadata={"Date": None})
 
 
