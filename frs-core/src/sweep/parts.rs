@@ -102,41 +102,23 @@ impl<T: Real> Parts<T, 6> for Symmetric3<T> {
     }
 }
 
-impl<T: Real> Parts<T, 6> for LdlFactor3<T> {
-    #[inline(always)]
-    fn from_parts(parts: [T; 6]) -> Self {
-        Self::from_array(parts)
-    }
+macro_rules! six_numbers {
+    ($($Value:ident),*) => {
+        $(impl<T: Real> Parts<T, 6> for $Value<T> {
+            #[inline(always)]
+            fn from_parts(parts: [T; 6]) -> Self {
+                Self::from_array(parts)
+            }
 
-    #[inline(always)]
-    fn parts(self) -> [T; 6] {
-        self.to_array()
-    }
+            #[inline(always)]
+            fn parts(self) -> [T; 6] {
+                self.to_array()
+            }
+        })*
+    };
 }
 
-impl<T: Real> Parts<T, 6> for Twist<T> {
-    #[inline(always)]
-    fn from_parts(parts: [T; 6]) -> Self {
-        Self::from_array(parts)
-    }
-
-    #[inline(always)]
-    fn parts(self) -> [T; 6] {
-        self.to_array()
-    }
-}
-
-impl<T: Real> Parts<T, 6> for Wrench<T> {
-    #[inline(always)]
-    fn from_parts(parts: [T; 6]) -> Self {
-        Self::from_array(parts)
-    }
-
-    #[inline(always)]
-    fn parts(self) -> [T; 6] {
-        self.to_array()
-    }
-}
+six_numbers!(LdlFactor3, Twist, Wrench);
 
 impl<T: Real> Parts<T, 10> for Inertia<T> {
     #[inline(always)]
