@@ -21,7 +21,7 @@ const ARROWS: [(&str, &[&str]); 17] = [
     ("lanes/real.rs", &["Lanes", "Real"]),
     ("quantity.rs", &[]),
     ("floating_base.rs", &["Curvature", "Model", "Quantity", "Real", "Shape", "Workspace", "spatial"]),
-    ("generated.rs", &["Quantity"]),
+    ("generated.rs", &["Quantity", "model"]),
 ];
 
 /// Each crate beside the façade, and those of the project on which it stands.

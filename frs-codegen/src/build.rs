@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use frs_core::{Model, urdf};
 use proc_macro2::TokenStream;
 
-use crate::{Options, fresh, generate_on, module_name};
+use crate::{Form, Options, fresh, generate_on, module_name};
 
 /// Why a build script could not generate a robot.
 #[derive(Debug, thiserror::Error)]
@@ -38,7 +38,7 @@ pub enum BuildError {
 /// # Errors
 /// All that is wrong with the file, with line and column.
 pub fn generate(path: impl AsRef<Path>) -> Result<PathBuf, BuildError> {
-    generate_with(path, &urdf::Options::default(), &Options::default())
+    generate_with(path, &urdf::Options::default(), &Options { form: Form::Auto, ..Options::default() })
 }
 
 /// [`generate`], with options; the file's name in `reading` is replaced by `path`.

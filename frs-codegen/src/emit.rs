@@ -6,18 +6,18 @@
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use frs_core::{Model, Pass, Quantity};
+use frs_core::Pass;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::expression::Expressions;
-use crate::name::{Parts, Scope, camel_case, names};
-use crate::options::{Lanes, Options};
-use crate::program::{Function, Output, Program};
+use crate::module::Module;
+use crate::name::{Scope, camel_case, names};
+use crate::options::{Form, Lanes};
+use crate::program::{Output, Program};
 use crate::record::{Operation, Place};
 use crate::report::{Counts, FunctionReport};
 use crate::schedule::{Block, Line, Purpose, Schedule, place_of};
-use crate::simplify::Precision;
 
 /// Operations of a robot's blocks together beyond which none is inlined where it is called, so that compile time does not
 /// grow with the number of callers.
@@ -25,11 +25,10 @@ const INLINE: usize = 4000;
 
 /// Writes the functions of a robot.
 pub struct Emitter<'p> {
+    pub module: &'p Module<'p>,
     pub program: &'p Program,
     pub schedule: &'p Schedule,
-    pub parts: &'p Parts,
-    pub options: &'p Options,
-    pub model: &'p Model,
+    pub form: Form,
     /// Whether comments are marked, to be printed.
     pub comments: bool,
 }
@@ -40,7 +39,7 @@ type Foreign = BTreeMap<Place, (usize, TokenStream)>;
 /// A block as code.
 pub struct Code {
     /// What it is called, as a function and as the variable that holds what it returns.
-    name: Ident,
+    pub name: Ident,
     /// Its lines.
     body: TokenStream,
     /// Names of what it exports.
@@ -72,14 +71,6 @@ fn pass_words(pass: Pass) -> (&'static str, &'static str) {
 }
 
 impl Emitter<'_> {
-    /// What the type of the robot is called: its name, unless something else in the module has it.
-    pub fn robot_name(&self, codes: &[Code]) -> Ident {
-        let name = camel_case(self.model.name());
-        let taken = ["FloatingBase", "Quantity", "F64x4", "F64x8", "F32x8"].contains(&name.as_str())
-            || codes.iter().any(|code| structure(&code.name) == name);
-        if taken { format_ident!("Robot{name}") } else { ident(&name) }
-    }
-
     /// All functions, with what they perform.
     pub fn functions(&self, codes: &[Code]) -> (TokenStream, Vec<FunctionReport>) {
         let operations: usize = self.schedule.blocks.iter().map(|block| self.counts([block]).flops()).sum();
@@ -113,7 +104,7 @@ impl Emitter<'_> {
             let purpose = &one_purpose[0].purpose;
             let scope = Scope { program: self.program, schedule: self.schedule, purpose };
             let lines: Vec<Line> = one_purpose.iter().flat_map(|block| block.lines.iter().copied()).collect();
-            let names = names(&scope, self.parts, &lines);
+            let names = names(&scope, self.module.parts, &lines);
             let mut around = foreign.clone();
             for (number, block) in (start..).zip(one_purpose) {
                 let mut code = self.lines(&scope, block, &names, &around);
@@ -251,9 +242,11 @@ impl Emitter<'_> {
             outputs: function.outputs.iter().map(|output| (output.name, output.shape, output.layers)).collect(),
             counts,
             code_bytes: counts.code_bytes(),
+            form: self.form,
         };
-        let doc = self.documentation(function, &report);
-        let element = self.number();
+        let about = function.outputs.iter().map(|output| (output.symbol, output.meaning, output.unit));
+        let doc = self.module.documentation(&report, about);
+        let element = self.module.number();
         let read: BTreeSet<usize> = needed.iter().flat_map(|&block| &codes[block].inputs).copied().collect();
         let inputs = function.inputs.iter().map(|&array| {
             let input = &self.program.inputs[array];
@@ -262,7 +255,7 @@ impl Emitter<'_> {
             quote!(#pattern: &[#element; #len])
         });
         let outputs = function.outputs.iter().map(|output| {
-            let (name, shape) = (ident(output.name), self.output_type(output));
+            let (name, shape) = (ident(output.name), self.module.output_type(output.shape, output.layers));
             let pattern = if output.places.is_empty() { quote!(_) } else { quote!(#name) };
             quote!(#pattern: &mut #shape)
         });
@@ -300,8 +293,8 @@ impl Emitter<'_> {
         };
         let expressions = Expressions {
             program: self.program,
-            precision: self.options.precision,
-            lanes: self.options.lanes,
+            precision: self.module.options.precision,
+            lanes: self.module.options.lanes,
             lift: &|constant| self.lift(constant),
             names: &name,
         };
@@ -319,7 +312,7 @@ impl Emitter<'_> {
                 Line::Let(place) => match self.program.graph.operation(place) {
                     Operation::Sin(a) | Operation::Cos(a) => {
                         // What no line of this block computes is turned at once.
-                        let at_once = self.options.lanes == Lanes::One && !self.reads(a, &own);
+                        let at_once = self.module.options.lanes == Lanes::One && !self.reads(a, &own);
                         let group: Vec<Place> = if at_once {
                             angles.keys().copied().filter(|&a| !paired.contains(&a) && !self.reads(a, &own)).collect()
                         } else {
@@ -394,15 +387,15 @@ impl Emitter<'_> {
     fn heading(&self, scope: &Scope<'_>, line: &Line, outputs: &[Output]) -> Option<String> {
         match *line {
             Line::Let(_) if !matches!(scope.purpose, Purpose::Pass(_)) => None,
-            Line::Let(place) => scope.named(place).and_then(|named| self.parts.part(named)).map(str::to_owned),
+            Line::Let(place) => scope.named(place).and_then(|named| self.module.parts.part(named)).map(str::to_owned),
             Line::Store(number, entry) => {
                 let (output, [layer, column, _]) = (&outputs[number], outputs[number].index(entry));
                 let layer = if output.layers > 1 { ["x, ", "y, ", "z, "][layer] } else { "" };
-                let of = match (output.shape[1], self.parts.coordinates.len()) {
+                let of = match (output.shape[1], self.module.parts.coordinates.len()) {
                     (1, _) => String::new(),
-                    (columns, n) if columns == n => format!("column {}", self.parts.coordinates[column]),
+                    (columns, n) if columns == n => format!("column {}", self.module.parts.coordinates[column]),
                     (columns, n) if columns == 6 + n && column >= 6 => {
-                        format!("column {}", self.parts.coordinates[column - 6])
+                        format!("column {}", self.module.parts.coordinates[column - 6])
                     }
                     _ => format!("column {column}"),
                 };
@@ -413,7 +406,7 @@ impl Emitter<'_> {
 
     /// What a block is given: inputs, other blocks, outputs.
     fn parameters(&self, block: &Block, codes: &[Code], number: usize) -> TokenStream {
-        let (code, element) = (&codes[number], self.number());
+        let (code, element) = (&codes[number], self.module.number());
         let inputs = code.inputs.iter().map(|&array| {
             let input = &self.program.inputs[array];
             let (name, len) = (ident(input.name), Literal::usize_unsuffixed(input.len));
@@ -424,7 +417,7 @@ impl Emitter<'_> {
             quote!(#name: &#structure,)
         });
         let outputs = self.written(block, code).map(|output| {
-            let (name, shape) = (ident(output.name), self.output_type(output));
+            let (name, shape) = (ident(output.name), self.module.output_type(output.shape, output.layers));
             quote!(#name: &mut #shape,)
         });
         quote!(#(#inputs)* #(#blocks)* #(#outputs)*)
@@ -450,85 +443,29 @@ impl Emitter<'_> {
 
     /// What some blocks perform.
     fn counts<'a>(&self, blocks: impl IntoIterator<Item = &'a Block>) -> Counts {
-        let mut counts = Counts::default();
-        let graph = &self.program.graph;
-        for &place in blocks.into_iter().flat_map(|block| &block.operations).filter(|&&place| !graph.is_table(place)) {
-            let operation = graph.operation(place);
-            if graph.is_vector(place) { counts.count_of_vectors(operation) } else { counts.count(operation) }
-        }
-        counts
+        let places = blocks.into_iter().flat_map(|block| &block.operations).copied();
+        Counts::of(&self.program.graph, places)
     }
 
     /// What a function is called.
     fn name(&self, function: usize) -> String {
-        self.function_name(self.program.functions[function].quantity)
-    }
-
-    /// The type of a number.
-    pub fn number(&self) -> TokenStream {
-        let name = match (self.options.precision, self.options.lanes) {
-            (Precision::Double, Lanes::One) => "f64",
-            (Precision::Double, Lanes::Four) => "F64x4",
-            (Precision::Double, Lanes::Eight) => "F64x8",
-            (Precision::Single, Lanes::One) => "f32",
-            (Precision::Single, _) => "F32x8",
-        };
-        let name = ident(name);
-        quote!(#name)
+        self.module.function_name(self.program.functions[function].quantity)
     }
 
     /// The type of a place.
     fn type_of(&self, place: Place) -> TokenStream {
-        if self.program.graph.is_vector(place) { quote!(F64x4) } else { self.number() }
+        if self.program.graph.is_vector(place) { quote!(F64x4) } else { self.module.number() }
     }
 
     /// A constant where no operation lifts it to all lanes.
     fn lift(&self, constant: TokenStream) -> TokenStream {
-        match self.options.lanes {
+        match self.module.options.lanes {
             Lanes::One => constant,
             _ => {
-                let number = self.number();
+                let number = self.module.number();
                 quote!(#number::splat(#constant))
             }
         }
-    }
-
-    /// The type behind an output.
-    pub fn output_type(&self, output: &Output) -> TokenStream {
-        let number = self.number();
-        let [rows, columns] = output.shape.map(Literal::usize_unsuffixed);
-        let layers = Literal::usize_unsuffixed(output.layers);
-        match (output.shape, output.layers) {
-            ([1, 1], 1) => number,
-            ([_, 1], 1) => quote!([#number; #rows]),
-            (_, 1) => quote!([[#number; #rows]; #columns]),
-            _ => quote!([[[#number; #rows]; #columns]; #layers]),
-        }
-    }
-
-    /// What the function of a quantity is called.
-    pub fn function_name(&self, quantity: Quantity) -> String {
-        match quantity {
-            Quantity::Kinematics(link) => format!("kinematics_{}", self.parts.links[link]),
-            _ => quantity.name().to_owned(),
-        }
-    }
-
-    fn documentation(&self, function: &Function, report: &FunctionReport) -> Vec<String> {
-        let mut doc = vec![format!(" {}", function.quantity.meaning()), String::new()];
-        for &array in &function.inputs {
-            let input = &self.program.inputs[array];
-            doc.push(format!(" - `{}`: {} ({}; {})", input.name, input.meaning, input.len, input.unit));
-        }
-        for output in &function.outputs {
-            let [rows, columns] = output.shape;
-            let layers = if output.layers > 1 { format!("{} of ", output.layers) } else { String::new() };
-            let shape = if columns == 1 { rows.to_string() } else { format!("{layers}{rows}×{columns}, by columns") };
-            doc.push(format!(" - `{}`: {}, {} ({shape}; {})", output.name, output.symbol, output.meaning, output.unit));
-        }
-        doc.push(String::new());
-        doc.push(format!(" {}; about {:.1} KiB of code.", report.counts, report.code_bytes as f64 / 1024.0));
-        doc
     }
 }
 
@@ -569,6 +506,6 @@ fn module(name: &Ident, blocks: TokenStream) -> TokenStream {
 }
 
 /// The structure that a block returns.
-fn structure(name: &Ident) -> Ident {
+pub fn structure(name: &Ident) -> Ident {
     ident(&camel_case(&name.to_string()))
 }

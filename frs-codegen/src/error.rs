@@ -31,9 +31,13 @@ pub enum GenerateError {
         /// Of what.
         element: &'static str,
     },
-    /// The hybrid form of something else than one state in `f64`.
-    #[error("form: hybrid and {other} exclude each other; expected one state of f64; leave one of the two out")]
+    /// A form and another option exclude each other.
+    #[error(
+        "form: {form} and {other} exclude each other; expected one of the two; leave the other out, or write form = auto"
+    )]
     Form {
+        /// The form.
+        form: &'static str,
         /// What it was to be combined with.
         other: &'static str,
     },

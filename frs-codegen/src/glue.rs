@@ -3,15 +3,16 @@
 use std::collections::BTreeSet;
 
 use frs_core::{FUSED, Quantity};
-use proc_macro2::{Literal, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use quote::{ToTokens, format_ident, quote};
 
-use crate::emit::{Code, Emitter, ident};
+use crate::emit::{Code, ident, structure};
+use crate::module::Module;
 use crate::name::camel_case;
 use crate::options::Lanes;
-use crate::program::{Function, Output};
+use crate::report::FunctionReport;
 
-impl Emitter<'_> {
+impl Module<'_> {
     /// The lines of documentation of the module.
     pub fn module_documentation(&self) -> Vec<String> {
         let names = |list: &mut dyn Iterator<Item = &str>| list.collect::<Vec<_>>().join(", ");
@@ -37,9 +38,23 @@ impl Emitter<'_> {
         lines
     }
 
-    /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it. `vectors`: whether the functions of
-    /// one state hold vectors.
-    pub fn robot(&self, core: Option<&TokenStream>, codes: &[Code], vectors: bool) -> TokenStream {
+    /// What the type of the robot is called: its name, unless something else in the module has it.
+    fn robot_name(&self, codes: &[Code]) -> Ident {
+        let name = camel_case(self.model.name());
+        let taken = ["FloatingBase", "Quantity", "F64x4", "F64x8", "F32x8"].contains(&name.as_str())
+            || codes.iter().any(|code| structure(&code.name) == name);
+        if taken { format_ident!("Robot{name}") } else { ident(&name) }
+    }
+
+    /// Constants and the type of the robot; `core` is the path of `frs-core`, if the module may stand on it, `codes` stand beside the type.
+    /// `vectors`: whether functions of one state hold vectors.
+    pub fn robot(
+        &self,
+        core: Option<&TokenStream>,
+        functions: &[FunctionReport],
+        codes: &[Code],
+        vectors: bool,
+    ) -> TokenStream {
         let n = Literal::usize_unsuffixed(self.model.dof());
         let coordinates = self.model.coordinates().iter().map(|coordinate| &coordinate.name);
         let constants = quote! {
@@ -63,8 +78,8 @@ impl Emitter<'_> {
             }
             None => (quote!(;), false),
         };
-        let functions: Vec<&Function> =
-            self.program.functions.iter().filter(|function| !function.specialised).collect();
+        let functions: Vec<&FunctionReport> =
+            functions.iter().filter(|function| function.has_the_inputs_of_its_quantity()).collect();
         let known = functions.iter().map(|function| quantity(function.quantity));
         let known =
             if functions.is_empty() { quote!(false) } else { quote!(matches!(quantity, #(Quantity::#known)|*)) };
@@ -105,23 +120,18 @@ impl Emitter<'_> {
     }
 
     /// The arm that answers a quantity.
-    fn call(&self, function: &Function, payload: bool) -> TokenStream {
+    fn call(&self, function: &FunctionReport, payload: bool) -> TokenStream {
         let name = ident(&self.function_name(function.quantity));
-        let inputs: Vec<_> = function
-            .inputs
-            .iter()
-            .map(|&array| self.program.inputs[array].name)
-            .filter(|&name| name != "payload")
-            .map(ident)
-            .collect();
-        let outputs: Vec<_> = function.outputs.iter().map(|output| ident(output.name)).collect();
+        let inputs: Vec<_> =
+            function.inputs.iter().map(|input| input.name).filter(|&name| name != "payload").map(ident).collect();
+        let outputs: Vec<_> = function.outputs.iter().map(|(name, ..)| ident(name)).collect();
         // An input and an output may share a name.
         let outputs: Vec<_> = outputs
             .iter()
             .map(|name| if inputs.contains(name) { ident(&format!("{name}_out")) } else { name.clone() })
             .collect();
-        let conversions = function.outputs.iter().zip(&outputs).map(|(output, name)| {
-            let by = ident(conversion(output));
+        let conversions = function.outputs.iter().zip(&outputs).map(|(&(_, shape, layers), name)| {
+            let by = ident(conversion(shape, layers));
             quote!(#by(#name))
         });
         let quantity = quantity(function.quantity);
@@ -132,9 +142,9 @@ impl Emitter<'_> {
     }
 
     /// The conversions that calls use.
-    fn conversions(&self, functions: &[&Function]) -> Vec<proc_macro2::Ident> {
-        let mut names: Vec<&str> =
-            functions.iter().flat_map(|function| function.outputs.iter().map(conversion)).collect();
+    fn conversions(&self, functions: &[&FunctionReport]) -> Vec<Ident> {
+        let outputs = functions.iter().flat_map(|function| &function.outputs);
+        let mut names: Vec<&str> = outputs.map(|&(_, shape, layers)| conversion(shape, layers)).collect();
         if !functions.is_empty() {
             names.push("array");
         }
@@ -171,6 +181,19 @@ pub fn turn(functions: &TokenStream) -> TokenStream {
     }
 }
 
+/// Functions in the hybrid form in a module of their own, where the module already has unrolled ones: passes of both have the same names.
+pub fn beside(items: &TokenStream, functions: &[FunctionReport]) -> TokenStream {
+    let names = functions.iter().map(|function| ident(&function.name));
+    let used = ["turn", "F64x4"].into_iter().filter(|word| mentions(items, word)).map(ident);
+    quote! {
+        pub use hybrid::{#(#names),*};
+        mod hybrid {
+            use super::{#(#used),*};
+            #items
+        }
+    }
+}
+
 /// Whether `word` is among the identifiers of `tokens`.
 pub fn mentions(tokens: &TokenStream, word: &str) -> bool {
     let mut known = BTreeSet::new();
@@ -192,8 +215,8 @@ fn words(tokens: TokenStream, known: &mut BTreeSet<String>) {
 }
 
 /// The function that makes the output's type from a slice.
-fn conversion(output: &Output) -> &'static str {
-    match (output.shape, output.layers) {
+fn conversion(shape: [usize; 2], layers: usize) -> &'static str {
+    match (shape, layers) {
         ([1, 1], 1) => "number_mut",
         ([_, 1], 1) => "array_mut",
         (_, 1) => "columns_mut",
@@ -202,7 +225,7 @@ fn conversion(output: &Output) -> &'static str {
 }
 
 /// The quantity as a pattern.
-fn quantity(quantity: Quantity) -> TokenStream {
+pub fn quantity(quantity: Quantity) -> TokenStream {
     match quantity {
         Quantity::Kinematics(link) => {
             let link = Literal::usize_unsuffixed(link);

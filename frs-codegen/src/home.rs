@@ -31,7 +31,7 @@ pub struct Homes<'p> {
 impl<'p> Homes<'p> {
     /// Gives every place its home.
     pub fn new(program: &'p Program) -> Self {
-        let live = live(program.graph.operations(), program.functions.iter().flat_map(outputs));
+        let live = live(program);
         let home = vec![None; live.len()];
         let parts = (0..program.functions.len()).map(|number| put_together(program, number)).collect();
         let mut homes = Self { program, live, home, parts };
@@ -241,9 +241,10 @@ fn outputs(function: &Function) -> impl Iterator<Item = Place> {
 }
 
 /// Which places the outputs stand on.
-fn live(operations: &[Operation], outputs: impl Iterator<Item = Place>) -> Vec<bool> {
+pub fn live(program: &Program) -> Vec<bool> {
+    let operations = program.graph.operations();
     let mut live = vec![false; operations.len()];
-    outputs.for_each(|place| live[place as usize] = true);
+    program.functions.iter().flat_map(outputs).for_each(|place| live[place as usize] = true);
     for place in (0..operations.len()).rev() {
         if live[place] {
             operations[place].operands().for_each(|operand| live[operand as usize] = true);

@@ -12,6 +12,7 @@
 //! ```
 
 pub mod build;
+mod choose;
 mod cut;
 mod emit;
 mod error;
@@ -19,6 +20,7 @@ mod expression;
 pub mod fresh;
 mod glue;
 mod home;
+mod module;
 mod name;
 mod options;
 mod print;
@@ -27,10 +29,17 @@ pub mod record;
 mod report;
 mod schedule;
 mod simplify;
+mod table;
 
 use frs_core::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
+
+use choose::choose;
+use emit::Emitter;
+use module::Module;
+use program::quantities;
+use schedule::Schedule;
 
 pub use error::GenerateError;
 pub use name::{camel_case, module_name};
@@ -67,25 +76,40 @@ pub fn generate_on(
 ) -> Result<Generated, GenerateError> {
     options.check()?;
     let model = &options.specialise(model)?;
-    let program = Program::new(model, options)?;
-    let schedule = schedule::Schedule::new(&program);
-    let parts = name::Parts::new(model);
-    let emitter = emit::Emitter { program: &program, schedule: &schedule, parts: &parts, options, model, comments };
-    let codes = emitter.codes();
-    let (functions, reports) = emitter.functions(&codes);
-    let vectors = options.form == Form::Hybrid && glue::mentions(&functions, "F64x4");
-    let robot = emitter.robot((!options.standalone).then_some(core), &codes, vectors);
-    let turns = options.lanes == Lanes::One && reports.iter().any(|report| report.counts.sin_cos > 0);
+    let parts = &name::Parts::new(model);
+    let module = &Module { model, options, parts };
+    let mut items = TokenStream::new();
+    let mut functions = Vec::new();
+    let (mut codes, mut vectors) = (Vec::new(), false);
+    for (form, quantities) in choose(model, options, quantities(model, options)?)? {
+        let (tokens, reports) = match form {
+            Form::Tabled => module.tabled(core, &quantities)?,
+            _ => {
+                let program = Program::of(&quantities, model, &Options { form, ..options.clone() })?;
+                let schedule = Schedule::new(&program);
+                let emitter = Emitter { module, program: &program, schedule: &schedule, form, comments };
+                let own = emitter.codes();
+                let (tokens, reports) = emitter.functions(&own);
+                vectors |= form == Form::Hybrid && glue::mentions(&tokens, "F64x4");
+                if codes.is_empty() {
+                    codes = own;
+                    (tokens, reports)
+                } else {
+                    (glue::beside(&tokens, &reports), reports)
+                }
+            }
+        };
+        items.extend(tokens);
+        functions.extend(reports);
+    }
+    let robot = module.robot((!options.standalone).then_some(core), &functions, &codes, vectors);
+    let turns = options.lanes == Lanes::One && functions.iter().any(|report| report.counts.sin_cos > 0);
     let turn = match (turns, options.standalone) {
         (false, _) => TokenStream::new(),
         (true, false) => quote!(use #core::turn;),
-        (true, true) => glue::turn(&functions),
+        (true, true) => glue::turn(&items),
     };
-    Ok(Generated {
-        documentation: emitter.module_documentation(),
-        items: quote!(#turn #robot #functions),
-        functions: reports,
-    })
+    Ok(Generated { documentation: module.module_documentation(), items: quote!(#turn #robot #items), functions })
 }
 
 impl Generated {

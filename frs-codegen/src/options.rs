@@ -30,7 +30,7 @@ pub struct Options {
     pub standalone: bool,
 }
 
-/// How the operations of one state are written.
+/// How the operations are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Form {
     /// Number by number.
@@ -39,6 +39,11 @@ pub enum Form {
     /// What the core does to four bodies or joints at once, by vectors of four; number by number what goes from body to body. Half the
     /// machine code where a register holds four numbers. It needs [`F64x4`](frs_core::lanes::F64x4).
     Hybrid,
+    /// Tables of the robot's constants, and the core's loops over them: as much code for a hundred joints as for one. It needs `frs-core`, and a
+    /// little memory in each thread that calls it.
+    Tabled,
+    /// For each quantity the first of these whose predicted code stays in a processor's first cache.
+    Auto,
 }
 
 /// What is known about the momentum of a robot.
@@ -129,10 +134,23 @@ impl Options {
     pub(crate) fn check(&self) -> Result<(), GenerateError> {
         match (self.precision, self.lanes) {
             (Precision::Single, Lanes::Four) => Err(GenerateError::Lanes { lanes: 4, element: "f32" }),
-            (Precision::Single, _) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "f32" }),
-            (_, Lanes::Four | Lanes::Eight) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "lanes" }),
             _ => Ok(()),
         }
+    }
+
+    /// Whether `quantity` can be had in a form; else, what stands against it.
+    pub(crate) fn allows(&self, form: Form, quantity: Quantity) -> Result<(), GenerateError> {
+        let vanishes = || quantity.inputs().any(|argument| self.vanishes(argument.name));
+        let (name, other) = match form {
+            Form::Hybrid if self.precision == Precision::Single => ("hybrid", "f32"),
+            Form::Hybrid if self.lanes != Lanes::One => ("hybrid", "lanes"),
+            Form::Tabled if self.standalone => ("tabled", "standalone"),
+            Form::Tabled if self.payload.is_some() => ("tabled", "a payload"),
+            Form::Tabled if vanishes() && self.momentum != Momentum::Driven => ("tabled", "a known momentum"),
+            Form::Tabled if vanishes() => ("tabled", "no gravity"),
+            _ => return Ok(()),
+        };
+        Err(GenerateError::Form { form: name, other })
     }
 
     /// `model` with the held coordinates held.

@@ -48,8 +48,6 @@ pub struct Function {
     pub outputs: Vec<Output>,
     /// What it leaves in scratch: names of places that only this function gives.
     pub scratch: HashMap<Place, Named>,
-    /// Whether inputs or outputs differ from those that the quantity lists.
-    pub specialised: bool,
 }
 
 /// An output of a function.
@@ -108,8 +106,14 @@ const PAYLOAD: (&str, &str, &str) = (
 );
 
 impl Program {
-    /// Records and simplifies what `options` ask of `model`, whose held coordinates are already held.
+    /// Records and simplifies what `options` ask of `model`, whose held coordinates are already held: over vectors where the form is
+    /// hybrid, else number by number.
     pub fn new(model: &Model, options: &Options) -> Result<Self, GenerateError> {
+        Self::of(&quantities(model, options)?, model, options)
+    }
+
+    /// [`new`](Self::new) for some of the quantities.
+    pub(crate) fn of(quantities: &[Quantity], model: &Model, options: &Options) -> Result<Self, GenerateError> {
         let mut program = Self {
             graph: Graph::new(options.precision),
             inputs: Vec::new(),
@@ -119,7 +123,7 @@ impl Program {
         if options.payload.is_some() {
             program.input(PAYLOAD, 10);
         }
-        for quantity in quantities(model, options)? {
+        for &quantity in quantities {
             program.function(model, options, quantity)?;
         }
         Ok(program)
@@ -127,8 +131,8 @@ impl Program {
 
     fn function(&mut self, model: &Model, options: &Options, quantity: Quantity) -> Result<(), GenerateError> {
         match options.form {
-            Form::Unrolled => self.function_over::<Recorded>(model, options, quantity),
             Form::Hybrid => self.function_over::<Grouped>(model, options, quantity),
+            _ => self.function_over::<Recorded>(model, options, quantity),
         }
     }
 
@@ -164,13 +168,7 @@ impl Program {
             return Err(GenerateError::TooLarge { element: options.precision.name() });
         }
 
-        let mut function = Function {
-            quantity,
-            inputs: numbers,
-            outputs: Vec::new(),
-            scratch: HashMap::new(),
-            specialised: arguments.iter().any(|(_, input)| input.is_none()),
-        };
+        let mut function = Function { quantity, inputs: numbers, outputs: Vec::new(), scratch: HashMap::new() };
         if payload.is_some() {
             function.inputs.insert(0, 0);
         }
@@ -221,7 +219,7 @@ impl Program {
 }
 
 /// The quantities to generate, in the order of [`Quantity::ALL`], then links.
-fn quantities(model: &Model, options: &Options) -> Result<Vec<Quantity>, GenerateError> {
+pub(crate) fn quantities(model: &Model, options: &Options) -> Result<Vec<Quantity>, GenerateError> {
     if let Some(asked) = &options.outputs {
         for quantity in asked {
             let excluded = |reason| GenerateError::Excluded { output: quantity.name(), reason };

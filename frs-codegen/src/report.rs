@@ -5,8 +5,10 @@ use std::ops::AddAssign;
 
 use frs_core::Quantity;
 
+use crate::options::Form;
 use crate::program::Input;
-use crate::record::Operation;
+use crate::record::{Operation, Place};
+use crate::simplify::Graph;
 
 /// What one generated function does.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,10 +21,20 @@ pub struct FunctionReport {
     pub inputs: Vec<Input>,
     /// What it writes, in the order of its arguments: name, rows and columns, how many such matrices.
     pub outputs: Vec<(&'static str, [usize; 2], usize)>,
-    /// What a call performs, the sections it stands on included.
+    /// What a call performs, the sections it stands on included; nothing is counted in the tabled form.
     pub counts: Counts,
-    /// Predicted machine code of a call, bytes.
+    /// Predicted machine code of a call, bytes; in the tabled form 0, since it is the core's.
     pub code_bytes: usize,
+    /// How it is written.
+    pub form: Form,
+}
+
+impl FunctionReport {
+    /// Whether nothing is known of what its quantity reads, so that it answers the quantity.
+    pub(crate) fn has_the_inputs_of_its_quantity(&self) -> bool {
+        let names = self.inputs.iter().map(|input| input.name).filter(|&name| name != "payload");
+        names.eq(self.quantity.inputs().map(|argument| argument.name))
+    }
 }
 
 /// Operations by kind. Signs are free: they are part of another instruction, or flip one bit.
@@ -52,11 +64,17 @@ impl Counts {
         self.add + self.mul + self.div + self.mul_add + self.sqrt
     }
 
-    /// Counts one operation on vectors.
-    pub fn count_of_vectors(&mut self, operation: Operation) {
-        let before = self.flops();
-        self.count(operation);
-        self.of_vectors += self.flops() - before;
+    /// What the operations at `places` perform.
+    pub(crate) fn of(graph: &Graph, places: impl IntoIterator<Item = Place>) -> Self {
+        let mut counts = Self::default();
+        for place in places.into_iter().filter(|&place| !graph.is_table(place)) {
+            let before = counts.flops();
+            counts.count(graph.operation(place));
+            if graph.is_vector(place) {
+                counts.of_vectors += counts.flops() - before;
+            }
+        }
+        counts
     }
 
     /// Counts one operation.

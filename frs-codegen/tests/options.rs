@@ -319,6 +319,69 @@ fn the_hybrid_form_is_one_state_of_doubles() {
 }
 
 #[test]
+fn loops_know_nothing_of_payloads_momenta_and_gravity_and_stand_on_the_core() {
+    let model = robot("lwr_satellite");
+    let forces = Some(vec![Quantity::ForwardDynamics]);
+    let tabled = Options { form: Form::Tabled, outputs: forces, ..Options::default() };
+    let excluded = [
+        (Options { standalone: true, ..tabled.clone() }, "standalone"),
+        (Options { payload: Some("link_7".into()), ..tabled.clone() }, "a payload"),
+        (Options { momentum: Momentum::Conserved, ..tabled.clone() }, "a known momentum"),
+        (Options { without_gravity: true, ..tabled.clone() }, "no gravity"),
+    ];
+    for (options, other) in excluded {
+        let words = generate(&model, &options).err().expect(other).to_string();
+        assert!(words.starts_with(&format!("form: tabled and {other} exclude each other")), "{words}");
+        // What is chosen is never what is excluded.
+        let chosen = generate(&model, &Options { form: Form::Auto, ..options }).unwrap();
+        assert!(chosen.functions.iter().all(|function| function.form != Form::Tabled), "{other}");
+    }
+    // What reads neither is the same with and without.
+    let outputs = Some(vec![Quantity::Inertia]);
+    assert!(generate(&model, &Options { outputs, without_gravity: true, ..tabled }).is_ok());
+}
+
+/// The form of each function, where the generator chooses.
+fn chosen(model: &Model, options: Options) -> Vec<(String, Form, usize)> {
+    let generated = generate(model, &Options { form: Form::Auto, ..options }).unwrap();
+    generated.functions.into_iter().map(|function| (function.name, function.form, function.code_bytes)).collect()
+}
+
+#[test]
+fn the_form_is_chosen_by_the_length_of_the_code() {
+    let forms = |robot_name: &str| chosen(&robot(robot_name), Options::default());
+    assert!(forms("planar_three_link").iter().all(|(_, form, _)| *form == Form::Unrolled));
+    let expected = [("momentum", Form::Unrolled), ("inertia", Form::Hybrid), ("forward_dynamics", Form::Tabled)];
+    let legs = forms("quadruped");
+    for (name, expected) in expected {
+        assert_eq!(legs.iter().find(|(found, ..)| found == name).map(|(_, form, _)| *form), Some(expected), "{name}");
+    }
+    for (name, form, bytes) in legs {
+        // A pass of its own computes for all bodies what one function needs of some: up to a fifth more.
+        let room = match form {
+            Form::Unrolled => 32 * 1024,
+            Form::Hybrid => 48 * 1024,
+            _ => 0,
+        };
+        assert!(bytes <= room + room / 5, "{name}: {bytes}");
+    }
+    let whole = forms("humanoid");
+    assert!(whole.iter().filter(|(_, form, _)| *form == Form::Tabled).count() > 10, "{whole:?}");
+}
+
+/// As much text for a hundred joints as their constants take: each body adds the same.
+#[test]
+fn tables_grow_with_the_robot() {
+    let lines = |name: &str| {
+        let model = robot(name);
+        let options = Options { form: Form::Tabled, ..Options::default() };
+        (generate(&model, &options).unwrap().text().lines().count(), model.joints() + 1)
+    };
+    let [(short, few), (long, many)] = ["lwr_satellite", "humanoid"].map(lines);
+    assert!(long < short * many / few, "{short} lines for {few} bodies, {long} for {many}");
+}
+
+#[test]
 fn a_value_that_the_scalar_cannot_hold_is_refused() {
     let model = robot("lwr_satellite");
     let held = |value, precision| Options { locked: vec![("joint_4".into(), value)], precision, ..Options::default() };

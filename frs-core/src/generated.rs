@@ -1,6 +1,7 @@
 //! What generated robots share: from flat slices to arrays, and how they refuse.
 
 use crate::Quantity;
+pub use crate::model::{BodyTable, Drive, LinkTable, Motion, Tables};
 
 /// The source of [`turn`](crate::turn), for robots that stand alone.
 pub const TURN: &str = include_str!("turn.rs");

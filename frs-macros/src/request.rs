@@ -19,7 +19,7 @@ const KEYS: [(&str, &str, &str); 11] = [
     ("lock", "coordinates, each with a number (rad, m)", r#"lock(elbow = 1.2, "joint 3" = -0.5)"#),
     ("payload", "the name of a link in quotes", r#"payload = "gripper""#),
     ("lanes", "1, 4 or 8", "lanes = 8"),
-    ("form", "unrolled or hybrid", "form = hybrid"),
+    ("form", "auto, unrolled, hybrid or tabled", "form = hybrid"),
     ("scalar", "f64 or f32", "scalar = f32"),
     ("lenient", "true or false", "lenient = true"),
 ];
@@ -68,7 +68,7 @@ impl Parse for Request {
             path,
             root: None,
             lenient: false,
-            options: Options::default(),
+            options: Options { form: Form::Auto, ..Options::default() },
             errors: Vec::new(),
             places: Vec::new(),
         };
@@ -140,7 +140,13 @@ impl Request {
                 .word(&[("1", Lanes::One), ("4", Lanes::Four), ("8", Lanes::Eight)])
                 .map(|lanes| options.lanes = lanes),
             "form" => {
-                setting.word(&[("unrolled", Form::Unrolled), ("hybrid", Form::Hybrid)]).map(|form| options.form = form)
+                let forms = [
+                    ("auto", Form::Auto),
+                    ("unrolled", Form::Unrolled),
+                    ("hybrid", Form::Hybrid),
+                    ("tabled", Form::Tabled),
+                ];
+                setting.word(&forms).map(|form| options.form = form)
             }
             "scalar" => setting
                 .word(&[("f64", Precision::Double), ("f32", Precision::Single)])
@@ -216,7 +222,7 @@ impl Request {
                 ("lanes", None)
             }
             GenerateError::Form { .. } => {
-                options.form = Form::Unrolled;
+                options.form = Form::Auto;
                 ("form", None)
             }
             GenerateError::TooLarge { .. } => {

@@ -37,18 +37,22 @@ pub struct GenerateArgs {
     /// Evaluate so many states at once, side by side in one instruction.
     #[arg(long, help_heading = HEADING, value_name = "N", default_value = "1", value_parser = lanes())]
     lanes: Lanes,
-    /// In what form one state's operations are written.
+    /// In what form the code is written.
     #[arg(long, help_heading = HEADING, value_enum, default_value = "unrolled")]
     form: Form,
 }
 
-/// How the operations of one state are written.
+/// How the code is written.
 #[derive(Clone, Copy, ValueEnum)]
 enum Form {
     /// number by number
     Unrolled,
     /// what is the same for four bodies by vectors: half the machine code where a register holds four numbers
     Hybrid,
+    /// tables of the robot's constants, and the core's loops over them
+    Tabled,
+    /// for each quantity the first of these whose code stays in a processor's first cache, 32 KiB
+    Auto,
 }
 
 /// What is known about the momentum.
@@ -82,6 +86,8 @@ impl GenerateArgs {
             form: match self.form {
                 Form::Unrolled => frs_codegen::Form::Unrolled,
                 Form::Hybrid => frs_codegen::Form::Hybrid,
+                Form::Tabled => frs_codegen::Form::Tabled,
+                Form::Auto => frs_codegen::Form::Auto,
             },
             standalone: false,
         })

@@ -1,4 +1,4 @@
-//! Generated code over lanes, in single precision and in the hybrid form, compiled: every lane has the bits of the core.
+//! Generated code over lanes, in single precision and in every form, compiled: every lane has the bits of the core.
 
 use std::path::Path;
 
@@ -9,6 +9,11 @@ frs::frs_model!(mod four = "robots/planar_three_link.urdf", lanes = 4);
 frs::frs_model!(mod eight = "robots/planar_three_link.urdf", lanes = 8);
 frs::frs_model!(mod arm = "robots/lwr_satellite.urdf", lanes = 8, outputs(inertia));
 frs::frs_model!(mod hybrid = "robots/lwr_satellite.urdf", form = hybrid, outputs(inertia, matrices, forward_dynamics));
+frs::frs_model!(mod every_form = "robots/quadruped.urdf", outputs(momentum, inertia, forward_dynamics));
+frs::frs_model!(mod loops = "robots/humanoid.urdf", form = tabled);
+frs::frs_model!(mod follower = "robots/dual_arm_satellite.urdf", form = tabled, lock(left_elbow_pitch = -0.5));
+frs::frs_model!(mod eight_in_loops = "robots/quadruped.urdf", form = tabled, lanes = 8, outputs(matrices, kinematics));
+frs::frs_model!(mod singles_in_loops = "robots/chaser.urdf", form = tabled, scalar = f32, lanes = 8);
 frs::frs_model!(mod single = "robots/lwr_satellite.urdf", scalar = f32, outputs(inertia, b2, forward_dynamics));
 frs::frs_model!(mod eight_single = "robots/planar_three_link.urdf", scalar = f32, lanes = 8);
 
@@ -63,10 +68,18 @@ fn answer<T: Real>(robot: &mut impl FloatingBase<T>, quantity: Quantity, inputs:
     outputs.concat()
 }
 
-/// Every lane of every answer has the bits of the core over that lane's state.
-fn every_lane_has_the_bits_of_the_core<T: Lanes>(file: &str, mut generated: impl FloatingBase<T>) {
+fn robot(file: &str) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("robots").join(file);
-    let model: Model<T::Element> = Model::from_urdf(&std::fs::read_to_string(path).unwrap()).unwrap().cast();
+    Model::from_urdf(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn every_lane_has_the_bits_of_the_core<T: Lanes>(file: &str, generated: impl FloatingBase<T>) {
+    every_lane_has_the_bits_of_its_core(&robot(file), generated);
+}
+
+/// Every lane of every answer has the bits of the core over that lane's state.
+fn every_lane_has_the_bits_of_its_core<T: Lanes>(model: &Model, mut generated: impl FloatingBase<T>) {
+    let model: Model<T::Element> = model.cast();
     let n = model.dof();
     let mut core = Evaluator::new(&model);
     let links = (0..model.links().len()).map(Quantity::Kinematics);
@@ -116,6 +129,32 @@ fn eight_doubles_of_an_arm() {
 #[test]
 fn one_double_in_the_hybrid_form() {
     every_lane_has_the_bits_of_the_core("lwr_satellite.urdf", hybrid::LwrSatellite);
+}
+
+#[test]
+fn all_forms_in_one_module() {
+    every_lane_has_the_bits_of_the_core("quadruped.urdf", every_form::Quadruped);
+}
+
+#[test]
+fn loops_over_tables() {
+    every_lane_has_the_bits_of_the_core("humanoid.urdf", loops::Humanoid);
+}
+
+#[test]
+fn loops_with_followers_and_a_held_joint() {
+    let model = robot("dual_arm_satellite.urdf").lock(&[("left_elbow_pitch", -0.5)]).unwrap();
+    every_lane_has_the_bits_of_its_core(&model, follower::DualArmSatellite);
+}
+
+#[test]
+fn eight_doubles_in_loops() {
+    every_lane_has_the_bits_of_the_core("quadruped.urdf", eight_in_loops::Quadruped);
+}
+
+#[test]
+fn eight_singles_in_loops() {
+    every_lane_has_the_bits_of_the_core("chaser.urdf", singles_in_loops::Chaser);
 }
 
 #[test]

@@ -14,6 +14,7 @@ mod description;
 mod error;
 mod inertial;
 mod specialise;
+mod tables;
 
 pub use description::{
     InertialDescription, JointDescription, JointKind, Limits, LinkDescription, Mimic, RobotDescription,
@@ -22,6 +23,7 @@ pub(crate) use error::Lines;
 pub use error::{ModelError, Part, Place, Problem, Severity, Subject};
 pub use inertial::Inertial;
 pub use specialise::SpecialiseError;
+pub use tables::{BodyTable, LinkTable, Tables};
 
 use nalgebra::{Matrix3, Vector3};
 

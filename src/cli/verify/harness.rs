@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
-use frs_codegen::{Form, FunctionReport, Lanes, Options};
+use frs_codegen::{FunctionReport, Lanes, Options};
 use tempfile::TempDir;
 
 use super::element::Element;
@@ -48,9 +48,8 @@ impl Harness {
         let folder = tempfile::tempdir().map_err(|error| format!("no temporary folder can be made: {error}"))?;
         let lanes = options.lanes;
         let number = number::<E>(lanes);
-        let vector = match (lanes, options.form) {
-            (Lanes::One, Form::Unrolled) => None,
-            (Lanes::One, Form::Hybrid) => Some("F64x4"),
+        let vector = match lanes {
+            Lanes::One => robot.contains("F64x4").then_some("F64x4"),
             _ => Some(number.as_str()),
         };
         let lane_types = if vector.is_some() { "mod lanes;\nmod turn;\n" } else { "" };
