@@ -12,7 +12,7 @@ mod time;
 use std::time::{Duration, Instant};
 
 use clap::{Args, value_parser};
-use frs_codegen::{Options, Precision, generate};
+use frs_codegen::{Form, Options, Precision, generate};
 use indicatif::ProgressBar;
 
 use self::element::Element;
@@ -66,6 +66,11 @@ pub struct Verify {
 impl Verify {
     pub fn run(self) -> Result<(), Failure> {
         let options = Options { standalone: true, ..self.options.options()? };
+        if options.form == Form::Tabled {
+            let message = "--form tabled: such code asks the core itself, and what is verified stands alone; \
+                           expected unrolled, hybrid or auto; choose one of these";
+            return Err(Failure::Input(message.into()));
+        }
         match options.precision {
             Precision::Double => self.run_over::<f64>(&options),
             Precision::Single => self.run_over::<f32>(&options),

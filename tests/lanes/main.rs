@@ -14,7 +14,7 @@ frs::frs_model!(mod loops = "robots/humanoid.urdf", form = tabled);
 frs::frs_model!(mod follower = "robots/dual_arm_satellite.urdf", form = tabled, lock(left_elbow_pitch = -0.5));
 frs::frs_model!(mod eight_in_loops = "robots/quadruped.urdf", form = tabled, lanes = 8, outputs(matrices, kinematics));
 frs::frs_model!(mod singles_in_loops = "robots/chaser.urdf", form = tabled, scalar = f32, lanes = 8);
-frs::frs_model!(mod single = "robots/lwr_satellite.urdf", scalar = f32, outputs(inertia, b2, forward_dynamics));
+frs::frs_model!(mod single = "robots/lwr_satellite.urdf", form = unrolled, scalar = f32, outputs(inertia, b2, forward_dynamics));
 frs::frs_model!(mod eight_single = "robots/planar_three_link.urdf", scalar = f32, lanes = 8);
 
 /// States at which each function is compared: at least ten thousand.
