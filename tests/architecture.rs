@@ -20,7 +20,7 @@ const ARROWS: [(&str, &[&str]); 17] = [
     ("enclosure.rs", &["Real", "extended"]),
     ("lanes/real.rs", &["Lanes", "Real"]),
     ("quantity.rs", &[]),
-    ("floating_base.rs", &["Curvature", "Model", "Quantity", "Real", "Shape", "Workspace", "spatial"]),
+    ("floating_base.rs", &["Curvature", "Model", "Moving", "Quantity", "Real", "Shape", "Workspace", "spatial"]),
     ("generated.rs", &["Quantity", "model"]),
 ];
 

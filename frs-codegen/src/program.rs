@@ -174,7 +174,7 @@ impl Program {
         }
         for (argument, values) in quantity.outputs().zip(outputs?) {
             let places = values.iter().map(|value| map[value.place() as usize]).collect();
-            function.outputs.push(output(argument, n, places, options, quantity));
+            function.outputs.push(output(argument, n, places, options));
         }
         for label in labels {
             let names = if label.pass == Pass::Question { &mut function.scratch } else { &mut self.sweeps };
@@ -303,7 +303,7 @@ fn evaluate<T: Recording>(
 }
 
 /// An output, cut to what the options leave of it.
-fn output(argument: Argument, n: usize, mut places: Vec<Place>, options: &Options, quantity: Quantity) -> Output {
+fn output(argument: Argument, n: usize, mut places: Vec<Place>, options: &Options) -> Output {
     let mut output = Output {
         name: argument.name,
         symbol: argument.symbol,
@@ -313,7 +313,7 @@ fn output(argument: Argument, n: usize, mut places: Vec<Place>, options: &Option
         layers: argument.layers(),
         places: Vec::new(),
     };
-    if quantity == Quantity::ForwardDynamics && options.momentum != Momentum::Driven {
+    if argument.name == "xi_dot" && options.momentum != Momentum::Driven {
         // The momentum is known otherwise: what is left of ξ̇ is q̈.
         places.drain(..6);
         output = Output { name: "qdd", symbol: "q̈", meaning: "shape acceleration", shape: [n, 1], ..output };

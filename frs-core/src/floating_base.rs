@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix6xX};
 
 use crate::spatial::{Twist, Wrench};
-use crate::{Curvature, Model, Quantity, Real, Shape, Workspace};
+use crate::{Curvature, Model, Moving, Quantity, Real, Shape, Workspace};
 
 /// A floating-base robot that answers [quantities](Quantity), over the scalar `T`.
 ///
@@ -140,10 +140,12 @@ impl<T: Real> FloatingBase<T> for Evaluator<'_, T> {
             Quantity::BaseTwist => out.put(&shape.moving(inputs[1]).base_twist(twist(inputs[2])).to_array()),
             Quantity::KineticEnergy => out.put(&[shape.moving(inputs[1]).kinetic_energy(twist(inputs[2]))]),
             Quantity::ForwardDynamics => {
-                let (mu, gravity) = (twist(inputs[2]), inputs[3]);
-                shape.moving(inputs[1]).forward_dynamics_articulated(mu, wrench(inputs[4]), inputs[5], vector);
-                (0..3).for_each(|i| vector[3 + i] += gravity[i]);
-                out.put(vector);
+                put_xi_dot(&mut shape.moving(inputs[1]), &inputs[2..], vector, &mut out);
+            }
+            Quantity::StateRate => {
+                let mut moving = shape.moving(inputs[1]);
+                out.put(&moving.base_twist(twist(inputs[2])).to_array());
+                put_xi_dot(&mut moving, &inputs[2..], vector, &mut out);
             }
             Quantity::InverseDynamics => {
                 let (mu, gravity) = (twist(inputs[2]), inputs[3]);
@@ -184,6 +186,19 @@ fn put_inertia<T: Real>(
     out.put(six_rows.as_slice());
     shape.shape_inertia(square);
     out.put(square.as_slice());
+}
+
+/// ξ̇ of `[μ, γ, F₁, τ]`.
+fn put_xi_dot<T: Real>(
+    moving: &mut Moving<'_, '_, '_, T>,
+    inputs: &[&[T]],
+    vector: &mut [T],
+    out: &mut Outputs<'_, '_, T>,
+) {
+    let (mu, gravity, base_wrench, tau) = (twist(inputs[0]), inputs[1], wrench(inputs[2]), inputs[3]);
+    moving.forward_dynamics_articulated(mu, base_wrench, tau, vector);
+    (0..3).for_each(|i| vector[3 + i] += gravity[i]);
+    out.put(vector);
 }
 
 /// The outputs that have not been written yet.

@@ -43,6 +43,8 @@ pub enum Quantity {
     KineticEnergy,
     /// ξ̇ from forces.
     ForwardDynamics,
+    /// [`BaseTwist`](Self::BaseTwist) and [`ForwardDynamics`](Self::ForwardDynamics) at once: what an integrator asks of a state.
+    StateRate,
     /// Forces from ξ̇.
     InverseDynamics,
     /// Pose and generalized Jacobian of a link, by its number ([`Model::link`](crate::Model::link)).
@@ -155,7 +157,7 @@ impl Argument {
 
 impl Quantity {
     /// Every quantity of a robot as a whole; [`Kinematics`](Self::Kinematics) is asked link by link.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Inertia,
         Self::DMu,
         Self::B2,
@@ -171,6 +173,7 @@ impl Quantity {
         Self::BaseTwist,
         Self::KineticEnergy,
         Self::ForwardDynamics,
+        Self::StateRate,
         Self::InverseDynamics,
     ];
 
@@ -192,6 +195,7 @@ impl Quantity {
             Self::BaseTwist => "base_twist",
             Self::KineticEnergy => "kinetic_energy",
             Self::ForwardDynamics => "forward_dynamics",
+            Self::StateRate => "state_rate",
             Self::InverseDynamics => "inverse_dynamics",
             Self::Kinematics(_) => "kinematics",
         }
@@ -219,6 +223,7 @@ impl Quantity {
             Self::ForwardDynamics => {
                 "ξ̇ = Λ⁻¹ (D_μ ξ − D_q̇ ξ + [F₁; τ − A_lᵀ F₁]) + [0; γ; 0], in O(n); factoring Λ_q where joints mimic."
             }
+            Self::StateRate => "V₁ = μ − A_l q̇ and ξ̇ at once: the rates of the pose, ġ₁ = g₁ V₁^, and of ξ.",
             Self::InverseDynamics => "[F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).",
             Self::Kinematics(_) => "Where a link is, and how the joints move it at zero momentum.",
         }
@@ -233,7 +238,7 @@ impl Quantity {
             Self::DQdot => &[Q, QD],
             Self::DMuXi | Self::DQdotXi | Self::BaseTwist | Self::KineticEnergy => &[Q, QD, MU],
             Self::HamelBias => &[Q, QD, BASE],
-            Self::ForwardDynamics => &[Q, QD, MU, GRAVITY, F1, TAU],
+            Self::ForwardDynamics | Self::StateRate => &[Q, QD, MU, GRAVITY, F1, TAU],
             Self::InverseDynamics => &[Q, QD, MU, GRAVITY, XI_DOT],
         };
         inputs.iter().copied()
@@ -257,6 +262,7 @@ impl Quantity {
             Self::BaseTwist => &[BASE],
             Self::KineticEnergy => &[ENERGY],
             Self::ForwardDynamics => &[XI_DOT],
+            Self::StateRate => &[BASE, XI_DOT],
             Self::InverseDynamics => &[F1, TAU],
             Self::Kinematics(_) => &[POSE, JACOBIAN],
         };

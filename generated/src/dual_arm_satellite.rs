@@ -42,7 +42,7 @@ impl FloatingBase<f64> for DualArmSatellite {
             Quantity::DMuXi | Quantity::DQdotXi | Quantity::HamelBias |
             Quantity::Curvature | Quantity::Momentum | Quantity::VelocityOfMomentum |
             Quantity::BaseTwist | Quantity::KineticEnergy | Quantity::ForwardDynamics |
-            Quantity::InverseDynamics | Quantity::Kinematics(10) |
+            Quantity::StateRate | Quantity::InverseDynamics | Quantity::Kinematics(10) |
             Quantity::Kinematics(18) | Quantity::Kinematics(19)
         )
     }
@@ -153,6 +153,30 @@ impl FloatingBase<f64> for DualArmSatellite {
                     array(gravity),
                     array(base_wrench),
                     array(tau),
+                    array_mut(xi_dot),
+                )
+            }
+            (
+                Quantity::StateRate,
+                [q,
+                qd,
+                mu,
+                gravity,
+                base_wrench,
+                tau,
+                ],
+                [base_twist,
+                xi_dot,
+                ],
+            ) => {
+                self::state_rate(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    array(gravity),
+                    array(base_wrench),
+                    array(tau),
+                    array_mut(base_twist),
                     array_mut(xi_dot),
                 )
             }
@@ -35177,6 +35201,2857 @@ mod curvature_itself {
         com[2] = poses.com_z + 0.062204168087507554 + 0.0;
     }
 }
+/// What only `base_twist` computes.
+#[inline(never)]
+fn base_twist_itself(
+    mu: &[f64; 6],
+    poses: &Poses,
+    velocities: &Velocities,
+    base_twist: &mut [f64; 6],
+) {
+    // V₁
+    base_twist[0] = mu[0] - velocities.minus_velocity_bus_wx + 0.0;
+    base_twist[1] = mu[1] - velocities.minus_velocity_bus_wy + 0.0;
+    base_twist[2] = mu[2] - velocities.minus_velocity_bus_wz + 0.0;
+    let base_twist_3_5 = poses.com_y - 0.01767786960514233;
+    let base_twist_3_3 = poses.com_z + 0.062204168087507554;
+    base_twist[3] = mu[3]
+        + (velocities.velocity_bus_vx
+            + (velocities.minus_velocity_bus_wy * base_twist_3_3
+                - velocities.minus_velocity_bus_wz * base_twist_3_5)) + 0.0;
+    let base_twist_4_3 = poses.com_x + 0.022281696355466767;
+    base_twist[4] = mu[4]
+        + (velocities.velocity_bus_vy
+            + (velocities.minus_velocity_bus_wz * base_twist_4_3
+                - velocities.minus_velocity_bus_wx * base_twist_3_3)) + 0.0;
+    base_twist[5] = mu[5]
+        + (velocities.velocity_bus_vz
+            + (velocities.minus_velocity_bus_wx * base_twist_3_5
+                - velocities.minus_velocity_bus_wy * base_twist_4_3)) + 0.0;
+}
+/// What only `forward_dynamics` computes.
+#[inline(never)]
+fn forward_dynamics_itself(
+    mu: &[f64; 6],
+    qd: &[f64; 13],
+    gravity: &[f64; 3],
+    base_wrench: &[f64; 6],
+    tau: &[f64; 13],
+    poses: &Poses,
+    inertias: &Inertias,
+    screws: &Screws,
+    reactions: &Reactions,
+    velocities: &Velocities,
+    common_d_mu_and_7_more: &CommonDMuAnd7More,
+    common_inertia_forward_dynamics: &CommonInertiaForwardDynamics,
+    common_forward_dynamics_inverse_dynamics: &CommonForwardDynamicsInverseDynamics,
+    xi_dot: &mut [f64; 19],
+) {
+    let xi_dot_0_3_3_24_22_4_0_2 = poses.com_x + 0.022281696355466767;
+    let xi_dot_0_3_3_24_6_0_4 = poses.com_y - 0.01767786960514233;
+    let xi_dot_0_3_3_24_6_0_2 = poses.com_z + 0.062204168087507554;
+    let xi_dot_0_3_3_24_2 = inertias.composite_bus_xx * mu[0]
+        + inertias.composite_bus_xy * mu[1] + inertias.composite_bus_xz * mu[2];
+    let xi_dot_0_3_3_24_22_0 = inertias.composite_bus_xy * mu[0]
+        + inertias.composite_bus_yy * mu[1] + inertias.composite_bus_yz * mu[2];
+    let xi_dot_0_3_3_24_22_2 = inertias.composite_bus_xz * mu[0]
+        + inertias.composite_bus_yz * mu[1] + inertias.composite_bus_zz * mu[2];
+    let xi_dot_0_3_3_24_6_0 = mu[3]
+        + (mu[1] * xi_dot_0_3_3_24_6_0_2 - mu[2] * xi_dot_0_3_3_24_6_0_4);
+    let xi_dot_0_3_3_24_22_4_0 = mu[4]
+        + (mu[2] * xi_dot_0_3_3_24_22_4_0_2 - mu[0] * xi_dot_0_3_3_24_6_0_2);
+    let xi_dot_0_3_3_24_22_6_0 = mu[5]
+        + (mu[0] * xi_dot_0_3_3_24_6_0_4 - mu[1] * xi_dot_0_3_3_24_22_4_0_2);
+    let xi_dot_0_3_3_24_6 = xi_dot_0_3_3_24_6_0 * 256.36;
+    let xi_dot_0_3_3_24_22_4 = xi_dot_0_3_3_24_22_4_0 * 256.36;
+    let xi_dot_0_3_3_24_22_6 = xi_dot_0_3_3_24_22_6_0 * 256.36;
+    let xi_dot_0_3_3_24_22_8 = common_d_mu_and_7_more.three_left_shoulder_yaw_x_0_0_0
+        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_x_0_0_0 * qd[1]
+        + common_d_mu_and_7_more.three_left_elbow_pitch_x_0_0_0 * qd[2]
+        + common_d_mu_and_7_more.three_left_wrist_pitch_x_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.three_left_wrist_yaw_x_0_0_0 * qd[4]
+        + common_d_mu_and_7_more.three_left_wrist_roll_x_0_0_0 * qd[5]
+        + common_d_mu_and_7_more.three_right_shoulder_yaw_x_0_0_0 * qd[6]
+        + common_d_mu_and_7_more.three_right_shoulder_pitch_x_0_0_0 * qd[7]
+        + common_d_mu_and_7_more.three_right_elbow_pitch_x_0_0_0 * qd[8]
+        + common_d_mu_and_7_more.three_right_wrist_pitch_x_0_0_0 * qd[9]
+        + common_d_mu_and_7_more.three_right_wrist_yaw_x_0_0_0 * qd[10]
+        + common_d_mu_and_7_more.three_right_wrist_roll_x_0_0_0 * qd[11]
+        + common_d_mu_and_7_more.three_finger_1_slide_x_0_0_0 * qd[12];
+    let xi_dot_0_3_3_24_22_12_0 = common_d_mu_and_7_more.three_left_shoulder_yaw_x_0_1_0
+        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_x_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_left_elbow_pitch_x_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_left_wrist_pitch_x_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_left_wrist_yaw_x_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_left_wrist_roll_x_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_right_shoulder_yaw_x_0_1_0 * qd[6]
+        + common_d_mu_and_7_more.three_right_shoulder_pitch_x_0_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_right_elbow_pitch_x_0_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_right_wrist_pitch_x_0_1_0 * qd[9]
+        + common_d_mu_and_7_more.three_right_wrist_yaw_x_0_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_right_wrist_roll_x_0_1_0 * qd[11]
+        - common_d_mu_and_7_more.three_finger_1_slide_x_0_1_0 * qd[12];
+    let xi_dot_0_3_3_24_22_14_0 = common_d_mu_and_7_more.three_left_shoulder_yaw_x_1_0
+        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_x_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_left_elbow_pitch_x_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_left_wrist_pitch_x_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_left_wrist_yaw_x_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_left_wrist_roll_x_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_right_shoulder_yaw_x_1_0 * qd[6]
+        + common_d_mu_and_7_more.three_right_shoulder_pitch_x_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_right_elbow_pitch_x_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_right_wrist_pitch_x_1_0 * qd[9]
+        + common_d_mu_and_7_more.three_right_wrist_yaw_x_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_right_wrist_roll_x_1_0 * qd[11]
+        - common_d_mu_and_7_more.three_finger_1_slide_x_1_0 * qd[12];
+    let xi_dot_0_3_3_24_10 = common_d_mu_and_7_more.three_left_shoulder_yaw_y_0_1_0
+        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_y_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_left_elbow_pitch_y_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_left_wrist_pitch_y_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_left_wrist_yaw_y_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_left_wrist_roll_y_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_right_shoulder_yaw_y_0_1_0 * qd[6]
+        + common_d_mu_and_7_more.three_right_shoulder_pitch_y_0_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_right_elbow_pitch_y_0_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_right_wrist_pitch_y_0_1_0 * qd[9]
+        + common_d_mu_and_7_more.three_right_wrist_yaw_y_0_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_right_wrist_roll_y_0_1_0 * qd[11]
+        + common_d_mu_and_7_more.three_finger_1_slide_y_0_0_0 * qd[12];
+    let xi_dot_0_3_3_24_14_0 = common_d_mu_and_7_more.three_left_shoulder_yaw_y_1_0
+        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_y_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_left_elbow_pitch_y_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_left_wrist_pitch_y_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_left_wrist_yaw_y_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_left_wrist_roll_y_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_right_shoulder_yaw_y_1_0 * qd[6]
+        + common_d_mu_and_7_more.three_right_shoulder_pitch_y_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_right_elbow_pitch_y_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_right_wrist_pitch_y_1_0 * qd[9]
+        + common_d_mu_and_7_more.three_right_wrist_yaw_y_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_right_wrist_roll_y_1_0 * qd[11]
+        - common_d_mu_and_7_more.three_finger_1_slide_y_1_0 * qd[12];
+    let xi_dot_0_3_3_12 = common_d_mu_and_7_more.three_left_shoulder_yaw_z_1_0 * qd[0]
+        + common_d_mu_and_7_more.three_left_shoulder_pitch_z_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_left_elbow_pitch_z_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_left_wrist_pitch_z_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_left_wrist_yaw_z_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_left_wrist_roll_z_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_right_shoulder_yaw_z_1_0 * qd[6]
+        + common_d_mu_and_7_more.three_right_shoulder_pitch_z_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_right_elbow_pitch_z_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_right_wrist_pitch_z_1_0 * qd[9]
+        + common_d_mu_and_7_more.three_right_wrist_yaw_z_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_right_wrist_roll_z_1_0 * qd[11]
+        + common_d_mu_and_7_more.three_finger_1_slide_z_0_0 * qd[12];
+    let xi_dot_0_3_3_24_22_12 = xi_dot_0_3_3_24_22_12_0
+        + common_d_mu_and_7_more.three_finger_2_x_0_0_0 * qd[12];
+    let xi_dot_0_3_3_24_22_14 = xi_dot_0_3_3_24_22_14_0
+        + common_d_mu_and_7_more.three_finger_2_x_1_0 * qd[12];
+    let xi_dot_0_3_3_24_14 = xi_dot_0_3_3_24_14_0
+        + common_d_mu_and_7_more.three_finger_2_y_1_0 * qd[12];
+    let xi_dot_0_3_3_24_16 = velocities.velocity_bus_vx * 256.36;
+    let xi_dot_0_3_3_24_22_18 = velocities.velocity_bus_vy * 256.36;
+    let xi_dot_0_3_3_24_22_16 = velocities.velocity_bus_vz * 256.36;
+    let xi_dot_0_3_3_24_1 = mu[0] - velocities.minus_velocity_bus_wx;
+    let xi_dot_0_3_3_24_22_3 = mu[1] - velocities.minus_velocity_bus_wy;
+    let xi_dot_0_3_3_24_22_1 = mu[2] - velocities.minus_velocity_bus_wz;
+    let xi_dot_0_3_3_24_22_20 = base_wrench[0]
+        + (base_wrench[4] * xi_dot_0_3_3_24_6_0_2
+            - base_wrench[5] * xi_dot_0_3_3_24_6_0_4);
+    let xi_dot_0_3_3_24_20 = base_wrench[1]
+        + (base_wrench[5] * xi_dot_0_3_3_24_22_4_0_2
+            - base_wrench[3] * xi_dot_0_3_3_24_6_0_2);
+    let xi_dot_0_3_3_20 = base_wrench[2]
+        + (base_wrench[3] * xi_dot_0_3_3_24_6_0_4
+            - base_wrench[4] * xi_dot_0_3_3_24_22_4_0_2);
+    let xi_dot_0_3_3_24_22 = xi_dot_0_3_3_24_22_0 * xi_dot_0_3_3_24_22_1
+        - xi_dot_0_3_3_24_22_2 * xi_dot_0_3_3_24_22_3
+        + (xi_dot_0_3_3_24_22_4 * velocities.velocity_bus_vz
+            - xi_dot_0_3_3_24_22_6 * velocities.velocity_bus_vy)
+        - ((xi_dot_0_3_3_24_22_8
+            - common_d_mu_and_7_more.three_finger_2_x_0_1_0 * qd[12]) * mu[0]
+            + xi_dot_0_3_3_24_22_12 * mu[1] + xi_dot_0_3_3_24_22_14 * mu[2]
+            + (xi_dot_0_3_3_24_22_16 * xi_dot_0_3_3_24_22_4_0
+                - xi_dot_0_3_3_24_22_18 * xi_dot_0_3_3_24_22_6_0))
+        + xi_dot_0_3_3_24_22_20;
+    let xi_dot_0_3_3_24 = xi_dot_0_3_3_24_22_2 * xi_dot_0_3_3_24_1
+        - xi_dot_0_3_3_24_2 * xi_dot_0_3_3_24_22_1
+        + (xi_dot_0_3_3_24_22_6 * velocities.velocity_bus_vx
+            - xi_dot_0_3_3_24_6 * velocities.velocity_bus_vz)
+        - (xi_dot_0_3_3_24_22_12 * mu[0]
+            + (xi_dot_0_3_3_24_10
+                - common_d_mu_and_7_more.three_finger_2_y_0_1_0 * qd[12]) * mu[1]
+            + xi_dot_0_3_3_24_14 * mu[2]
+            + (xi_dot_0_3_3_24_16 * xi_dot_0_3_3_24_22_6_0
+                - xi_dot_0_3_3_24_22_16 * xi_dot_0_3_3_24_6_0)) + xi_dot_0_3_3_24_20
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_24_22;
+    let xi_dot_0_3_3 = (xi_dot_0_3_3_24_2 * xi_dot_0_3_3_24_22_3
+        - xi_dot_0_3_3_24_22_0 * xi_dot_0_3_3_24_1
+        + (xi_dot_0_3_3_24_6 * velocities.velocity_bus_vy
+            - xi_dot_0_3_3_24_22_4 * velocities.velocity_bus_vx)
+        - (xi_dot_0_3_3_24_22_14 * mu[0] + xi_dot_0_3_3_24_14 * mu[1]
+            + (xi_dot_0_3_3_12 - common_d_mu_and_7_more.three_finger_2_z_1_0 * qd[12])
+                * mu[2]
+            + (xi_dot_0_3_3_24_22_18 * xi_dot_0_3_3_24_6_0
+                - xi_dot_0_3_3_24_16 * xi_dot_0_3_3_24_22_4_0)) + xi_dot_0_3_3_20
+        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_24_22
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_24)
+        * inertias.locked_inverse_pivot_z;
+    let xi_dot_0_3 = xi_dot_0_3_3_24 * inertias.locked_inverse_pivot_y
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
+    let xi_dot_0 = xi_dot_0_3_3_24_22 * inertias.locked_inverse_pivot_x
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
+        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
+    // ξ\u{307} = [μ\u{307}; q\u{308}]
+    xi_dot[0] = xi_dot_0 + 0.0;
+    xi_dot[1] = xi_dot_0_3 + 0.0;
+    xi_dot[2] = xi_dot_0_3_3 + 0.0;
+    xi_dot[3] = (xi_dot_0_3_3_24_22_4 * xi_dot_0_3_3_24_22_1
+        - xi_dot_0_3_3_24_22_6 * xi_dot_0_3_3_24_22_3
+        - (mu[2] * xi_dot_0_3_3_24_22_18 - mu[1] * xi_dot_0_3_3_24_22_16)
+        + base_wrench[3]) * 0.0039007645498517706
+        + (xi_dot_0_3_3 * xi_dot_0_3_3_24_6_0_4 - xi_dot_0_3 * xi_dot_0_3_3_24_6_0_2)
+        + gravity[0] + 0.0;
+    xi_dot[4] = (xi_dot_0_3_3_24_22_6 * xi_dot_0_3_3_24_1
+        - xi_dot_0_3_3_24_6 * xi_dot_0_3_3_24_22_1
+        - (mu[0] * xi_dot_0_3_3_24_22_16 - mu[2] * xi_dot_0_3_3_24_16) + base_wrench[4])
+        * 0.0039007645498517706
+        + (xi_dot_0 * xi_dot_0_3_3_24_6_0_2 - xi_dot_0_3_3 * xi_dot_0_3_3_24_22_4_0_2)
+        + gravity[1] + 0.0;
+    xi_dot[5] = (xi_dot_0_3_3_24_6 * xi_dot_0_3_3_24_22_3
+        - xi_dot_0_3_3_24_22_4 * xi_dot_0_3_3_24_1
+        - (mu[1] * xi_dot_0_3_3_24_16 - mu[0] * xi_dot_0_3_3_24_22_18) + base_wrench[5])
+        * 0.0039007645498517706
+        + (xi_dot_0_3 * xi_dot_0_3_3_24_22_4_0_2 - xi_dot_0 * xi_dot_0_3_3_24_6_0_4)
+        + gravity[2] + 0.0;
+    let twist_left_upper_arm_wx = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_wx
+        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_wx_1;
+    let twist_left_upper_arm_wy = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_wy
+        - common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_wy_1;
+    let twist_left_upper_arm_wz = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_wz
+        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_wz_1;
+    let twist_left_upper_arm_vx = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_vx
+        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_vx_1;
+    let twist_left_upper_arm_vy = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_vy
+        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_vy_1;
+    let twist_left_upper_arm_vz = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_vz
+        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_vz_1;
+    let twist_left_forearm_wx = twist_left_upper_arm_wx
+        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_wx_1;
+    let twist_left_forearm_wy = twist_left_upper_arm_wy
+        - common_forward_dynamics_inverse_dynamics.twist_left_forearm_wy_1;
+    let twist_left_forearm_wz = twist_left_upper_arm_wz
+        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_wz_1;
+    let twist_left_forearm_vx = twist_left_upper_arm_vx
+        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_vx_1;
+    let twist_left_forearm_vy = twist_left_upper_arm_vy
+        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_vy_1;
+    let twist_left_forearm_vz = twist_left_upper_arm_vz
+        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_vz_1;
+    let twist_left_wrist_bracket_wx = twist_left_forearm_wx
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_wx_1;
+    let twist_left_wrist_bracket_wy = twist_left_forearm_wy
+        - common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_wy_1;
+    let twist_left_wrist_bracket_wz = twist_left_forearm_wz
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_wz_1;
+    let twist_left_wrist_bracket_vx = twist_left_forearm_vx
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_vx_1;
+    let twist_left_wrist_bracket_vy = twist_left_forearm_vy
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_vy_1;
+    let twist_left_wrist_bracket_vz = twist_left_forearm_vz
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_vz_1;
+    let twist_left_wrist_cross_wx = twist_left_wrist_bracket_wx
+        - common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_wx_1;
+    let twist_left_wrist_cross_wy = twist_left_wrist_bracket_wy
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_wy_1;
+    let twist_left_wrist_cross_wz = twist_left_wrist_bracket_wz
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_wz_1;
+    let twist_left_wrist_cross_vx = twist_left_wrist_bracket_vx
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_vx_1;
+    let twist_left_wrist_cross_vy = twist_left_wrist_bracket_vy
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_vy_1;
+    let twist_left_wrist_cross_vz = twist_left_wrist_bracket_vz
+        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_vz_1;
+    let twist_left_end_plate_wx = twist_left_wrist_cross_wx
+        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_wx_1;
+    let twist_left_end_plate_wy = twist_left_wrist_cross_wy
+        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_wy_1;
+    let twist_left_end_plate_wz = twist_left_wrist_cross_wz
+        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_wz_1;
+    let twist_left_end_plate_vx = twist_left_wrist_cross_vx
+        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_vx_1;
+    let twist_left_end_plate_vy = twist_left_wrist_cross_vy
+        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_vy_1;
+    let twist_left_end_plate_vz = twist_left_wrist_cross_vz
+        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_vz_1;
+    let twist_right_upper_arm_wx = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_wx
+        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_wx_1;
+    let twist_right_upper_arm_wy = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_wy
+        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_wy_1;
+    let twist_right_upper_arm_wz = common_forward_dynamics_inverse_dynamics
+        .twist_right_upper_arm_wz_0
+        - common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz;
+    let twist_right_upper_arm_vx = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_vx
+        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_vx_1;
+    let twist_right_upper_arm_vy = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_vy
+        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_vy_1;
+    let twist_right_upper_arm_vz = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_vz
+        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_vz_1;
+    let twist_right_forearm_wx = twist_right_upper_arm_wx
+        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_wx_1;
+    let twist_right_forearm_wy = twist_right_upper_arm_wy
+        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_wy_1;
+    let twist_right_forearm_wz = twist_right_upper_arm_wz
+        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_wz_1;
+    let twist_right_forearm_vx = twist_right_upper_arm_vx
+        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_vx_1;
+    let twist_right_forearm_vy = twist_right_upper_arm_vy
+        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_vy_1;
+    let twist_right_forearm_vz = twist_right_upper_arm_vz
+        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_vz_1;
+    let twist_right_wrist_bracket_wx = twist_right_forearm_wx
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_wx_1;
+    let twist_right_wrist_bracket_wy = twist_right_forearm_wy
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_wy_1;
+    let twist_right_wrist_bracket_wz = twist_right_forearm_wz
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_wz_1;
+    let twist_right_wrist_bracket_vx = twist_right_forearm_vx
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_vx_1;
+    let twist_right_wrist_bracket_vy = twist_right_forearm_vy
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_vy_1;
+    let twist_right_wrist_bracket_vz = twist_right_forearm_vz
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_vz_1;
+    let twist_right_wrist_cross_wx = twist_right_wrist_bracket_wx
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_wx_1;
+    let twist_right_wrist_cross_wy = twist_right_wrist_bracket_wy
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_wy_1;
+    let twist_right_wrist_cross_wz = twist_right_wrist_bracket_wz
+        - common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_wz_1;
+    let twist_right_wrist_cross_vx = twist_right_wrist_bracket_vx
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_vx_1;
+    let twist_right_wrist_cross_vy = twist_right_wrist_bracket_vy
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_vy_1;
+    let twist_right_wrist_cross_vz = twist_right_wrist_bracket_vz
+        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_vz_1;
+    let twist_right_end_plate_wx = twist_right_wrist_cross_wx
+        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_wx_1;
+    let twist_right_end_plate_wy = twist_right_wrist_cross_wy
+        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_wy_1;
+    let twist_right_end_plate_wz = twist_right_wrist_cross_wz
+        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_wz_1;
+    let twist_right_end_plate_vx = twist_right_wrist_cross_vx
+        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_vx_1;
+    let twist_right_end_plate_vy = twist_right_wrist_cross_vy
+        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_vy_1;
+    let twist_right_end_plate_vz = twist_right_wrist_cross_vz
+        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_vz_1;
+    let twist_finger_1_vx = twist_right_end_plate_vx
+        + common_forward_dynamics_inverse_dynamics.twist_finger_1_vx_1;
+    let twist_finger_1_vy = twist_right_end_plate_vy
+        + common_forward_dynamics_inverse_dynamics.twist_finger_1_vy_1;
+    let twist_finger_1_vz = twist_right_end_plate_vz
+        + common_forward_dynamics_inverse_dynamics.twist_finger_1_vz_1;
+    let twist_finger_2_vx = twist_right_end_plate_vx
+        - common_forward_dynamics_inverse_dynamics.twist_finger_1_vx_1;
+    let twist_finger_2_vy = twist_right_end_plate_vy
+        - common_forward_dynamics_inverse_dynamics.twist_finger_1_vy_1;
+    let twist_finger_2_vz = twist_right_end_plate_vz
+        - common_forward_dynamics_inverse_dynamics.twist_finger_1_vz_1;
+    let wrench_left_shoulder_mx_0 = inertias.inertia_left_shoulder_xx
+        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
+        + inertias.inertia_left_shoulder_xy
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
+        - inertias.minus_inertia_left_shoulder_xz
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
+        + (inertias.inertia_left_shoulder_hy
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vz
+            - inertias.inertia_left_shoulder_hz
+                * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_mx_0_1;
+    let wrench_left_shoulder_my_0 = inertias.inertia_left_shoulder_xy
+        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
+        + inertias.inertia_left_shoulder_yy
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
+        + inertias.inertia_left_shoulder_yz
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
+        + (inertias.inertia_left_shoulder_hz
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vx
+            - inertias.inertia_left_shoulder_hx
+                * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_my_0_1;
+    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_yz
+        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
+        - inertias.minus_inertia_left_shoulder_xz
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
+        + inertias.inertia_left_shoulder_zz
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
+        + (inertias.inertia_left_shoulder_hx
+            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vy
+            - inertias.inertia_left_shoulder_hy
+                * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_mz_0_1;
+    let wrench_left_shoulder_fx_0 = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_vx * 4.0
+        + (common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
+            * inertias.inertia_left_shoulder_hz
+            - common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
+                * inertias.inertia_left_shoulder_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_fx_0_1;
+    let wrench_left_shoulder_fy_0 = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_vy * 4.0
+        + (common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
+            * inertias.inertia_left_shoulder_hx
+            - common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
+                * inertias.inertia_left_shoulder_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_fy_0_1;
+    let wrench_left_shoulder_fz_0 = common_forward_dynamics_inverse_dynamics
+        .twist_left_shoulder_vz * 4.0
+        + (common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
+            * inertias.inertia_left_shoulder_hy
+            - common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
+                * inertias.inertia_left_shoulder_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_fz_0_1;
+    let wrench_left_upper_arm_mx_0 = inertias.inertia_left_upper_arm_xx
+        * twist_left_upper_arm_wx
+        + inertias.inertia_left_upper_arm_xy * twist_left_upper_arm_wy
+        - inertias.minus_inertia_left_upper_arm_xz * twist_left_upper_arm_wz
+        + (inertias.inertia_left_upper_arm_hy * twist_left_upper_arm_vz
+            - inertias.inertia_left_upper_arm_hz * twist_left_upper_arm_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_mx_0_1;
+    let wrench_left_upper_arm_my_0 = inertias.inertia_left_upper_arm_xy
+        * twist_left_upper_arm_wx
+        + inertias.inertia_left_upper_arm_yy * twist_left_upper_arm_wy
+        + inertias.inertia_left_upper_arm_yz * twist_left_upper_arm_wz
+        + (inertias.inertia_left_upper_arm_hz * twist_left_upper_arm_vx
+            - inertias.inertia_left_upper_arm_hx * twist_left_upper_arm_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_my_0_1;
+    let wrench_left_upper_arm_mz_0 = inertias.inertia_left_upper_arm_yz
+        * twist_left_upper_arm_wy
+        - inertias.minus_inertia_left_upper_arm_xz * twist_left_upper_arm_wx
+        + inertias.inertia_left_upper_arm_zz * twist_left_upper_arm_wz
+        + (inertias.inertia_left_upper_arm_hx * twist_left_upper_arm_vy
+            - inertias.inertia_left_upper_arm_hy * twist_left_upper_arm_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_mz_0_1;
+    let wrench_left_upper_arm_fx_0 = twist_left_upper_arm_vx * 5.5
+        + (twist_left_upper_arm_wy * inertias.inertia_left_upper_arm_hz
+            - twist_left_upper_arm_wz * inertias.inertia_left_upper_arm_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_fx_0_1;
+    let wrench_left_upper_arm_fy_0 = twist_left_upper_arm_vy * 5.5
+        + (twist_left_upper_arm_wz * inertias.inertia_left_upper_arm_hx
+            - twist_left_upper_arm_wx * inertias.inertia_left_upper_arm_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_fy_0_1;
+    let wrench_left_upper_arm_fz_0 = twist_left_upper_arm_vz * 5.5
+        + (twist_left_upper_arm_wx * inertias.inertia_left_upper_arm_hy
+            - twist_left_upper_arm_wy * inertias.inertia_left_upper_arm_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_fz_0_1;
+    let wrench_left_forearm_mx_0 = inertias.inertia_left_forearm_xx
+        * twist_left_forearm_wx
+        + inertias.inertia_left_forearm_xy * twist_left_forearm_wy
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wz
+        + (inertias.inertia_left_forearm_hy * twist_left_forearm_vz
+            - inertias.inertia_left_forearm_hz * twist_left_forearm_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_mx_0_1;
+    let wrench_left_forearm_my_0 = inertias.inertia_left_forearm_xy
+        * twist_left_forearm_wx
+        + inertias.inertia_left_forearm_yy * twist_left_forearm_wy
+        + inertias.inertia_left_forearm_yz * twist_left_forearm_wz
+        + (inertias.inertia_left_forearm_hz * twist_left_forearm_vx
+            - inertias.inertia_left_forearm_hx * twist_left_forearm_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_my_0_1;
+    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_yz
+        * twist_left_forearm_wy
+        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx
+        + inertias.inertia_left_forearm_zz * twist_left_forearm_wz
+        + (inertias.inertia_left_forearm_hx * twist_left_forearm_vy
+            - inertias.inertia_left_forearm_hy * twist_left_forearm_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_mz_0_1;
+    let wrench_left_forearm_fx_0 = twist_left_forearm_vx * 4.2
+        + (twist_left_forearm_wy * inertias.inertia_left_forearm_hz
+            - twist_left_forearm_wz * inertias.inertia_left_forearm_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_fx_0_1;
+    let wrench_left_forearm_fy_0 = twist_left_forearm_vy * 4.2
+        + (twist_left_forearm_wz * inertias.inertia_left_forearm_hx
+            - twist_left_forearm_wx * inertias.inertia_left_forearm_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_fy_0_1;
+    let wrench_left_forearm_fz_0 = twist_left_forearm_vz * 4.2
+        + (twist_left_forearm_wx * inertias.inertia_left_forearm_hy
+            - twist_left_forearm_wy * inertias.inertia_left_forearm_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_fz_0_1;
+    let wrench_left_wrist_bracket_mx_0 = inertias.inertia_left_wrist_bracket_xx
+        * twist_left_wrist_bracket_wx
+        + inertias.inertia_left_wrist_bracket_xy * twist_left_wrist_bracket_wy
+        + inertias.inertia_left_wrist_bracket_xz * twist_left_wrist_bracket_wz
+        + (inertias.inertia_left_wrist_bracket_hy * twist_left_wrist_bracket_vz
+            - inertias.inertia_left_wrist_bracket_hz * twist_left_wrist_bracket_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_mx_0_1;
+    let wrench_left_wrist_bracket_my_0 = inertias.inertia_left_wrist_bracket_xy
+        * twist_left_wrist_bracket_wx
+        + inertias.inertia_left_wrist_bracket_yy * twist_left_wrist_bracket_wy
+        + inertias.inertia_left_wrist_bracket_yz * twist_left_wrist_bracket_wz
+        + (inertias.inertia_left_wrist_bracket_hz * twist_left_wrist_bracket_vx
+            - inertias.inertia_left_wrist_bracket_hx * twist_left_wrist_bracket_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_my_0_1;
+    let wrench_left_wrist_bracket_mz_0 = inertias.inertia_left_wrist_bracket_xz
+        * twist_left_wrist_bracket_wx
+        + inertias.inertia_left_wrist_bracket_yz * twist_left_wrist_bracket_wy
+        + inertias.inertia_left_wrist_bracket_zz * twist_left_wrist_bracket_wz
+        + (inertias.inertia_left_wrist_bracket_hx * twist_left_wrist_bracket_vy
+            - inertias.inertia_left_wrist_bracket_hy * twist_left_wrist_bracket_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_mz_0_1;
+    let wrench_left_wrist_bracket_fx_0 = twist_left_wrist_bracket_vx * 1.8
+        + (twist_left_wrist_bracket_wy * inertias.inertia_left_wrist_bracket_hz
+            - twist_left_wrist_bracket_wz * inertias.inertia_left_wrist_bracket_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_fx_0_1;
+    let wrench_left_wrist_bracket_fy_0 = twist_left_wrist_bracket_vy * 1.8
+        + (twist_left_wrist_bracket_wz * inertias.inertia_left_wrist_bracket_hx
+            - twist_left_wrist_bracket_wx * inertias.inertia_left_wrist_bracket_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_fy_0_1;
+    let wrench_left_wrist_bracket_fz_0 = twist_left_wrist_bracket_vz * 1.8
+        + (twist_left_wrist_bracket_wx * inertias.inertia_left_wrist_bracket_hy
+            - twist_left_wrist_bracket_wy * inertias.inertia_left_wrist_bracket_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_fz_0_1;
+    let wrench_left_wrist_cross_mx_0 = inertias.inertia_left_wrist_cross_xx
+        * twist_left_wrist_cross_wx
+        + inertias.inertia_left_wrist_cross_xy * twist_left_wrist_cross_wy
+        + inertias.inertia_left_wrist_cross_xz * twist_left_wrist_cross_wz
+        + (inertias.inertia_left_wrist_cross_hy * twist_left_wrist_cross_vz
+            - inertias.inertia_left_wrist_cross_hz * twist_left_wrist_cross_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_mx_0_1;
+    let wrench_left_wrist_cross_my_0 = inertias.inertia_left_wrist_cross_xy
+        * twist_left_wrist_cross_wx
+        + inertias.inertia_left_wrist_cross_yy * twist_left_wrist_cross_wy
+        + inertias.inertia_left_wrist_cross_yz * twist_left_wrist_cross_wz
+        + (inertias.inertia_left_wrist_cross_hz * twist_left_wrist_cross_vx
+            - inertias.inertia_left_wrist_cross_hx * twist_left_wrist_cross_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_my_0_1;
+    let wrench_left_wrist_cross_mz_0 = inertias.inertia_left_wrist_cross_xz
+        * twist_left_wrist_cross_wx
+        + inertias.inertia_left_wrist_cross_yz * twist_left_wrist_cross_wy
+        + inertias.inertia_left_wrist_cross_zz * twist_left_wrist_cross_wz
+        + (inertias.inertia_left_wrist_cross_hx * twist_left_wrist_cross_vy
+            - inertias.inertia_left_wrist_cross_hy * twist_left_wrist_cross_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_mz_0_1;
+    let wrench_left_wrist_cross_fx_0 = twist_left_wrist_cross_vx * 1.6
+        + (twist_left_wrist_cross_wy * inertias.inertia_left_wrist_cross_hz
+            - twist_left_wrist_cross_wz * inertias.inertia_left_wrist_cross_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_fx_0_1;
+    let wrench_left_wrist_cross_fy_0 = twist_left_wrist_cross_vy * 1.6
+        + (twist_left_wrist_cross_wz * inertias.inertia_left_wrist_cross_hx
+            - twist_left_wrist_cross_wx * inertias.inertia_left_wrist_cross_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_fy_0_1;
+    let wrench_left_wrist_cross_fz_0 = twist_left_wrist_cross_vz * 1.6
+        + (twist_left_wrist_cross_wx * inertias.inertia_left_wrist_cross_hy
+            - twist_left_wrist_cross_wy * inertias.inertia_left_wrist_cross_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_fz_0_1;
+    let wrench_left_end_plate_mx = inertias.inertia_left_end_plate_xx
+        * twist_left_end_plate_wx
+        + inertias.inertia_left_end_plate_xy * twist_left_end_plate_wy
+        + inertias.inertia_left_end_plate_xz * twist_left_end_plate_wz
+        + (inertias.inertia_left_end_plate_hy * twist_left_end_plate_vz
+            - inertias.inertia_left_end_plate_hz * twist_left_end_plate_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_mx_1;
+    let wrench_left_end_plate_my = inertias.inertia_left_end_plate_xy
+        * twist_left_end_plate_wx
+        + inertias.inertia_left_end_plate_yy * twist_left_end_plate_wy
+        + inertias.inertia_left_end_plate_yz * twist_left_end_plate_wz
+        + (inertias.inertia_left_end_plate_hz * twist_left_end_plate_vx
+            - inertias.inertia_left_end_plate_hx * twist_left_end_plate_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_my_1;
+    let wrench_left_end_plate_mz = inertias.inertia_left_end_plate_xz
+        * twist_left_end_plate_wx
+        + inertias.inertia_left_end_plate_yz * twist_left_end_plate_wy
+        + inertias.inertia_left_end_plate_zz * twist_left_end_plate_wz
+        + (inertias.inertia_left_end_plate_hx * twist_left_end_plate_vy
+            - inertias.inertia_left_end_plate_hy * twist_left_end_plate_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_mz_1;
+    let wrench_left_end_plate_fx = twist_left_end_plate_vx * 1.7000000000000002
+        + (twist_left_end_plate_wy * inertias.inertia_left_end_plate_hz
+            - twist_left_end_plate_wz * inertias.inertia_left_end_plate_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_fx_1;
+    let wrench_left_end_plate_fy = twist_left_end_plate_vy * 1.7000000000000002
+        + (twist_left_end_plate_wz * inertias.inertia_left_end_plate_hx
+            - twist_left_end_plate_wx * inertias.inertia_left_end_plate_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_fy_1;
+    let wrench_left_end_plate_fz = twist_left_end_plate_vz * 1.7000000000000002
+        + (twist_left_end_plate_wx * inertias.inertia_left_end_plate_hy
+            - twist_left_end_plate_wy * inertias.inertia_left_end_plate_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_fz_1;
+    let wrench_right_shoulder_mx_0 = inertias.inertia_right_shoulder_xx
+        * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
+        + inertias.inertia_right_shoulder_xy
+            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
+        - inertias.inertia_right_shoulder_xz
+            * common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
+        + (inertias.inertia_right_shoulder_hy
+            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vz
+            - inertias.inertia_right_shoulder_hz
+                * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_mx_0_1;
+    let wrench_right_shoulder_my_0 = inertias.inertia_right_shoulder_xy
+        * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
+        + inertias.inertia_right_shoulder_yy
+            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
+        - inertias.inertia_right_shoulder_yz
+            * common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
+        + (inertias.inertia_right_shoulder_hz
+            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vx
+            - inertias.inertia_right_shoulder_hx
+                * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_my_0_1;
+    let wrench_right_shoulder_mz_0 = inertias.inertia_right_shoulder_xz
+        * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
+        + inertias.inertia_right_shoulder_yz
+            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
+        - inertias.inertia_right_shoulder_zz
+            * common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
+        + (inertias.inertia_right_shoulder_hx
+            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vy
+            - inertias.inertia_right_shoulder_hy
+                * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_mz_0_1;
+    let wrench_right_shoulder_fx_0 = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_vx * 4.0
+        + (common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
+            * inertias.inertia_right_shoulder_hz
+            + common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
+                * inertias.inertia_right_shoulder_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_fx_0_1;
+    let wrench_right_shoulder_fy_0 = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_vy * 4.0
+        - (common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
+            * inertias.inertia_right_shoulder_hx
+            + common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
+                * inertias.inertia_right_shoulder_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_fy_0_1;
+    let wrench_right_shoulder_fz_0 = common_forward_dynamics_inverse_dynamics
+        .twist_right_shoulder_vz * 4.0
+        + (common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
+            * inertias.inertia_right_shoulder_hy
+            - common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
+                * inertias.inertia_right_shoulder_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_fz_0_1;
+    let wrench_right_upper_arm_mx_0 = inertias.inertia_right_upper_arm_xx
+        * twist_right_upper_arm_wx
+        + inertias.inertia_right_upper_arm_xy * twist_right_upper_arm_wy
+        + inertias.inertia_right_upper_arm_xz * twist_right_upper_arm_wz
+        + (inertias.inertia_right_upper_arm_hy * twist_right_upper_arm_vz
+            - inertias.inertia_right_upper_arm_hz * twist_right_upper_arm_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_mx_0_1;
+    let wrench_right_upper_arm_my_0 = inertias.inertia_right_upper_arm_xy
+        * twist_right_upper_arm_wx
+        + inertias.inertia_right_upper_arm_yy * twist_right_upper_arm_wy
+        + inertias.inertia_right_upper_arm_yz * twist_right_upper_arm_wz
+        + (inertias.inertia_right_upper_arm_hz * twist_right_upper_arm_vx
+            - inertias.inertia_right_upper_arm_hx * twist_right_upper_arm_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_my_0_1;
+    let wrench_right_upper_arm_mz_0 = inertias.inertia_right_upper_arm_xz
+        * twist_right_upper_arm_wx
+        + inertias.inertia_right_upper_arm_yz * twist_right_upper_arm_wy
+        + inertias.inertia_right_upper_arm_zz * twist_right_upper_arm_wz
+        + (inertias.inertia_right_upper_arm_hx * twist_right_upper_arm_vy
+            - inertias.inertia_right_upper_arm_hy * twist_right_upper_arm_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_mz_0_1;
+    let wrench_right_upper_arm_fx_0 = twist_right_upper_arm_vx * 5.5
+        + (twist_right_upper_arm_wy * inertias.inertia_right_upper_arm_hz
+            - twist_right_upper_arm_wz * inertias.inertia_right_upper_arm_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_fx_0_1;
+    let wrench_right_upper_arm_fy_0 = twist_right_upper_arm_vy * 5.5
+        + (twist_right_upper_arm_wz * inertias.inertia_right_upper_arm_hx
+            - twist_right_upper_arm_wx * inertias.inertia_right_upper_arm_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_fy_0_1;
+    let wrench_right_upper_arm_fz_0 = twist_right_upper_arm_vz * 5.5
+        + (twist_right_upper_arm_wx * inertias.inertia_right_upper_arm_hy
+            - twist_right_upper_arm_wy * inertias.inertia_right_upper_arm_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_fz_0_1;
+    let wrench_right_forearm_mx_0 = inertias.inertia_right_forearm_xx
+        * twist_right_forearm_wx
+        + inertias.inertia_right_forearm_xy * twist_right_forearm_wy
+        + inertias.inertia_right_forearm_xz * twist_right_forearm_wz
+        + (inertias.inertia_right_forearm_hy * twist_right_forearm_vz
+            - inertias.inertia_right_forearm_hz * twist_right_forearm_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_mx_0_1;
+    let wrench_right_forearm_my_0 = inertias.inertia_right_forearm_xy
+        * twist_right_forearm_wx
+        + inertias.inertia_right_forearm_yy * twist_right_forearm_wy
+        + inertias.inertia_right_forearm_yz * twist_right_forearm_wz
+        + (inertias.inertia_right_forearm_hz * twist_right_forearm_vx
+            - inertias.inertia_right_forearm_hx * twist_right_forearm_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_my_0_1;
+    let wrench_right_forearm_mz_0 = inertias.inertia_right_forearm_xz
+        * twist_right_forearm_wx
+        + inertias.inertia_right_forearm_yz * twist_right_forearm_wy
+        + inertias.inertia_right_forearm_zz * twist_right_forearm_wz
+        + (inertias.inertia_right_forearm_hx * twist_right_forearm_vy
+            - inertias.inertia_right_forearm_hy * twist_right_forearm_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_mz_0_1;
+    let wrench_right_forearm_fx_0 = twist_right_forearm_vx * 4.2
+        + (twist_right_forearm_wy * inertias.inertia_right_forearm_hz
+            - twist_right_forearm_wz * inertias.inertia_right_forearm_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_fx_0_1;
+    let wrench_right_forearm_fy_0 = twist_right_forearm_vy * 4.2
+        + (twist_right_forearm_wz * inertias.inertia_right_forearm_hx
+            - twist_right_forearm_wx * inertias.inertia_right_forearm_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_fy_0_1;
+    let wrench_right_forearm_fz_0 = twist_right_forearm_vz * 4.2
+        + (twist_right_forearm_wx * inertias.inertia_right_forearm_hy
+            - twist_right_forearm_wy * inertias.inertia_right_forearm_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_fz_0_1;
+    let wrench_right_wrist_bracket_mx_0 = inertias.inertia_right_wrist_bracket_xx
+        * twist_right_wrist_bracket_wx
+        + inertias.inertia_right_wrist_bracket_xy * twist_right_wrist_bracket_wy
+        + inertias.inertia_right_wrist_bracket_xz * twist_right_wrist_bracket_wz
+        + (inertias.inertia_right_wrist_bracket_hy * twist_right_wrist_bracket_vz
+            - inertias.inertia_right_wrist_bracket_hz * twist_right_wrist_bracket_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_mx_0_1;
+    let wrench_right_wrist_bracket_my_0 = inertias.inertia_right_wrist_bracket_xy
+        * twist_right_wrist_bracket_wx
+        + inertias.inertia_right_wrist_bracket_yy * twist_right_wrist_bracket_wy
+        + inertias.inertia_right_wrist_bracket_yz * twist_right_wrist_bracket_wz
+        + (inertias.inertia_right_wrist_bracket_hz * twist_right_wrist_bracket_vx
+            - inertias.inertia_right_wrist_bracket_hx * twist_right_wrist_bracket_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_my_0_1;
+    let wrench_right_wrist_bracket_mz_0 = inertias.inertia_right_wrist_bracket_xz
+        * twist_right_wrist_bracket_wx
+        + inertias.inertia_right_wrist_bracket_yz * twist_right_wrist_bracket_wy
+        + inertias.inertia_right_wrist_bracket_zz * twist_right_wrist_bracket_wz
+        + (inertias.inertia_right_wrist_bracket_hx * twist_right_wrist_bracket_vy
+            - inertias.inertia_right_wrist_bracket_hy * twist_right_wrist_bracket_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_mz_0_1;
+    let wrench_right_wrist_bracket_fx_0 = twist_right_wrist_bracket_vx * 1.8
+        + (twist_right_wrist_bracket_wy * inertias.inertia_right_wrist_bracket_hz
+            - twist_right_wrist_bracket_wz * inertias.inertia_right_wrist_bracket_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_fx_0_1;
+    let wrench_right_wrist_bracket_fy_0 = twist_right_wrist_bracket_vy * 1.8
+        + (twist_right_wrist_bracket_wz * inertias.inertia_right_wrist_bracket_hx
+            - twist_right_wrist_bracket_wx * inertias.inertia_right_wrist_bracket_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_fy_0_1;
+    let wrench_right_wrist_bracket_fz_0 = twist_right_wrist_bracket_vz * 1.8
+        + (twist_right_wrist_bracket_wx * inertias.inertia_right_wrist_bracket_hy
+            - twist_right_wrist_bracket_wy * inertias.inertia_right_wrist_bracket_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_fz_0_1;
+    let wrench_right_wrist_cross_mx_0 = inertias.inertia_right_wrist_cross_xx
+        * twist_right_wrist_cross_wx
+        + inertias.inertia_right_wrist_cross_xy * twist_right_wrist_cross_wy
+        + inertias.inertia_right_wrist_cross_xz * twist_right_wrist_cross_wz
+        + (inertias.inertia_right_wrist_cross_hy * twist_right_wrist_cross_vz
+            - inertias.inertia_right_wrist_cross_hz * twist_right_wrist_cross_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_mx_0_1;
+    let wrench_right_wrist_cross_my_0 = inertias.inertia_right_wrist_cross_xy
+        * twist_right_wrist_cross_wx
+        + inertias.inertia_right_wrist_cross_yy * twist_right_wrist_cross_wy
+        + inertias.inertia_right_wrist_cross_yz * twist_right_wrist_cross_wz
+        + (inertias.inertia_right_wrist_cross_hz * twist_right_wrist_cross_vx
+            - inertias.inertia_right_wrist_cross_hx * twist_right_wrist_cross_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_my_0_1;
+    let wrench_right_wrist_cross_mz_0 = inertias.inertia_right_wrist_cross_xz
+        * twist_right_wrist_cross_wx
+        + inertias.inertia_right_wrist_cross_yz * twist_right_wrist_cross_wy
+        + inertias.inertia_right_wrist_cross_zz * twist_right_wrist_cross_wz
+        + (inertias.inertia_right_wrist_cross_hx * twist_right_wrist_cross_vy
+            - inertias.inertia_right_wrist_cross_hy * twist_right_wrist_cross_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_mz_0_1;
+    let wrench_right_wrist_cross_fx_0 = twist_right_wrist_cross_vx * 1.6
+        + (twist_right_wrist_cross_wy * inertias.inertia_right_wrist_cross_hz
+            - twist_right_wrist_cross_wz * inertias.inertia_right_wrist_cross_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_fx_0_1;
+    let wrench_right_wrist_cross_fy_0 = twist_right_wrist_cross_vy * 1.6
+        + (twist_right_wrist_cross_wz * inertias.inertia_right_wrist_cross_hx
+            - twist_right_wrist_cross_wx * inertias.inertia_right_wrist_cross_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_fy_0_1;
+    let wrench_right_wrist_cross_fz_0 = twist_right_wrist_cross_vz * 1.6
+        + (twist_right_wrist_cross_wx * inertias.inertia_right_wrist_cross_hy
+            - twist_right_wrist_cross_wy * inertias.inertia_right_wrist_cross_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_fz_0_1;
+    let wrench_outside_finger_2_mx_0 = inertias.inertia_right_end_plate_xx
+        * twist_right_end_plate_wx
+        + inertias.inertia_right_end_plate_xy * twist_right_end_plate_wy
+        + inertias.inertia_right_end_plate_xz * twist_right_end_plate_wz
+        + (inertias.inertia_right_end_plate_hy * twist_right_end_plate_vz
+            - inertias.inertia_right_end_plate_hz * twist_right_end_plate_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_mx_0_0_1;
+    let wrench_outside_finger_2_my_0 = inertias.inertia_right_end_plate_xy
+        * twist_right_end_plate_wx
+        + inertias.inertia_right_end_plate_yy * twist_right_end_plate_wy
+        + inertias.inertia_right_end_plate_yz * twist_right_end_plate_wz
+        + (inertias.inertia_right_end_plate_hz * twist_right_end_plate_vx
+            - inertias.inertia_right_end_plate_hx * twist_right_end_plate_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_my_0_0_1;
+    let wrench_outside_finger_2_mz_0 = inertias.inertia_right_end_plate_xz
+        * twist_right_end_plate_wx
+        + inertias.inertia_right_end_plate_yz * twist_right_end_plate_wy
+        + inertias.inertia_right_end_plate_zz * twist_right_end_plate_wz
+        + (inertias.inertia_right_end_plate_hx * twist_right_end_plate_vy
+            - inertias.inertia_right_end_plate_hy * twist_right_end_plate_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_mz_0_0_1;
+    let wrench_outside_finger_2_fx_0 = twist_right_end_plate_vx * 2.3
+        + (twist_right_end_plate_wy * inertias.inertia_right_end_plate_hz
+            - twist_right_end_plate_wz * inertias.inertia_right_end_plate_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_fx_0_0_1;
+    let wrench_outside_finger_2_fy_0 = twist_right_end_plate_vy * 2.3
+        + (twist_right_end_plate_wz * inertias.inertia_right_end_plate_hx
+            - twist_right_end_plate_wx * inertias.inertia_right_end_plate_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_fy_0_0_1;
+    let wrench_outside_finger_2_fz_0 = twist_right_end_plate_vz * 2.3
+        + (twist_right_end_plate_wx * inertias.inertia_right_end_plate_hy
+            - twist_right_end_plate_wy * inertias.inertia_right_end_plate_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_fz_0_0_1;
+    let wrench_finger_1_mx = inertias.inertia_finger_1_xx * twist_right_end_plate_wx
+        + inertias.inertia_finger_1_xy * twist_right_end_plate_wy
+        + inertias.inertia_finger_1_xz * twist_right_end_plate_wz
+        + (inertias.inertia_finger_1_hy * twist_finger_1_vz
+            - inertias.inertia_finger_1_hz * twist_finger_1_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_mx_1;
+    let wrench_finger_1_my = inertias.inertia_finger_1_xy * twist_right_end_plate_wx
+        + inertias.inertia_finger_1_yy * twist_right_end_plate_wy
+        + inertias.inertia_finger_1_yz * twist_right_end_plate_wz
+        + (inertias.inertia_finger_1_hz * twist_finger_1_vx
+            - inertias.inertia_finger_1_hx * twist_finger_1_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_my_1;
+    let wrench_finger_1_mz = inertias.inertia_finger_1_xz * twist_right_end_plate_wx
+        + inertias.inertia_finger_1_yz * twist_right_end_plate_wy
+        + inertias.inertia_finger_1_zz * twist_right_end_plate_wz
+        + (inertias.inertia_finger_1_hx * twist_finger_1_vy
+            - inertias.inertia_finger_1_hy * twist_finger_1_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_mz_1;
+    let wrench_finger_1_fx = twist_finger_1_vx * 0.18
+        + (twist_right_end_plate_wy * inertias.inertia_finger_1_hz
+            - twist_right_end_plate_wz * inertias.inertia_finger_1_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_fx_1;
+    let wrench_finger_1_fy = twist_finger_1_vy * 0.18
+        + (twist_right_end_plate_wz * inertias.inertia_finger_1_hx
+            - twist_right_end_plate_wx * inertias.inertia_finger_1_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_fy_1;
+    let wrench_finger_1_fz = twist_finger_1_vz * 0.18
+        + (twist_right_end_plate_wx * inertias.inertia_finger_1_hy
+            - twist_right_end_plate_wy * inertias.inertia_finger_1_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_fz_1;
+    let wrench_finger_2_mx = inertias.inertia_finger_2_xx * twist_right_end_plate_wx
+        + inertias.inertia_finger_2_xy * twist_right_end_plate_wy
+        + inertias.inertia_finger_2_xz * twist_right_end_plate_wz
+        + (inertias.inertia_finger_2_hy * twist_finger_2_vz
+            - inertias.inertia_finger_2_hz * twist_finger_2_vy)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_mx_1;
+    let wrench_finger_2_my = inertias.inertia_finger_2_xy * twist_right_end_plate_wx
+        + inertias.inertia_finger_2_yy * twist_right_end_plate_wy
+        + inertias.inertia_finger_2_yz * twist_right_end_plate_wz
+        + (inertias.inertia_finger_2_hz * twist_finger_2_vx
+            - inertias.inertia_finger_2_hx * twist_finger_2_vz)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_my_1;
+    let wrench_finger_2_mz = inertias.inertia_finger_2_xz * twist_right_end_plate_wx
+        + inertias.inertia_finger_2_yz * twist_right_end_plate_wy
+        + inertias.inertia_finger_2_zz * twist_right_end_plate_wz
+        + (inertias.inertia_finger_2_hx * twist_finger_2_vy
+            - inertias.inertia_finger_2_hy * twist_finger_2_vx)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_mz_1;
+    let wrench_finger_2_fx = twist_finger_2_vx * 0.18
+        + (twist_right_end_plate_wy * inertias.inertia_finger_2_hz
+            - twist_right_end_plate_wz * inertias.inertia_finger_2_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_fx_1;
+    let wrench_finger_2_fy = twist_finger_2_vy * 0.18
+        + (twist_right_end_plate_wz * inertias.inertia_finger_2_hx
+            - twist_right_end_plate_wx * inertias.inertia_finger_2_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_fy_1;
+    let wrench_finger_2_fz = twist_finger_2_vz * 0.18
+        + (twist_right_end_plate_wx * inertias.inertia_finger_2_hy
+            - twist_right_end_plate_wy * inertias.inertia_finger_2_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_fz_1;
+    let wrench_right_end_plate_mx_0 = wrench_outside_finger_2_mx_0 + wrench_finger_2_mx;
+    let wrench_right_end_plate_my_0 = wrench_outside_finger_2_my_0 + wrench_finger_2_my;
+    let wrench_right_end_plate_mz_0 = wrench_outside_finger_2_mz_0 + wrench_finger_2_mz;
+    let wrench_right_end_plate_fx_0 = wrench_outside_finger_2_fx_0 + wrench_finger_2_fx;
+    let wrench_right_end_plate_fy_0 = wrench_outside_finger_2_fy_0 + wrench_finger_2_fy;
+    let wrench_right_end_plate_fz_0 = wrench_outside_finger_2_fz_0 + wrench_finger_2_fz;
+    let wrench_right_end_plate_mx = wrench_right_end_plate_mx_0 + wrench_finger_1_mx;
+    let wrench_right_end_plate_my = wrench_right_end_plate_my_0 + wrench_finger_1_my;
+    let wrench_right_end_plate_mz = wrench_right_end_plate_mz_0 + wrench_finger_1_mz;
+    let wrench_right_end_plate_fx = wrench_right_end_plate_fx_0 + wrench_finger_1_fx;
+    let wrench_right_end_plate_fy = wrench_right_end_plate_fy_0 + wrench_finger_1_fy;
+    let wrench_right_end_plate_fz = wrench_right_end_plate_fz_0 + wrench_finger_1_fz;
+    let wrench_right_wrist_cross_mx = wrench_right_wrist_cross_mx_0
+        + wrench_right_end_plate_mx;
+    let wrench_right_wrist_cross_my = wrench_right_wrist_cross_my_0
+        + wrench_right_end_plate_my;
+    let wrench_right_wrist_cross_mz = wrench_right_wrist_cross_mz_0
+        + wrench_right_end_plate_mz;
+    let wrench_right_wrist_cross_fx = wrench_right_wrist_cross_fx_0
+        + wrench_right_end_plate_fx;
+    let wrench_right_wrist_cross_fy = wrench_right_wrist_cross_fy_0
+        + wrench_right_end_plate_fy;
+    let wrench_right_wrist_cross_fz = wrench_right_wrist_cross_fz_0
+        + wrench_right_end_plate_fz;
+    let wrench_right_wrist_bracket_mx = wrench_right_wrist_bracket_mx_0
+        + wrench_right_wrist_cross_mx;
+    let wrench_right_wrist_bracket_my = wrench_right_wrist_bracket_my_0
+        + wrench_right_wrist_cross_my;
+    let wrench_right_wrist_bracket_mz = wrench_right_wrist_bracket_mz_0
+        + wrench_right_wrist_cross_mz;
+    let wrench_right_wrist_bracket_fx = wrench_right_wrist_bracket_fx_0
+        + wrench_right_wrist_cross_fx;
+    let wrench_right_wrist_bracket_fy = wrench_right_wrist_bracket_fy_0
+        + wrench_right_wrist_cross_fy;
+    let wrench_right_wrist_bracket_fz = wrench_right_wrist_bracket_fz_0
+        + wrench_right_wrist_cross_fz;
+    let wrench_right_forearm_mx = wrench_right_forearm_mx_0
+        + wrench_right_wrist_bracket_mx;
+    let wrench_right_forearm_my = wrench_right_forearm_my_0
+        + wrench_right_wrist_bracket_my;
+    let wrench_right_forearm_mz = wrench_right_forearm_mz_0
+        + wrench_right_wrist_bracket_mz;
+    let wrench_right_forearm_fx = wrench_right_forearm_fx_0
+        + wrench_right_wrist_bracket_fx;
+    let wrench_right_forearm_fy = wrench_right_forearm_fy_0
+        + wrench_right_wrist_bracket_fy;
+    let wrench_right_forearm_fz = wrench_right_forearm_fz_0
+        + wrench_right_wrist_bracket_fz;
+    let wrench_right_upper_arm_mx = wrench_right_upper_arm_mx_0
+        + wrench_right_forearm_mx;
+    let wrench_right_upper_arm_my = wrench_right_upper_arm_my_0
+        + wrench_right_forearm_my;
+    let wrench_right_upper_arm_mz = wrench_right_upper_arm_mz_0
+        + wrench_right_forearm_mz;
+    let wrench_right_upper_arm_fx = wrench_right_upper_arm_fx_0
+        + wrench_right_forearm_fx;
+    let wrench_right_upper_arm_fy = wrench_right_upper_arm_fy_0
+        + wrench_right_forearm_fy;
+    let wrench_right_upper_arm_fz = wrench_right_upper_arm_fz_0
+        + wrench_right_forearm_fz;
+    let wrench_right_shoulder_mx = wrench_right_shoulder_mx_0
+        + wrench_right_upper_arm_mx;
+    let wrench_right_shoulder_my = wrench_right_shoulder_my_0
+        + wrench_right_upper_arm_my;
+    let wrench_right_shoulder_mz = wrench_right_shoulder_mz_0
+        + wrench_right_upper_arm_mz;
+    let wrench_right_shoulder_fx = wrench_right_shoulder_fx_0
+        + wrench_right_upper_arm_fx;
+    let wrench_right_shoulder_fy = wrench_right_shoulder_fy_0
+        + wrench_right_upper_arm_fy;
+    let wrench_right_shoulder_fz = wrench_right_shoulder_fz_0
+        + wrench_right_upper_arm_fz;
+    let wrench_outside_left_shoulder_mx = wrench_right_shoulder_mx
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mx_1;
+    let wrench_outside_left_shoulder_my = wrench_right_shoulder_my
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_my_1;
+    let wrench_outside_left_shoulder_mz = wrench_right_shoulder_mz
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mz_1;
+    let wrench_outside_left_shoulder_fx = wrench_right_shoulder_fx
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fx_1;
+    let wrench_outside_left_shoulder_fy = wrench_right_shoulder_fy
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fy_1;
+    let wrench_outside_left_shoulder_fz = wrench_right_shoulder_fz
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fz_1;
+    let wrench_left_wrist_cross_mx = wrench_left_wrist_cross_mx_0
+        + wrench_left_end_plate_mx;
+    let wrench_left_wrist_cross_my = wrench_left_wrist_cross_my_0
+        + wrench_left_end_plate_my;
+    let wrench_left_wrist_cross_mz = wrench_left_wrist_cross_mz_0
+        + wrench_left_end_plate_mz;
+    let wrench_left_wrist_cross_fx = wrench_left_wrist_cross_fx_0
+        + wrench_left_end_plate_fx;
+    let wrench_left_wrist_cross_fy = wrench_left_wrist_cross_fy_0
+        + wrench_left_end_plate_fy;
+    let wrench_left_wrist_cross_fz = wrench_left_wrist_cross_fz_0
+        + wrench_left_end_plate_fz;
+    let wrench_left_wrist_bracket_mx = wrench_left_wrist_bracket_mx_0
+        + wrench_left_wrist_cross_mx;
+    let wrench_left_wrist_bracket_my = wrench_left_wrist_bracket_my_0
+        + wrench_left_wrist_cross_my;
+    let wrench_left_wrist_bracket_mz = wrench_left_wrist_bracket_mz_0
+        + wrench_left_wrist_cross_mz;
+    let wrench_left_wrist_bracket_fx = wrench_left_wrist_bracket_fx_0
+        + wrench_left_wrist_cross_fx;
+    let wrench_left_wrist_bracket_fy = wrench_left_wrist_bracket_fy_0
+        + wrench_left_wrist_cross_fy;
+    let wrench_left_wrist_bracket_fz = wrench_left_wrist_bracket_fz_0
+        + wrench_left_wrist_cross_fz;
+    let wrench_left_forearm_mx = wrench_left_forearm_mx_0 + wrench_left_wrist_bracket_mx;
+    let wrench_left_forearm_my = wrench_left_forearm_my_0 + wrench_left_wrist_bracket_my;
+    let wrench_left_forearm_mz = wrench_left_forearm_mz_0 + wrench_left_wrist_bracket_mz;
+    let wrench_left_forearm_fx = wrench_left_forearm_fx_0 + wrench_left_wrist_bracket_fx;
+    let wrench_left_forearm_fy = wrench_left_forearm_fy_0 + wrench_left_wrist_bracket_fy;
+    let wrench_left_forearm_fz = wrench_left_forearm_fz_0 + wrench_left_wrist_bracket_fz;
+    let wrench_left_upper_arm_mx = wrench_left_upper_arm_mx_0 + wrench_left_forearm_mx;
+    let wrench_left_upper_arm_my = wrench_left_upper_arm_my_0 + wrench_left_forearm_my;
+    let wrench_left_upper_arm_mz = wrench_left_upper_arm_mz_0 + wrench_left_forearm_mz;
+    let wrench_left_upper_arm_fx = wrench_left_upper_arm_fx_0 + wrench_left_forearm_fx;
+    let wrench_left_upper_arm_fy = wrench_left_upper_arm_fy_0 + wrench_left_forearm_fy;
+    let wrench_left_upper_arm_fz = wrench_left_upper_arm_fz_0 + wrench_left_forearm_fz;
+    let wrench_left_shoulder_mx = wrench_left_shoulder_mx_0 + wrench_left_upper_arm_mx;
+    let wrench_left_shoulder_my = wrench_left_shoulder_my_0 + wrench_left_upper_arm_my;
+    let wrench_left_shoulder_mz = wrench_left_shoulder_mz_0 + wrench_left_upper_arm_mz;
+    let wrench_left_shoulder_fx = wrench_left_shoulder_fx_0 + wrench_left_upper_arm_fx;
+    let wrench_left_shoulder_fy = wrench_left_shoulder_fy_0 + wrench_left_upper_arm_fy;
+    let wrench_left_shoulder_fz = wrench_left_shoulder_fz_0 + wrench_left_upper_arm_fz;
+    let wrench_outside_left_upper_arm_mx = wrench_left_shoulder_mx_0
+        + wrench_outside_left_shoulder_mx;
+    let wrench_outside_left_upper_arm_my = wrench_left_shoulder_my_0
+        + wrench_outside_left_shoulder_my;
+    let wrench_outside_left_upper_arm_mz = wrench_left_shoulder_mz_0
+        + wrench_outside_left_shoulder_mz;
+    let wrench_outside_left_upper_arm_fx = wrench_left_shoulder_fx_0
+        + wrench_outside_left_shoulder_fx;
+    let wrench_outside_left_upper_arm_fy = wrench_left_shoulder_fy_0
+        + wrench_outside_left_shoulder_fy;
+    let wrench_outside_left_upper_arm_fz = wrench_left_shoulder_fz_0
+        + wrench_outside_left_shoulder_fz;
+    let wrench_outside_left_forearm_mx = wrench_left_upper_arm_mx_0
+        + wrench_outside_left_upper_arm_mx;
+    let wrench_outside_left_forearm_my = wrench_left_upper_arm_my_0
+        + wrench_outside_left_upper_arm_my;
+    let wrench_outside_left_forearm_mz = wrench_left_upper_arm_mz_0
+        + wrench_outside_left_upper_arm_mz;
+    let wrench_outside_left_forearm_fx = wrench_left_upper_arm_fx_0
+        + wrench_outside_left_upper_arm_fx;
+    let wrench_outside_left_forearm_fy = wrench_left_upper_arm_fy_0
+        + wrench_outside_left_upper_arm_fy;
+    let wrench_outside_left_forearm_fz = wrench_left_upper_arm_fz_0
+        + wrench_outside_left_upper_arm_fz;
+    let wrench_outside_left_wrist_bracket_mx = wrench_left_forearm_mx_0
+        + wrench_outside_left_forearm_mx;
+    let wrench_outside_left_wrist_bracket_my = wrench_left_forearm_my_0
+        + wrench_outside_left_forearm_my;
+    let wrench_outside_left_wrist_bracket_mz = wrench_left_forearm_mz_0
+        + wrench_outside_left_forearm_mz;
+    let wrench_outside_left_wrist_bracket_fx = wrench_left_forearm_fx_0
+        + wrench_outside_left_forearm_fx;
+    let wrench_outside_left_wrist_bracket_fy = wrench_left_forearm_fy_0
+        + wrench_outside_left_forearm_fy;
+    let wrench_outside_left_wrist_bracket_fz = wrench_left_forearm_fz_0
+        + wrench_outside_left_forearm_fz;
+    let wrench_outside_left_wrist_cross_mx = wrench_left_wrist_bracket_mx_0
+        + wrench_outside_left_wrist_bracket_mx;
+    let wrench_outside_left_wrist_cross_my = wrench_left_wrist_bracket_my_0
+        + wrench_outside_left_wrist_bracket_my;
+    let wrench_outside_left_wrist_cross_mz = wrench_left_wrist_bracket_mz_0
+        + wrench_outside_left_wrist_bracket_mz;
+    let wrench_outside_left_wrist_cross_fx = wrench_left_wrist_bracket_fx_0
+        + wrench_outside_left_wrist_bracket_fx;
+    let wrench_outside_left_wrist_cross_fy = wrench_left_wrist_bracket_fy_0
+        + wrench_outside_left_wrist_bracket_fy;
+    let wrench_outside_left_wrist_cross_fz = wrench_left_wrist_bracket_fz_0
+        + wrench_outside_left_wrist_bracket_fz;
+    let wrench_outside_left_end_plate_mx = wrench_left_wrist_cross_mx_0
+        + wrench_outside_left_wrist_cross_mx;
+    let wrench_outside_left_end_plate_my = wrench_left_wrist_cross_my_0
+        + wrench_outside_left_wrist_cross_my;
+    let wrench_outside_left_end_plate_mz = wrench_left_wrist_cross_mz_0
+        + wrench_outside_left_wrist_cross_mz;
+    let wrench_outside_left_end_plate_fx = wrench_left_wrist_cross_fx_0
+        + wrench_outside_left_wrist_cross_fx;
+    let wrench_outside_left_end_plate_fy = wrench_left_wrist_cross_fy_0
+        + wrench_outside_left_wrist_cross_fy;
+    let wrench_outside_left_end_plate_fz = wrench_left_wrist_cross_fz_0
+        + wrench_outside_left_wrist_cross_fz;
+    let wrench_outside_right_shoulder_mx = wrench_left_shoulder_mx
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mx_1;
+    let wrench_outside_right_shoulder_my = wrench_left_shoulder_my
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_my_1;
+    let wrench_outside_right_shoulder_mz = wrench_left_shoulder_mz
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mz_1;
+    let wrench_outside_right_shoulder_fx = wrench_left_shoulder_fx
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fx_1;
+    let wrench_outside_right_shoulder_fy = wrench_left_shoulder_fy
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fy_1;
+    let wrench_outside_right_shoulder_fz = wrench_left_shoulder_fz
+        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fz_1;
+    let wrench_outside_right_upper_arm_mx = wrench_right_shoulder_mx_0
+        + wrench_outside_right_shoulder_mx;
+    let wrench_outside_right_upper_arm_my = wrench_right_shoulder_my_0
+        + wrench_outside_right_shoulder_my;
+    let wrench_outside_right_upper_arm_mz = wrench_right_shoulder_mz_0
+        + wrench_outside_right_shoulder_mz;
+    let wrench_outside_right_upper_arm_fx = wrench_right_shoulder_fx_0
+        + wrench_outside_right_shoulder_fx;
+    let wrench_outside_right_upper_arm_fy = wrench_right_shoulder_fy_0
+        + wrench_outside_right_shoulder_fy;
+    let wrench_outside_right_upper_arm_fz = wrench_right_shoulder_fz_0
+        + wrench_outside_right_shoulder_fz;
+    let wrench_outside_right_forearm_mx = wrench_right_upper_arm_mx_0
+        + wrench_outside_right_upper_arm_mx;
+    let wrench_outside_right_forearm_my = wrench_right_upper_arm_my_0
+        + wrench_outside_right_upper_arm_my;
+    let wrench_outside_right_forearm_mz = wrench_right_upper_arm_mz_0
+        + wrench_outside_right_upper_arm_mz;
+    let wrench_outside_right_forearm_fx = wrench_right_upper_arm_fx_0
+        + wrench_outside_right_upper_arm_fx;
+    let wrench_outside_right_forearm_fy = wrench_right_upper_arm_fy_0
+        + wrench_outside_right_upper_arm_fy;
+    let wrench_outside_right_forearm_fz = wrench_right_upper_arm_fz_0
+        + wrench_outside_right_upper_arm_fz;
+    let wrench_outside_right_wrist_bracket_mx = wrench_right_forearm_mx_0
+        + wrench_outside_right_forearm_mx;
+    let wrench_outside_right_wrist_bracket_my = wrench_right_forearm_my_0
+        + wrench_outside_right_forearm_my;
+    let wrench_outside_right_wrist_bracket_mz = wrench_right_forearm_mz_0
+        + wrench_outside_right_forearm_mz;
+    let wrench_outside_right_wrist_bracket_fx = wrench_right_forearm_fx_0
+        + wrench_outside_right_forearm_fx;
+    let wrench_outside_right_wrist_bracket_fy = wrench_right_forearm_fy_0
+        + wrench_outside_right_forearm_fy;
+    let wrench_outside_right_wrist_bracket_fz = wrench_right_forearm_fz_0
+        + wrench_outside_right_forearm_fz;
+    let wrench_outside_right_wrist_cross_mx = wrench_right_wrist_bracket_mx_0
+        + wrench_outside_right_wrist_bracket_mx;
+    let wrench_outside_right_wrist_cross_my = wrench_right_wrist_bracket_my_0
+        + wrench_outside_right_wrist_bracket_my;
+    let wrench_outside_right_wrist_cross_mz = wrench_right_wrist_bracket_mz_0
+        + wrench_outside_right_wrist_bracket_mz;
+    let wrench_outside_right_wrist_cross_fx = wrench_right_wrist_bracket_fx_0
+        + wrench_outside_right_wrist_bracket_fx;
+    let wrench_outside_right_wrist_cross_fy = wrench_right_wrist_bracket_fy_0
+        + wrench_outside_right_wrist_bracket_fy;
+    let wrench_outside_right_wrist_cross_fz = wrench_right_wrist_bracket_fz_0
+        + wrench_outside_right_wrist_bracket_fz;
+    let wrench_outside_right_end_plate_mx = wrench_right_wrist_cross_mx_0
+        + wrench_outside_right_wrist_cross_mx;
+    let wrench_outside_right_end_plate_my = wrench_right_wrist_cross_my_0
+        + wrench_outside_right_wrist_cross_my;
+    let wrench_outside_right_end_plate_mz = wrench_right_wrist_cross_mz_0
+        + wrench_outside_right_wrist_cross_mz;
+    let wrench_outside_right_end_plate_fx = wrench_right_wrist_cross_fx_0
+        + wrench_outside_right_wrist_cross_fx;
+    let wrench_outside_right_end_plate_fy = wrench_right_wrist_cross_fy_0
+        + wrench_outside_right_wrist_cross_fy;
+    let wrench_outside_right_end_plate_fz = wrench_right_wrist_cross_fz_0
+        + wrench_outside_right_wrist_cross_fz;
+    let wrench_outside_finger_1_mx = wrench_right_end_plate_mx_0
+        + wrench_outside_right_end_plate_mx;
+    let wrench_outside_finger_1_my = wrench_right_end_plate_my_0
+        + wrench_outside_right_end_plate_my;
+    let wrench_outside_finger_1_mz = wrench_right_end_plate_mz_0
+        + wrench_outside_right_end_plate_mz;
+    let wrench_outside_finger_1_fx = wrench_right_end_plate_fx_0
+        + wrench_outside_right_end_plate_fx;
+    let wrench_outside_finger_1_fy = wrench_right_end_plate_fy_0
+        + wrench_outside_right_end_plate_fy;
+    let wrench_outside_finger_1_fz = wrench_right_end_plate_fz_0
+        + wrench_outside_right_end_plate_fz;
+    let wrench_outside_finger_2_mx = wrench_outside_finger_2_mx_0
+        + (wrench_outside_right_end_plate_mx + wrench_finger_1_mx);
+    let wrench_outside_finger_2_my = wrench_outside_finger_2_my_0
+        + (wrench_outside_right_end_plate_my + wrench_finger_1_my);
+    let wrench_outside_finger_2_mz = wrench_outside_finger_2_mz_0
+        + (wrench_outside_right_end_plate_mz + wrench_finger_1_mz);
+    let wrench_outside_finger_2_fx = wrench_outside_finger_2_fx_0
+        + (wrench_outside_right_end_plate_fx + wrench_finger_1_fx);
+    let wrench_outside_finger_2_fy = wrench_outside_finger_2_fy_0
+        + (wrench_outside_right_end_plate_fy + wrench_finger_1_fy);
+    let wrench_outside_finger_2_fz = wrench_outside_finger_2_fz_0
+        + (wrench_outside_right_end_plate_fz + wrench_finger_1_fz);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_16 = screws.connection_finger_1_slide_vx
+        * base_wrench[3];
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_17 = screws.connection_finger_1_slide_vy
+        * base_wrench[4];
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_18 = screws.connection_finger_1_slide_vz
+        * base_wrench[5];
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38 = tau[0]
+        - (screws.connection_left_shoulder_yaw_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_left_shoulder_yaw_wy * xi_dot_0_3_3_24_20
+            + screws.connection_left_shoulder_yaw_wz * xi_dot_0_3_3_20
+            + screws.connection_left_shoulder_yaw_vx * base_wrench[3]
+            + screws.connection_left_shoulder_yaw_vy * base_wrench[4]
+            + screws.connection_left_shoulder_yaw_vz * base_wrench[5])
+        - (reactions.reaction_left_shoulder_yaw_wx * wrench_left_shoulder_mx
+            + reactions.reaction_left_shoulder_yaw_wy * wrench_left_shoulder_my
+            + reactions.reaction_left_shoulder_yaw_wz * wrench_left_shoulder_mz
+            + reactions.reaction_left_shoulder_yaw_vx * wrench_left_shoulder_fx
+            + reactions.reaction_left_shoulder_yaw_vy * wrench_left_shoulder_fy
+            + reactions.reaction_left_shoulder_yaw_vz * wrench_left_shoulder_fz
+            - (screws.connection_left_shoulder_yaw_wx * wrench_outside_left_shoulder_mx
+                + screws.connection_left_shoulder_yaw_wy
+                    * wrench_outside_left_shoulder_my
+                + screws.connection_left_shoulder_yaw_wz
+                    * wrench_outside_left_shoulder_mz
+                + screws.connection_left_shoulder_yaw_vx
+                    * wrench_outside_left_shoulder_fx
+                + screws.connection_left_shoulder_yaw_vy
+                    * wrench_outside_left_shoulder_fy
+                + screws.connection_left_shoulder_yaw_vz
+                    * wrench_outside_left_shoulder_fz));
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1 = 1.0
+        / common_inertia_forward_dynamics.shape_inertia_0_0;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_1_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0 = common_inertia_forward_dynamics
+        .shape_inertia_2_1
+        - common_inertia_forward_dynamics.shape_inertia_2_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3 = common_inertia_forward_dynamics
+        .shape_inertia_3_1
+        - common_inertia_forward_dynamics.shape_inertia_3_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_4_1
+        - common_inertia_forward_dynamics.shape_inertia_4_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_5_1
+        - common_inertia_forward_dynamics.shape_inertia_5_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_6_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+        - common_inertia_forward_dynamics.shape_inertia_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_7_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+        - common_inertia_forward_dynamics.shape_inertia_7_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_8_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+        - common_inertia_forward_dynamics.shape_inertia_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_9_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+        - common_inertia_forward_dynamics.shape_inertia_9_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_10_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+        - common_inertia_forward_dynamics.shape_inertia_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_11_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+        - common_inertia_forward_dynamics.shape_inertia_11_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
+        .shape_inertia_12_1
+        - common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_2_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_3_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_4_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1 = common_inertia_forward_dynamics
+        .shape_inertia_5_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_6_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_7_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_8_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_9_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_10_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2 = common_inertia_forward_dynamics
+        .shape_inertia_11_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2 = common_inertia_forward_dynamics
+        .shape_inertia_12_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_1_1
+            - common_inertia_forward_dynamics.shape_inertia_1_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0 = common_inertia_forward_dynamics
+        .shape_inertia_3_2
+        - common_inertia_forward_dynamics.shape_inertia_3_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5 = common_inertia_forward_dynamics
+        .shape_inertia_4_2
+        - common_inertia_forward_dynamics.shape_inertia_4_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_5_2
+        - common_inertia_forward_dynamics.shape_inertia_5_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_6_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - common_inertia_forward_dynamics.shape_inertia_6_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_7_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - common_inertia_forward_dynamics.shape_inertia_7_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_8_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - common_inertia_forward_dynamics.shape_inertia_8_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_9_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - common_inertia_forward_dynamics.shape_inertia_9_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_10_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - common_inertia_forward_dynamics.shape_inertia_10_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_11_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - common_inertia_forward_dynamics.shape_inertia_11_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5 = common_inertia_forward_dynamics
+        .shape_inertia_12_2
+        - common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_2_2
+            - common_inertia_forward_dynamics.shape_inertia_2_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0 = common_inertia_forward_dynamics
+        .shape_inertia_4_3
+        - common_inertia_forward_dynamics.shape_inertia_4_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7 = common_inertia_forward_dynamics
+        .shape_inertia_5_3
+        - common_inertia_forward_dynamics.shape_inertia_5_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7 = common_inertia_forward_dynamics
+        .shape_inertia_6_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - common_inertia_forward_dynamics.shape_inertia_6_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7 = common_inertia_forward_dynamics
+        .shape_inertia_7_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - common_inertia_forward_dynamics.shape_inertia_7_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7 = common_inertia_forward_dynamics
+        .shape_inertia_8_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - common_inertia_forward_dynamics.shape_inertia_8_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7 = common_inertia_forward_dynamics
+        .shape_inertia_9_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - common_inertia_forward_dynamics.shape_inertia_9_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7 = common_inertia_forward_dynamics
+        .shape_inertia_10_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - common_inertia_forward_dynamics.shape_inertia_10_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7 = common_inertia_forward_dynamics
+        .shape_inertia_11_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - common_inertia_forward_dynamics.shape_inertia_11_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7 = common_inertia_forward_dynamics
+        .shape_inertia_12_3
+        - common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_3_3
+            - common_inertia_forward_dynamics.shape_inertia_3_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0 = common_inertia_forward_dynamics
+        .shape_inertia_5_4
+        - common_inertia_forward_dynamics.shape_inertia_5_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9 = common_inertia_forward_dynamics
+        .shape_inertia_6_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - common_inertia_forward_dynamics.shape_inertia_6_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9 = common_inertia_forward_dynamics
+        .shape_inertia_7_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - common_inertia_forward_dynamics.shape_inertia_7_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9 = common_inertia_forward_dynamics
+        .shape_inertia_8_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - common_inertia_forward_dynamics.shape_inertia_8_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9 = common_inertia_forward_dynamics
+        .shape_inertia_9_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - common_inertia_forward_dynamics.shape_inertia_9_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9 = common_inertia_forward_dynamics
+        .shape_inertia_10_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - common_inertia_forward_dynamics.shape_inertia_10_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9 = common_inertia_forward_dynamics
+        .shape_inertia_11_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - common_inertia_forward_dynamics.shape_inertia_11_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9 = common_inertia_forward_dynamics
+        .shape_inertia_12_4
+        - common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_4_4
+            - common_inertia_forward_dynamics.shape_inertia_4_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0 = common_inertia_forward_dynamics
+        .shape_inertia_6_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+        - common_inertia_forward_dynamics.shape_inertia_6_5
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11 = common_inertia_forward_dynamics
+        .shape_inertia_7_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+        - common_inertia_forward_dynamics.shape_inertia_7_5
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11 = common_inertia_forward_dynamics
+        .shape_inertia_8_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+        - common_inertia_forward_dynamics.shape_inertia_8_5
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11 = common_inertia_forward_dynamics
+        .shape_inertia_9_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+        - common_inertia_forward_dynamics.shape_inertia_9_5
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11 = common_inertia_forward_dynamics
+        .shape_inertia_10_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+        - common_inertia_forward_dynamics.shape_inertia_10_5
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11 = common_inertia_forward_dynamics
+        .shape_inertia_11_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+        - common_inertia_forward_dynamics.shape_inertia_11_5
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11 = common_inertia_forward_dynamics
+        .shape_inertia_12_5
+        - common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_5_5
+            - common_inertia_forward_dynamics.shape_inertia_5_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0 = common_inertia_forward_dynamics
+        .shape_inertia_7_6
+        - common_inertia_forward_dynamics.shape_inertia_7_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13 = common_inertia_forward_dynamics
+        .shape_inertia_8_6
+        - common_inertia_forward_dynamics.shape_inertia_8_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13 = common_inertia_forward_dynamics
+        .shape_inertia_9_6
+        - common_inertia_forward_dynamics.shape_inertia_9_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13 = common_inertia_forward_dynamics
+        .shape_inertia_10_6
+        - common_inertia_forward_dynamics.shape_inertia_10_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13 = common_inertia_forward_dynamics
+        .shape_inertia_11_6
+        - common_inertia_forward_dynamics.shape_inertia_11_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13 = common_inertia_forward_dynamics
+        .shape_inertia_12_6
+        + common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_6_6
+            - common_inertia_forward_dynamics.shape_inertia_6_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0 = common_inertia_forward_dynamics
+        .shape_inertia_8_7
+        - common_inertia_forward_dynamics.shape_inertia_8_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15 = common_inertia_forward_dynamics
+        .shape_inertia_9_7
+        - common_inertia_forward_dynamics.shape_inertia_9_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15 = common_inertia_forward_dynamics
+        .shape_inertia_10_7
+        - common_inertia_forward_dynamics.shape_inertia_10_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15 = common_inertia_forward_dynamics
+        .shape_inertia_11_7
+        - common_inertia_forward_dynamics.shape_inertia_11_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15 = common_inertia_forward_dynamics
+        .shape_inertia_12_7
+        + common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_7_7
+            - common_inertia_forward_dynamics.shape_inertia_7_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0 = common_inertia_forward_dynamics
+        .shape_inertia_9_8
+        - common_inertia_forward_dynamics.shape_inertia_9_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17 = common_inertia_forward_dynamics
+        .shape_inertia_10_8
+        - common_inertia_forward_dynamics.shape_inertia_10_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17 = common_inertia_forward_dynamics
+        .shape_inertia_11_8
+        - common_inertia_forward_dynamics.shape_inertia_11_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17 = common_inertia_forward_dynamics
+        .shape_inertia_12_8
+        + common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_8_8
+            - common_inertia_forward_dynamics.shape_inertia_8_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0 = common_inertia_forward_dynamics
+        .shape_inertia_10_9
+        - common_inertia_forward_dynamics.shape_inertia_10_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19 = common_inertia_forward_dynamics
+        .shape_inertia_11_9
+        - common_inertia_forward_dynamics.shape_inertia_11_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19 = common_inertia_forward_dynamics
+        .shape_inertia_12_9
+        + common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_9_9
+            - common_inertia_forward_dynamics.shape_inertia_9_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0 = common_inertia_forward_dynamics
+        .shape_inertia_11_10
+        - common_inertia_forward_dynamics.shape_inertia_11_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21 = common_inertia_forward_dynamics
+        .shape_inertia_12_10
+        + common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_10_10
+            - common_inertia_forward_dynamics.shape_inertia_10_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0 = common_inertia_forward_dynamics
+        .shape_inertia_12_11
+        + common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_1 = 1.0
+        / (common_inertia_forward_dynamics.shape_inertia_11_11
+            - common_inertia_forward_dynamics.shape_inertia_11_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20
+            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0
+                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_1;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18 = common_inertia_forward_dynamics
+        .shape_inertia_12_12
+        - common_inertia_forward_dynamics.shape_inertia_12_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40 = tau[1]
+        - (screws.connection_left_shoulder_pitch_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_left_shoulder_pitch_wy * xi_dot_0_3_3_24_20
+            + screws.connection_left_shoulder_pitch_wz * xi_dot_0_3_3_20
+            + screws.connection_left_shoulder_pitch_vx * base_wrench[3]
+            + screws.connection_left_shoulder_pitch_vy * base_wrench[4]
+            + screws.connection_left_shoulder_pitch_vz * base_wrench[5])
+        - (reactions.reaction_left_shoulder_pitch_wx * wrench_left_upper_arm_mx
+            + reactions.reaction_left_shoulder_pitch_wy * wrench_left_upper_arm_my
+            + reactions.reaction_left_shoulder_pitch_wz * wrench_left_upper_arm_mz
+            + reactions.reaction_left_shoulder_pitch_vx * wrench_left_upper_arm_fx
+            + reactions.reaction_left_shoulder_pitch_vy * wrench_left_upper_arm_fy
+            + reactions.reaction_left_shoulder_pitch_vz * wrench_left_upper_arm_fz
+            - (screws.connection_left_shoulder_pitch_wx
+                * wrench_outside_left_upper_arm_mx
+                + screws.connection_left_shoulder_pitch_wy
+                    * wrench_outside_left_upper_arm_my
+                + screws.connection_left_shoulder_pitch_wz
+                    * wrench_outside_left_upper_arm_mz
+                + screws.connection_left_shoulder_pitch_vx
+                    * wrench_outside_left_upper_arm_fx
+                + screws.connection_left_shoulder_pitch_vy
+                    * wrench_outside_left_upper_arm_fy
+                + screws.connection_left_shoulder_pitch_vz
+                    * wrench_outside_left_upper_arm_fz))
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42 = tau[2]
+        - (screws.connection_left_elbow_pitch_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_left_elbow_pitch_wy * xi_dot_0_3_3_24_20
+            + screws.connection_left_elbow_pitch_wz * xi_dot_0_3_3_20
+            + screws.connection_left_elbow_pitch_vx * base_wrench[3]
+            + screws.connection_left_elbow_pitch_vy * base_wrench[4]
+            + screws.connection_left_elbow_pitch_vz * base_wrench[5])
+        - (reactions.reaction_left_elbow_pitch_wx * wrench_left_forearm_mx
+            + reactions.reaction_left_elbow_pitch_wy * wrench_left_forearm_my
+            + reactions.reaction_left_elbow_pitch_wz * wrench_left_forearm_mz
+            + reactions.reaction_left_elbow_pitch_vx * wrench_left_forearm_fx
+            + reactions.reaction_left_elbow_pitch_vy * wrench_left_forearm_fy
+            + reactions.reaction_left_elbow_pitch_vz * wrench_left_forearm_fz
+            - (screws.connection_left_elbow_pitch_wx * wrench_outside_left_forearm_mx
+                + screws.connection_left_elbow_pitch_wy * wrench_outside_left_forearm_my
+                + screws.connection_left_elbow_pitch_wz * wrench_outside_left_forearm_mz
+                + screws.connection_left_elbow_pitch_vx * wrench_outside_left_forearm_fx
+                + screws.connection_left_elbow_pitch_vy * wrench_outside_left_forearm_fy
+                + screws.connection_left_elbow_pitch_vz
+                    * wrench_outside_left_forearm_fz))
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44 = tau[3]
+        - (screws.connection_left_wrist_pitch_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_left_wrist_pitch_wy * xi_dot_0_3_3_24_20
+            + screws.connection_left_wrist_pitch_wz * xi_dot_0_3_3_20
+            + screws.connection_left_wrist_pitch_vx * base_wrench[3]
+            + screws.connection_left_wrist_pitch_vy * base_wrench[4]
+            + screws.connection_left_wrist_pitch_vz * base_wrench[5])
+        - (reactions.reaction_left_wrist_pitch_wx * wrench_left_wrist_bracket_mx
+            + reactions.reaction_left_wrist_pitch_wy * wrench_left_wrist_bracket_my
+            + reactions.reaction_left_wrist_pitch_wz * wrench_left_wrist_bracket_mz
+            + reactions.reaction_left_wrist_pitch_vx * wrench_left_wrist_bracket_fx
+            + reactions.reaction_left_wrist_pitch_vy * wrench_left_wrist_bracket_fy
+            + reactions.reaction_left_wrist_pitch_vz * wrench_left_wrist_bracket_fz
+            - (screws.connection_left_wrist_pitch_wx
+                * wrench_outside_left_wrist_bracket_mx
+                + screws.connection_left_wrist_pitch_wy
+                    * wrench_outside_left_wrist_bracket_my
+                + screws.connection_left_wrist_pitch_wz
+                    * wrench_outside_left_wrist_bracket_mz
+                + screws.connection_left_wrist_pitch_vx
+                    * wrench_outside_left_wrist_bracket_fx
+                + screws.connection_left_wrist_pitch_vy
+                    * wrench_outside_left_wrist_bracket_fy
+                + screws.connection_left_wrist_pitch_vz
+                    * wrench_outside_left_wrist_bracket_fz))
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46 = tau[4]
+        - (screws.connection_left_wrist_yaw_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_left_wrist_yaw_wy * xi_dot_0_3_3_24_20
+            + screws.connection_left_wrist_yaw_wz * xi_dot_0_3_3_20
+            + screws.connection_left_wrist_yaw_vx * base_wrench[3]
+            + screws.connection_left_wrist_yaw_vy * base_wrench[4]
+            + screws.connection_left_wrist_yaw_vz * base_wrench[5])
+        - (reactions.reaction_left_wrist_yaw_wx * wrench_left_wrist_cross_mx
+            + reactions.reaction_left_wrist_yaw_wy * wrench_left_wrist_cross_my
+            + reactions.reaction_left_wrist_yaw_wz * wrench_left_wrist_cross_mz
+            + reactions.reaction_left_wrist_yaw_vx * wrench_left_wrist_cross_fx
+            + reactions.reaction_left_wrist_yaw_vy * wrench_left_wrist_cross_fy
+            + reactions.reaction_left_wrist_yaw_vz * wrench_left_wrist_cross_fz
+            - (screws.connection_left_wrist_yaw_wx * wrench_outside_left_wrist_cross_mx
+                + screws.connection_left_wrist_yaw_wy
+                    * wrench_outside_left_wrist_cross_my
+                + screws.connection_left_wrist_yaw_wz
+                    * wrench_outside_left_wrist_cross_mz
+                + screws.connection_left_wrist_yaw_vx
+                    * wrench_outside_left_wrist_cross_fx
+                + screws.connection_left_wrist_yaw_vy
+                    * wrench_outside_left_wrist_cross_fy
+                + screws.connection_left_wrist_yaw_vz
+                    * wrench_outside_left_wrist_cross_fz))
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0 = tau[12]
+        - (screws.connection_finger_1_slide_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_finger_1_slide_wy * xi_dot_0_3_3_24_20
+            + screws.connection_finger_1_slide_wz * xi_dot_0_3_3_20
+            + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_16
+            + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_17
+            + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_18
+            + (screws.connection_finger_2_wx * xi_dot_0_3_3_24_22_20
+                + screws.connection_finger_2_wy * xi_dot_0_3_3_24_20
+                + screws.connection_finger_2_wz * xi_dot_0_3_3_20
+                - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_16
+                - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_17
+                - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_18))
+        - (reactions.reaction_finger_1_slide_wx * wrench_finger_1_mx
+            + reactions.reaction_finger_1_slide_wy * wrench_finger_1_my
+            + reactions.reaction_finger_1_slide_wz * wrench_finger_1_mz
+            + reactions.reaction_finger_1_slide_vx * wrench_finger_1_fx
+            + reactions.reaction_finger_1_slide_vy * wrench_finger_1_fy
+            + reactions.reaction_finger_1_slide_vz * wrench_finger_1_fz
+            - (screws.connection_finger_1_slide_wx * wrench_outside_finger_1_mx
+                + screws.connection_finger_1_slide_wy * wrench_outside_finger_1_my
+                + screws.connection_finger_1_slide_wz * wrench_outside_finger_1_mz
+                + screws.connection_finger_1_slide_vx * wrench_outside_finger_1_fx
+                + screws.connection_finger_1_slide_vy * wrench_outside_finger_1_fy
+                + screws.connection_finger_1_slide_vz * wrench_outside_finger_1_fz)
+            + (reactions.reaction_finger_2_wx * wrench_finger_2_mx
+                + reactions.reaction_finger_2_wy * wrench_finger_2_my
+                + reactions.reaction_finger_2_wz * wrench_finger_2_mz
+                - reactions.reaction_finger_1_slide_vx * wrench_finger_2_fx
+                - reactions.reaction_finger_1_slide_vy * wrench_finger_2_fy
+                - reactions.reaction_finger_1_slide_vz * wrench_finger_2_fz
+                - (screws.connection_finger_2_wx * wrench_outside_finger_2_mx
+                    + screws.connection_finger_2_wy * wrench_outside_finger_2_my
+                    + screws.connection_finger_2_wz * wrench_outside_finger_2_mz
+                    - screws.connection_finger_1_slide_vx * wrench_outside_finger_2_fx
+                    - screws.connection_finger_1_slide_vy * wrench_outside_finger_2_fy
+                    - screws.connection_finger_1_slide_vz * wrench_outside_finger_2_fz)))
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2 = tau[5]
+        - (screws.connection_left_wrist_roll_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_left_wrist_roll_wy * xi_dot_0_3_3_24_20
+            + screws.connection_left_wrist_roll_wz * xi_dot_0_3_3_20
+            + screws.connection_left_wrist_roll_vx * base_wrench[3]
+            + screws.connection_left_wrist_roll_vy * base_wrench[4]
+            + screws.connection_left_wrist_roll_vz * base_wrench[5])
+        - (reactions.reaction_left_wrist_roll_wx * wrench_left_end_plate_mx
+            + reactions.reaction_left_wrist_roll_wy * wrench_left_end_plate_my
+            + reactions.reaction_left_wrist_roll_wz * wrench_left_end_plate_mz
+            + reactions.reaction_left_wrist_roll_vx * wrench_left_end_plate_fx
+            + reactions.reaction_left_wrist_roll_vy * wrench_left_end_plate_fy
+            + reactions.reaction_left_wrist_roll_vz * wrench_left_end_plate_fz
+            - (screws.connection_left_wrist_roll_wx * wrench_outside_left_end_plate_mx
+                + screws.connection_left_wrist_roll_wy * wrench_outside_left_end_plate_my
+                + screws.connection_left_wrist_roll_wz * wrench_outside_left_end_plate_mz
+                + screws.connection_left_wrist_roll_vx * wrench_outside_left_end_plate_fx
+                + screws.connection_left_wrist_roll_vy * wrench_outside_left_end_plate_fy
+                + screws.connection_left_wrist_roll_vz
+                    * wrench_outside_left_end_plate_fz))
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_0 = tau[6]
+        - (screws.connection_right_shoulder_yaw_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_right_shoulder_yaw_wy * xi_dot_0_3_3_24_20
+            + screws.connection_right_shoulder_yaw_wz * xi_dot_0_3_3_20
+            + screws.connection_right_shoulder_yaw_vx * base_wrench[3]
+            + screws.connection_right_shoulder_yaw_vy * base_wrench[4]
+            + screws.connection_right_shoulder_yaw_vz * base_wrench[5])
+        - (reactions.reaction_right_shoulder_yaw_wx * wrench_right_shoulder_mx
+            + reactions.reaction_right_shoulder_yaw_wy * wrench_right_shoulder_my
+            + reactions.reaction_right_shoulder_yaw_wz * wrench_right_shoulder_mz
+            + reactions.reaction_right_shoulder_yaw_vx * wrench_right_shoulder_fx
+            + reactions.reaction_right_shoulder_yaw_vy * wrench_right_shoulder_fy
+            + reactions.reaction_right_shoulder_yaw_vz * wrench_right_shoulder_fz
+            - (screws.connection_right_shoulder_yaw_wx * wrench_outside_right_shoulder_mx
+                + screws.connection_right_shoulder_yaw_wy
+                    * wrench_outside_right_shoulder_my
+                + screws.connection_right_shoulder_yaw_wz
+                    * wrench_outside_right_shoulder_mz
+                + screws.connection_right_shoulder_yaw_vx
+                    * wrench_outside_right_shoulder_fx
+                + screws.connection_right_shoulder_yaw_vy
+                    * wrench_outside_right_shoulder_fy
+                + screws.connection_right_shoulder_yaw_vz
+                    * wrench_outside_right_shoulder_fz))
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_0 = tau[7]
+        - (screws.connection_right_shoulder_pitch_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_right_shoulder_pitch_wy * xi_dot_0_3_3_24_20
+            + screws.connection_right_shoulder_pitch_wz * xi_dot_0_3_3_20
+            + screws.connection_right_shoulder_pitch_vx * base_wrench[3]
+            + screws.connection_right_shoulder_pitch_vy * base_wrench[4]
+            + screws.connection_right_shoulder_pitch_vz * base_wrench[5])
+        - (reactions.reaction_right_shoulder_pitch_wx * wrench_right_upper_arm_mx
+            + reactions.reaction_right_shoulder_pitch_wy * wrench_right_upper_arm_my
+            + reactions.reaction_right_shoulder_pitch_wz * wrench_right_upper_arm_mz
+            + reactions.reaction_right_shoulder_pitch_vx * wrench_right_upper_arm_fx
+            + reactions.reaction_right_shoulder_pitch_vy * wrench_right_upper_arm_fy
+            + reactions.reaction_right_shoulder_pitch_vz * wrench_right_upper_arm_fz
+            - (screws.connection_right_shoulder_pitch_wx
+                * wrench_outside_right_upper_arm_mx
+                + screws.connection_right_shoulder_pitch_wy
+                    * wrench_outside_right_upper_arm_my
+                + screws.connection_right_shoulder_pitch_wz
+                    * wrench_outside_right_upper_arm_mz
+                + screws.connection_right_shoulder_pitch_vx
+                    * wrench_outside_right_upper_arm_fx
+                + screws.connection_right_shoulder_pitch_vy
+                    * wrench_outside_right_upper_arm_fy
+                + screws.connection_right_shoulder_pitch_vz
+                    * wrench_outside_right_upper_arm_fz))
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_0 = tau[8]
+        - (screws.connection_right_elbow_pitch_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_right_elbow_pitch_wy * xi_dot_0_3_3_24_20
+            + screws.connection_right_elbow_pitch_wz * xi_dot_0_3_3_20
+            + screws.connection_right_elbow_pitch_vx * base_wrench[3]
+            + screws.connection_right_elbow_pitch_vy * base_wrench[4]
+            + screws.connection_right_elbow_pitch_vz * base_wrench[5])
+        - (reactions.reaction_right_elbow_pitch_wx * wrench_right_forearm_mx
+            + reactions.reaction_right_elbow_pitch_wy * wrench_right_forearm_my
+            + reactions.reaction_right_elbow_pitch_wz * wrench_right_forearm_mz
+            + reactions.reaction_right_elbow_pitch_vx * wrench_right_forearm_fx
+            + reactions.reaction_right_elbow_pitch_vy * wrench_right_forearm_fy
+            + reactions.reaction_right_elbow_pitch_vz * wrench_right_forearm_fz
+            - (screws.connection_right_elbow_pitch_wx * wrench_outside_right_forearm_mx
+                + screws.connection_right_elbow_pitch_wy
+                    * wrench_outside_right_forearm_my
+                + screws.connection_right_elbow_pitch_wz
+                    * wrench_outside_right_forearm_mz
+                + screws.connection_right_elbow_pitch_vx
+                    * wrench_outside_right_forearm_fx
+                + screws.connection_right_elbow_pitch_vy
+                    * wrench_outside_right_forearm_fy
+                + screws.connection_right_elbow_pitch_vz
+                    * wrench_outside_right_forearm_fz))
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_0 = tau[9]
+        - (screws.connection_right_wrist_pitch_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_right_wrist_pitch_wy * xi_dot_0_3_3_24_20
+            + screws.connection_right_wrist_pitch_wz * xi_dot_0_3_3_20
+            + screws.connection_right_wrist_pitch_vx * base_wrench[3]
+            + screws.connection_right_wrist_pitch_vy * base_wrench[4]
+            + screws.connection_right_wrist_pitch_vz * base_wrench[5])
+        - (reactions.reaction_right_wrist_pitch_wx * wrench_right_wrist_bracket_mx
+            + reactions.reaction_right_wrist_pitch_wy * wrench_right_wrist_bracket_my
+            + reactions.reaction_right_wrist_pitch_wz * wrench_right_wrist_bracket_mz
+            + reactions.reaction_right_wrist_pitch_vx * wrench_right_wrist_bracket_fx
+            + reactions.reaction_right_wrist_pitch_vy * wrench_right_wrist_bracket_fy
+            + reactions.reaction_right_wrist_pitch_vz * wrench_right_wrist_bracket_fz
+            - (screws.connection_right_wrist_pitch_wx
+                * wrench_outside_right_wrist_bracket_mx
+                + screws.connection_right_wrist_pitch_wy
+                    * wrench_outside_right_wrist_bracket_my
+                + screws.connection_right_wrist_pitch_wz
+                    * wrench_outside_right_wrist_bracket_mz
+                + screws.connection_right_wrist_pitch_vx
+                    * wrench_outside_right_wrist_bracket_fx
+                + screws.connection_right_wrist_pitch_vy
+                    * wrench_outside_right_wrist_bracket_fy
+                + screws.connection_right_wrist_pitch_vz
+                    * wrench_outside_right_wrist_bracket_fz))
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_0 = tau[10]
+        - (screws.connection_right_wrist_yaw_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_right_wrist_yaw_wy * xi_dot_0_3_3_24_20
+            + screws.connection_right_wrist_yaw_wz * xi_dot_0_3_3_20
+            + screws.connection_right_wrist_yaw_vx * base_wrench[3]
+            + screws.connection_right_wrist_yaw_vy * base_wrench[4]
+            + screws.connection_right_wrist_yaw_vz * base_wrench[5])
+        - (reactions.reaction_right_wrist_yaw_wx * wrench_right_wrist_cross_mx
+            + reactions.reaction_right_wrist_yaw_wy * wrench_right_wrist_cross_my
+            + reactions.reaction_right_wrist_yaw_wz * wrench_right_wrist_cross_mz
+            + reactions.reaction_right_wrist_yaw_vx * wrench_right_wrist_cross_fx
+            + reactions.reaction_right_wrist_yaw_vy * wrench_right_wrist_cross_fy
+            + reactions.reaction_right_wrist_yaw_vz * wrench_right_wrist_cross_fz
+            - (screws.connection_right_wrist_yaw_wx * wrench_outside_right_wrist_cross_mx
+                + screws.connection_right_wrist_yaw_wy
+                    * wrench_outside_right_wrist_cross_my
+                + screws.connection_right_wrist_yaw_wz
+                    * wrench_outside_right_wrist_cross_mz
+                + screws.connection_right_wrist_yaw_vx
+                    * wrench_outside_right_wrist_cross_fx
+                + screws.connection_right_wrist_yaw_vy
+                    * wrench_outside_right_wrist_cross_fy
+                + screws.connection_right_wrist_yaw_vz
+                    * wrench_outside_right_wrist_cross_fz))
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_0 = tau[11]
+        - (screws.connection_right_wrist_roll_wx * xi_dot_0_3_3_24_22_20
+            + screws.connection_right_wrist_roll_wy * xi_dot_0_3_3_24_20
+            + screws.connection_right_wrist_roll_wz * xi_dot_0_3_3_20
+            + screws.connection_right_wrist_roll_vx * base_wrench[3]
+            + screws.connection_right_wrist_roll_vy * base_wrench[4]
+            + screws.connection_right_wrist_roll_vz * base_wrench[5])
+        - (reactions.reaction_right_wrist_roll_wx * wrench_right_end_plate_mx
+            + reactions.reaction_right_wrist_roll_wy * wrench_right_end_plate_my
+            + reactions.reaction_right_wrist_roll_wz * wrench_right_end_plate_mz
+            + reactions.reaction_right_wrist_roll_vx * wrench_right_end_plate_fx
+            + reactions.reaction_right_wrist_roll_vy * wrench_right_end_plate_fy
+            + reactions.reaction_right_wrist_roll_vz * wrench_right_end_plate_fz
+            - (screws.connection_right_wrist_roll_wx * wrench_outside_right_end_plate_mx
+                + screws.connection_right_wrist_roll_wy
+                    * wrench_outside_right_end_plate_my
+                + screws.connection_right_wrist_roll_wz
+                    * wrench_outside_right_end_plate_mz
+                + screws.connection_right_wrist_roll_vx
+                    * wrench_outside_right_end_plate_fx
+                + screws.connection_right_wrist_roll_vy
+                    * wrench_outside_right_end_plate_fy
+                + screws.connection_right_wrist_roll_vz
+                    * wrench_outside_right_end_plate_fz))
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_0
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_0
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_0
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_0
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_0
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_0
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3 = (xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20
+            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16)
+        * (1.0 / xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18);
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14
+            * xi_dot_6_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12
+            * xi_dot_6_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
+            * xi_dot_6_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10
+            * xi_dot_6_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
+            * xi_dot_6_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
+            * xi_dot_6_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8
+            * xi_dot_6_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
+            * xi_dot_6_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
+            * xi_dot_6_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
+            * xi_dot_6_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6
+            * xi_dot_6_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
+            * xi_dot_6_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
+            * xi_dot_6_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
+            * xi_dot_6_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
+            * xi_dot_6_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4
+            * xi_dot_6_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
+            * xi_dot_6_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
+            * xi_dot_6_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
+            * xi_dot_6_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
+            * xi_dot_6_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
+            * xi_dot_6_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    let xi_dot_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
+        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
+            * xi_dot_6_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
+            * xi_dot_6_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
+            * xi_dot_6_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
+            * xi_dot_6_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
+            * xi_dot_6_3_3_3_3_3
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
+            * xi_dot_6_3_3_3_3_3_3
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
+            * xi_dot_6_3_3_3_3_3_3_3
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
+            * xi_dot_6_3_3_3_3_3_3_3_3_3
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
+        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
+        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
+    xi_dot[6] = xi_dot_6 + 0.0;
+    xi_dot[7] = xi_dot_6_3 + 0.0;
+    xi_dot[8] = xi_dot_6_3_3 + 0.0;
+    xi_dot[9] = xi_dot_6_3_3_3 + 0.0;
+    xi_dot[10] = xi_dot_6_3_3_3_3 + 0.0;
+    xi_dot[11] = xi_dot_6_3_3_3_3_3 + 0.0;
+    xi_dot[12] = xi_dot_6_3_3_3_3_3_3 + 0.0;
+    xi_dot[13] = xi_dot_6_3_3_3_3_3_3_3 + 0.0;
+    xi_dot[14] = xi_dot_6_3_3_3_3_3_3_3_3 + 0.0;
+    xi_dot[15] = xi_dot_6_3_3_3_3_3_3_3_3_3 + 0.0;
+    xi_dot[16] = xi_dot_6_3_3_3_3_3_3_3_3_3_3 + 0.0;
+    xi_dot[17] = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3 + 0.0;
+    xi_dot[18] = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3 + 0.0;
+}
 /// The block-diagonal inertia diag(Λ_b, Λ_q) and the connection A_l = Λ_b⁻¹ M_bq.
 ///
 /// - `q`: shape (13; rad, m)
@@ -41285,25 +44160,7 @@ pub fn base_twist(
     let complements = complements(&poses, &inertias);
     let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
-    // V₁
-    base_twist[0] = mu[0] - velocities.minus_velocity_bus_wx + 0.0;
-    base_twist[1] = mu[1] - velocities.minus_velocity_bus_wy + 0.0;
-    base_twist[2] = mu[2] - velocities.minus_velocity_bus_wz + 0.0;
-    let base_twist_3_5 = poses.com_y - 0.01767786960514233;
-    let base_twist_3_3 = poses.com_z + 0.062204168087507554;
-    base_twist[3] = mu[3]
-        + (velocities.velocity_bus_vx
-            + (velocities.minus_velocity_bus_wy * base_twist_3_3
-                - velocities.minus_velocity_bus_wz * base_twist_3_5)) + 0.0;
-    let base_twist_4_3 = poses.com_x + 0.022281696355466767;
-    base_twist[4] = mu[4]
-        + (velocities.velocity_bus_vy
-            + (velocities.minus_velocity_bus_wz * base_twist_4_3
-                - velocities.minus_velocity_bus_wx * base_twist_3_3)) + 0.0;
-    base_twist[5] = mu[5]
-        + (velocities.velocity_bus_vz
-            + (velocities.minus_velocity_bus_wx * base_twist_3_5
-                - velocities.minus_velocity_bus_wy * base_twist_4_3)) + 0.0;
+    base_twist_itself(mu, &poses, &velocities, base_twist);
 }
 /// ½ μᵀ Λ_b μ + ½ q̇ᵀ Λ_q q̇.
 ///
@@ -41757,2810 +44614,82 @@ pub fn forward_dynamics(
         &screws,
         &velocities,
     );
-    let xi_dot_0_3_3_24_22_4_0_2 = poses.com_x + 0.022281696355466767;
-    let xi_dot_0_3_3_24_6_0_4 = poses.com_y - 0.01767786960514233;
-    let xi_dot_0_3_3_24_6_0_2 = poses.com_z + 0.062204168087507554;
-    let xi_dot_0_3_3_24_2 = inertias.composite_bus_xx * mu[0]
-        + inertias.composite_bus_xy * mu[1] + inertias.composite_bus_xz * mu[2];
-    let xi_dot_0_3_3_24_22_0 = inertias.composite_bus_xy * mu[0]
-        + inertias.composite_bus_yy * mu[1] + inertias.composite_bus_yz * mu[2];
-    let xi_dot_0_3_3_24_22_2 = inertias.composite_bus_xz * mu[0]
-        + inertias.composite_bus_yz * mu[1] + inertias.composite_bus_zz * mu[2];
-    let xi_dot_0_3_3_24_6_0 = mu[3]
-        + (mu[1] * xi_dot_0_3_3_24_6_0_2 - mu[2] * xi_dot_0_3_3_24_6_0_4);
-    let xi_dot_0_3_3_24_22_4_0 = mu[4]
-        + (mu[2] * xi_dot_0_3_3_24_22_4_0_2 - mu[0] * xi_dot_0_3_3_24_6_0_2);
-    let xi_dot_0_3_3_24_22_6_0 = mu[5]
-        + (mu[0] * xi_dot_0_3_3_24_6_0_4 - mu[1] * xi_dot_0_3_3_24_22_4_0_2);
-    let xi_dot_0_3_3_24_6 = xi_dot_0_3_3_24_6_0 * 256.36;
-    let xi_dot_0_3_3_24_22_4 = xi_dot_0_3_3_24_22_4_0 * 256.36;
-    let xi_dot_0_3_3_24_22_6 = xi_dot_0_3_3_24_22_6_0 * 256.36;
-    let xi_dot_0_3_3_24_22_8 = common_d_mu_and_7_more.three_left_shoulder_yaw_x_0_0_0
-        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_x_0_0_0 * qd[1]
-        + common_d_mu_and_7_more.three_left_elbow_pitch_x_0_0_0 * qd[2]
-        + common_d_mu_and_7_more.three_left_wrist_pitch_x_0_0_0 * qd[3]
-        + common_d_mu_and_7_more.three_left_wrist_yaw_x_0_0_0 * qd[4]
-        + common_d_mu_and_7_more.three_left_wrist_roll_x_0_0_0 * qd[5]
-        + common_d_mu_and_7_more.three_right_shoulder_yaw_x_0_0_0 * qd[6]
-        + common_d_mu_and_7_more.three_right_shoulder_pitch_x_0_0_0 * qd[7]
-        + common_d_mu_and_7_more.three_right_elbow_pitch_x_0_0_0 * qd[8]
-        + common_d_mu_and_7_more.three_right_wrist_pitch_x_0_0_0 * qd[9]
-        + common_d_mu_and_7_more.three_right_wrist_yaw_x_0_0_0 * qd[10]
-        + common_d_mu_and_7_more.three_right_wrist_roll_x_0_0_0 * qd[11]
-        + common_d_mu_and_7_more.three_finger_1_slide_x_0_0_0 * qd[12];
-    let xi_dot_0_3_3_24_22_12_0 = common_d_mu_and_7_more.three_left_shoulder_yaw_x_0_1_0
-        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_x_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_left_elbow_pitch_x_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_left_wrist_pitch_x_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_left_wrist_yaw_x_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_left_wrist_roll_x_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_right_shoulder_yaw_x_0_1_0 * qd[6]
-        + common_d_mu_and_7_more.three_right_shoulder_pitch_x_0_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_right_elbow_pitch_x_0_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_right_wrist_pitch_x_0_1_0 * qd[9]
-        + common_d_mu_and_7_more.three_right_wrist_yaw_x_0_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_right_wrist_roll_x_0_1_0 * qd[11]
-        - common_d_mu_and_7_more.three_finger_1_slide_x_0_1_0 * qd[12];
-    let xi_dot_0_3_3_24_22_14_0 = common_d_mu_and_7_more.three_left_shoulder_yaw_x_1_0
-        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_x_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_left_elbow_pitch_x_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_left_wrist_pitch_x_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_left_wrist_yaw_x_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_left_wrist_roll_x_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_right_shoulder_yaw_x_1_0 * qd[6]
-        + common_d_mu_and_7_more.three_right_shoulder_pitch_x_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_right_elbow_pitch_x_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_right_wrist_pitch_x_1_0 * qd[9]
-        + common_d_mu_and_7_more.three_right_wrist_yaw_x_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_right_wrist_roll_x_1_0 * qd[11]
-        - common_d_mu_and_7_more.three_finger_1_slide_x_1_0 * qd[12];
-    let xi_dot_0_3_3_24_10 = common_d_mu_and_7_more.three_left_shoulder_yaw_y_0_1_0
-        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_y_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_left_elbow_pitch_y_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_left_wrist_pitch_y_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_left_wrist_yaw_y_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_left_wrist_roll_y_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_right_shoulder_yaw_y_0_1_0 * qd[6]
-        + common_d_mu_and_7_more.three_right_shoulder_pitch_y_0_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_right_elbow_pitch_y_0_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_right_wrist_pitch_y_0_1_0 * qd[9]
-        + common_d_mu_and_7_more.three_right_wrist_yaw_y_0_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_right_wrist_roll_y_0_1_0 * qd[11]
-        + common_d_mu_and_7_more.three_finger_1_slide_y_0_0_0 * qd[12];
-    let xi_dot_0_3_3_24_14_0 = common_d_mu_and_7_more.three_left_shoulder_yaw_y_1_0
-        * qd[0] + common_d_mu_and_7_more.three_left_shoulder_pitch_y_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_left_elbow_pitch_y_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_left_wrist_pitch_y_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_left_wrist_yaw_y_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_left_wrist_roll_y_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_right_shoulder_yaw_y_1_0 * qd[6]
-        + common_d_mu_and_7_more.three_right_shoulder_pitch_y_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_right_elbow_pitch_y_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_right_wrist_pitch_y_1_0 * qd[9]
-        + common_d_mu_and_7_more.three_right_wrist_yaw_y_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_right_wrist_roll_y_1_0 * qd[11]
-        - common_d_mu_and_7_more.three_finger_1_slide_y_1_0 * qd[12];
-    let xi_dot_0_3_3_12 = common_d_mu_and_7_more.three_left_shoulder_yaw_z_1_0 * qd[0]
-        + common_d_mu_and_7_more.three_left_shoulder_pitch_z_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_left_elbow_pitch_z_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_left_wrist_pitch_z_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_left_wrist_yaw_z_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_left_wrist_roll_z_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_right_shoulder_yaw_z_1_0 * qd[6]
-        + common_d_mu_and_7_more.three_right_shoulder_pitch_z_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_right_elbow_pitch_z_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_right_wrist_pitch_z_1_0 * qd[9]
-        + common_d_mu_and_7_more.three_right_wrist_yaw_z_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_right_wrist_roll_z_1_0 * qd[11]
-        + common_d_mu_and_7_more.three_finger_1_slide_z_0_0 * qd[12];
-    let xi_dot_0_3_3_24_22_12 = xi_dot_0_3_3_24_22_12_0
-        + common_d_mu_and_7_more.three_finger_2_x_0_0_0 * qd[12];
-    let xi_dot_0_3_3_24_22_14 = xi_dot_0_3_3_24_22_14_0
-        + common_d_mu_and_7_more.three_finger_2_x_1_0 * qd[12];
-    let xi_dot_0_3_3_24_14 = xi_dot_0_3_3_24_14_0
-        + common_d_mu_and_7_more.three_finger_2_y_1_0 * qd[12];
-    let xi_dot_0_3_3_24_16 = velocities.velocity_bus_vx * 256.36;
-    let xi_dot_0_3_3_24_22_18 = velocities.velocity_bus_vy * 256.36;
-    let xi_dot_0_3_3_24_22_16 = velocities.velocity_bus_vz * 256.36;
-    let xi_dot_0_3_3_24_1 = mu[0] - velocities.minus_velocity_bus_wx;
-    let xi_dot_0_3_3_24_22_3 = mu[1] - velocities.minus_velocity_bus_wy;
-    let xi_dot_0_3_3_24_22_1 = mu[2] - velocities.minus_velocity_bus_wz;
-    let xi_dot_0_3_3_24_22_20 = base_wrench[0]
-        + (base_wrench[4] * xi_dot_0_3_3_24_6_0_2
-            - base_wrench[5] * xi_dot_0_3_3_24_6_0_4);
-    let xi_dot_0_3_3_24_20 = base_wrench[1]
-        + (base_wrench[5] * xi_dot_0_3_3_24_22_4_0_2
-            - base_wrench[3] * xi_dot_0_3_3_24_6_0_2);
-    let xi_dot_0_3_3_20 = base_wrench[2]
-        + (base_wrench[3] * xi_dot_0_3_3_24_6_0_4
-            - base_wrench[4] * xi_dot_0_3_3_24_22_4_0_2);
-    let xi_dot_0_3_3_24_22 = xi_dot_0_3_3_24_22_0 * xi_dot_0_3_3_24_22_1
-        - xi_dot_0_3_3_24_22_2 * xi_dot_0_3_3_24_22_3
-        + (xi_dot_0_3_3_24_22_4 * velocities.velocity_bus_vz
-            - xi_dot_0_3_3_24_22_6 * velocities.velocity_bus_vy)
-        - ((xi_dot_0_3_3_24_22_8
-            - common_d_mu_and_7_more.three_finger_2_x_0_1_0 * qd[12]) * mu[0]
-            + xi_dot_0_3_3_24_22_12 * mu[1] + xi_dot_0_3_3_24_22_14 * mu[2]
-            + (xi_dot_0_3_3_24_22_16 * xi_dot_0_3_3_24_22_4_0
-                - xi_dot_0_3_3_24_22_18 * xi_dot_0_3_3_24_22_6_0))
-        + xi_dot_0_3_3_24_22_20;
-    let xi_dot_0_3_3_24 = xi_dot_0_3_3_24_22_2 * xi_dot_0_3_3_24_1
-        - xi_dot_0_3_3_24_2 * xi_dot_0_3_3_24_22_1
-        + (xi_dot_0_3_3_24_22_6 * velocities.velocity_bus_vx
-            - xi_dot_0_3_3_24_6 * velocities.velocity_bus_vz)
-        - (xi_dot_0_3_3_24_22_12 * mu[0]
-            + (xi_dot_0_3_3_24_10
-                - common_d_mu_and_7_more.three_finger_2_y_0_1_0 * qd[12]) * mu[1]
-            + xi_dot_0_3_3_24_14 * mu[2]
-            + (xi_dot_0_3_3_24_16 * xi_dot_0_3_3_24_22_6_0
-                - xi_dot_0_3_3_24_22_16 * xi_dot_0_3_3_24_6_0)) + xi_dot_0_3_3_24_20
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_24_22;
-    let xi_dot_0_3_3 = (xi_dot_0_3_3_24_2 * xi_dot_0_3_3_24_22_3
-        - xi_dot_0_3_3_24_22_0 * xi_dot_0_3_3_24_1
-        + (xi_dot_0_3_3_24_6 * velocities.velocity_bus_vy
-            - xi_dot_0_3_3_24_22_4 * velocities.velocity_bus_vx)
-        - (xi_dot_0_3_3_24_22_14 * mu[0] + xi_dot_0_3_3_24_14 * mu[1]
-            + (xi_dot_0_3_3_12 - common_d_mu_and_7_more.three_finger_2_z_1_0 * qd[12])
-                * mu[2]
-            + (xi_dot_0_3_3_24_22_18 * xi_dot_0_3_3_24_6_0
-                - xi_dot_0_3_3_24_16 * xi_dot_0_3_3_24_22_4_0)) + xi_dot_0_3_3_20
-        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_24_22
-        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_24)
-        * inertias.locked_inverse_pivot_z;
-    let xi_dot_0_3 = xi_dot_0_3_3_24 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
-    let xi_dot_0 = xi_dot_0_3_3_24_22 * inertias.locked_inverse_pivot_x
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
-        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
-    // ξ\u{307} = [μ\u{307}; q\u{308}]
-    xi_dot[0] = xi_dot_0 + 0.0;
-    xi_dot[1] = xi_dot_0_3 + 0.0;
-    xi_dot[2] = xi_dot_0_3_3 + 0.0;
-    xi_dot[3] = (xi_dot_0_3_3_24_22_4 * xi_dot_0_3_3_24_22_1
-        - xi_dot_0_3_3_24_22_6 * xi_dot_0_3_3_24_22_3
-        - (mu[2] * xi_dot_0_3_3_24_22_18 - mu[1] * xi_dot_0_3_3_24_22_16)
-        + base_wrench[3]) * 0.0039007645498517706
-        + (xi_dot_0_3_3 * xi_dot_0_3_3_24_6_0_4 - xi_dot_0_3 * xi_dot_0_3_3_24_6_0_2)
-        + gravity[0] + 0.0;
-    xi_dot[4] = (xi_dot_0_3_3_24_22_6 * xi_dot_0_3_3_24_1
-        - xi_dot_0_3_3_24_6 * xi_dot_0_3_3_24_22_1
-        - (mu[0] * xi_dot_0_3_3_24_22_16 - mu[2] * xi_dot_0_3_3_24_16) + base_wrench[4])
-        * 0.0039007645498517706
-        + (xi_dot_0 * xi_dot_0_3_3_24_6_0_2 - xi_dot_0_3_3 * xi_dot_0_3_3_24_22_4_0_2)
-        + gravity[1] + 0.0;
-    xi_dot[5] = (xi_dot_0_3_3_24_6 * xi_dot_0_3_3_24_22_3
-        - xi_dot_0_3_3_24_22_4 * xi_dot_0_3_3_24_1
-        - (mu[1] * xi_dot_0_3_3_24_16 - mu[0] * xi_dot_0_3_3_24_22_18) + base_wrench[5])
-        * 0.0039007645498517706
-        + (xi_dot_0_3 * xi_dot_0_3_3_24_22_4_0_2 - xi_dot_0 * xi_dot_0_3_3_24_6_0_4)
-        + gravity[2] + 0.0;
-    let twist_left_upper_arm_wx = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_wx
-        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_wx_1;
-    let twist_left_upper_arm_wy = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_wy
-        - common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_wy_1;
-    let twist_left_upper_arm_wz = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_wz
-        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_wz_1;
-    let twist_left_upper_arm_vx = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_vx
-        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_vx_1;
-    let twist_left_upper_arm_vy = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_vy
-        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_vy_1;
-    let twist_left_upper_arm_vz = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_vz
-        + common_forward_dynamics_inverse_dynamics.twist_left_upper_arm_vz_1;
-    let twist_left_forearm_wx = twist_left_upper_arm_wx
-        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_wx_1;
-    let twist_left_forearm_wy = twist_left_upper_arm_wy
-        - common_forward_dynamics_inverse_dynamics.twist_left_forearm_wy_1;
-    let twist_left_forearm_wz = twist_left_upper_arm_wz
-        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_wz_1;
-    let twist_left_forearm_vx = twist_left_upper_arm_vx
-        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_vx_1;
-    let twist_left_forearm_vy = twist_left_upper_arm_vy
-        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_vy_1;
-    let twist_left_forearm_vz = twist_left_upper_arm_vz
-        + common_forward_dynamics_inverse_dynamics.twist_left_forearm_vz_1;
-    let twist_left_wrist_bracket_wx = twist_left_forearm_wx
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_wx_1;
-    let twist_left_wrist_bracket_wy = twist_left_forearm_wy
-        - common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_wy_1;
-    let twist_left_wrist_bracket_wz = twist_left_forearm_wz
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_wz_1;
-    let twist_left_wrist_bracket_vx = twist_left_forearm_vx
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_vx_1;
-    let twist_left_wrist_bracket_vy = twist_left_forearm_vy
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_vy_1;
-    let twist_left_wrist_bracket_vz = twist_left_forearm_vz
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_bracket_vz_1;
-    let twist_left_wrist_cross_wx = twist_left_wrist_bracket_wx
-        - common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_wx_1;
-    let twist_left_wrist_cross_wy = twist_left_wrist_bracket_wy
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_wy_1;
-    let twist_left_wrist_cross_wz = twist_left_wrist_bracket_wz
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_wz_1;
-    let twist_left_wrist_cross_vx = twist_left_wrist_bracket_vx
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_vx_1;
-    let twist_left_wrist_cross_vy = twist_left_wrist_bracket_vy
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_vy_1;
-    let twist_left_wrist_cross_vz = twist_left_wrist_bracket_vz
-        + common_forward_dynamics_inverse_dynamics.twist_left_wrist_cross_vz_1;
-    let twist_left_end_plate_wx = twist_left_wrist_cross_wx
-        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_wx_1;
-    let twist_left_end_plate_wy = twist_left_wrist_cross_wy
-        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_wy_1;
-    let twist_left_end_plate_wz = twist_left_wrist_cross_wz
-        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_wz_1;
-    let twist_left_end_plate_vx = twist_left_wrist_cross_vx
-        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_vx_1;
-    let twist_left_end_plate_vy = twist_left_wrist_cross_vy
-        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_vy_1;
-    let twist_left_end_plate_vz = twist_left_wrist_cross_vz
-        + common_forward_dynamics_inverse_dynamics.twist_left_end_plate_vz_1;
-    let twist_right_upper_arm_wx = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_wx
-        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_wx_1;
-    let twist_right_upper_arm_wy = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_wy
-        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_wy_1;
-    let twist_right_upper_arm_wz = common_forward_dynamics_inverse_dynamics
-        .twist_right_upper_arm_wz_0
-        - common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz;
-    let twist_right_upper_arm_vx = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_vx
-        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_vx_1;
-    let twist_right_upper_arm_vy = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_vy
-        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_vy_1;
-    let twist_right_upper_arm_vz = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_vz
-        + common_forward_dynamics_inverse_dynamics.twist_right_upper_arm_vz_1;
-    let twist_right_forearm_wx = twist_right_upper_arm_wx
-        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_wx_1;
-    let twist_right_forearm_wy = twist_right_upper_arm_wy
-        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_wy_1;
-    let twist_right_forearm_wz = twist_right_upper_arm_wz
-        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_wz_1;
-    let twist_right_forearm_vx = twist_right_upper_arm_vx
-        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_vx_1;
-    let twist_right_forearm_vy = twist_right_upper_arm_vy
-        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_vy_1;
-    let twist_right_forearm_vz = twist_right_upper_arm_vz
-        + common_forward_dynamics_inverse_dynamics.twist_right_forearm_vz_1;
-    let twist_right_wrist_bracket_wx = twist_right_forearm_wx
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_wx_1;
-    let twist_right_wrist_bracket_wy = twist_right_forearm_wy
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_wy_1;
-    let twist_right_wrist_bracket_wz = twist_right_forearm_wz
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_wz_1;
-    let twist_right_wrist_bracket_vx = twist_right_forearm_vx
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_vx_1;
-    let twist_right_wrist_bracket_vy = twist_right_forearm_vy
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_vy_1;
-    let twist_right_wrist_bracket_vz = twist_right_forearm_vz
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_bracket_vz_1;
-    let twist_right_wrist_cross_wx = twist_right_wrist_bracket_wx
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_wx_1;
-    let twist_right_wrist_cross_wy = twist_right_wrist_bracket_wy
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_wy_1;
-    let twist_right_wrist_cross_wz = twist_right_wrist_bracket_wz
-        - common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_wz_1;
-    let twist_right_wrist_cross_vx = twist_right_wrist_bracket_vx
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_vx_1;
-    let twist_right_wrist_cross_vy = twist_right_wrist_bracket_vy
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_vy_1;
-    let twist_right_wrist_cross_vz = twist_right_wrist_bracket_vz
-        + common_forward_dynamics_inverse_dynamics.twist_right_wrist_cross_vz_1;
-    let twist_right_end_plate_wx = twist_right_wrist_cross_wx
-        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_wx_1;
-    let twist_right_end_plate_wy = twist_right_wrist_cross_wy
-        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_wy_1;
-    let twist_right_end_plate_wz = twist_right_wrist_cross_wz
-        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_wz_1;
-    let twist_right_end_plate_vx = twist_right_wrist_cross_vx
-        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_vx_1;
-    let twist_right_end_plate_vy = twist_right_wrist_cross_vy
-        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_vy_1;
-    let twist_right_end_plate_vz = twist_right_wrist_cross_vz
-        + common_forward_dynamics_inverse_dynamics.twist_right_end_plate_vz_1;
-    let twist_finger_1_vx = twist_right_end_plate_vx
-        + common_forward_dynamics_inverse_dynamics.twist_finger_1_vx_1;
-    let twist_finger_1_vy = twist_right_end_plate_vy
-        + common_forward_dynamics_inverse_dynamics.twist_finger_1_vy_1;
-    let twist_finger_1_vz = twist_right_end_plate_vz
-        + common_forward_dynamics_inverse_dynamics.twist_finger_1_vz_1;
-    let twist_finger_2_vx = twist_right_end_plate_vx
-        - common_forward_dynamics_inverse_dynamics.twist_finger_1_vx_1;
-    let twist_finger_2_vy = twist_right_end_plate_vy
-        - common_forward_dynamics_inverse_dynamics.twist_finger_1_vy_1;
-    let twist_finger_2_vz = twist_right_end_plate_vz
-        - common_forward_dynamics_inverse_dynamics.twist_finger_1_vz_1;
-    let wrench_left_shoulder_mx_0 = inertias.inertia_left_shoulder_xx
-        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
-        + inertias.inertia_left_shoulder_xy
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
-        - inertias.minus_inertia_left_shoulder_xz
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
-        + (inertias.inertia_left_shoulder_hy
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vz
-            - inertias.inertia_left_shoulder_hz
-                * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_mx_0_1;
-    let wrench_left_shoulder_my_0 = inertias.inertia_left_shoulder_xy
-        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
-        + inertias.inertia_left_shoulder_yy
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
-        + inertias.inertia_left_shoulder_yz
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
-        + (inertias.inertia_left_shoulder_hz
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vx
-            - inertias.inertia_left_shoulder_hx
-                * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_my_0_1;
-    let wrench_left_shoulder_mz_0 = inertias.inertia_left_shoulder_yz
-        * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
-        - inertias.minus_inertia_left_shoulder_xz
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
-        + inertias.inertia_left_shoulder_zz
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
-        + (inertias.inertia_left_shoulder_hx
-            * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vy
-            - inertias.inertia_left_shoulder_hy
-                * common_forward_dynamics_inverse_dynamics.twist_left_shoulder_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_mz_0_1;
-    let wrench_left_shoulder_fx_0 = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_vx * 4.0
-        + (common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
-            * inertias.inertia_left_shoulder_hz
-            - common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
-                * inertias.inertia_left_shoulder_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_fx_0_1;
-    let wrench_left_shoulder_fy_0 = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_vy * 4.0
-        + (common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wz
-            * inertias.inertia_left_shoulder_hx
-            - common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
-                * inertias.inertia_left_shoulder_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_fy_0_1;
-    let wrench_left_shoulder_fz_0 = common_forward_dynamics_inverse_dynamics
-        .twist_left_shoulder_vz * 4.0
-        + (common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wx
-            * inertias.inertia_left_shoulder_hy
-            - common_forward_dynamics_inverse_dynamics.twist_left_shoulder_wy
-                * inertias.inertia_left_shoulder_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_shoulder_fz_0_1;
-    let wrench_left_upper_arm_mx_0 = inertias.inertia_left_upper_arm_xx
-        * twist_left_upper_arm_wx
-        + inertias.inertia_left_upper_arm_xy * twist_left_upper_arm_wy
-        - inertias.minus_inertia_left_upper_arm_xz * twist_left_upper_arm_wz
-        + (inertias.inertia_left_upper_arm_hy * twist_left_upper_arm_vz
-            - inertias.inertia_left_upper_arm_hz * twist_left_upper_arm_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_mx_0_1;
-    let wrench_left_upper_arm_my_0 = inertias.inertia_left_upper_arm_xy
-        * twist_left_upper_arm_wx
-        + inertias.inertia_left_upper_arm_yy * twist_left_upper_arm_wy
-        + inertias.inertia_left_upper_arm_yz * twist_left_upper_arm_wz
-        + (inertias.inertia_left_upper_arm_hz * twist_left_upper_arm_vx
-            - inertias.inertia_left_upper_arm_hx * twist_left_upper_arm_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_my_0_1;
-    let wrench_left_upper_arm_mz_0 = inertias.inertia_left_upper_arm_yz
-        * twist_left_upper_arm_wy
-        - inertias.minus_inertia_left_upper_arm_xz * twist_left_upper_arm_wx
-        + inertias.inertia_left_upper_arm_zz * twist_left_upper_arm_wz
-        + (inertias.inertia_left_upper_arm_hx * twist_left_upper_arm_vy
-            - inertias.inertia_left_upper_arm_hy * twist_left_upper_arm_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_mz_0_1;
-    let wrench_left_upper_arm_fx_0 = twist_left_upper_arm_vx * 5.5
-        + (twist_left_upper_arm_wy * inertias.inertia_left_upper_arm_hz
-            - twist_left_upper_arm_wz * inertias.inertia_left_upper_arm_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_fx_0_1;
-    let wrench_left_upper_arm_fy_0 = twist_left_upper_arm_vy * 5.5
-        + (twist_left_upper_arm_wz * inertias.inertia_left_upper_arm_hx
-            - twist_left_upper_arm_wx * inertias.inertia_left_upper_arm_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_fy_0_1;
-    let wrench_left_upper_arm_fz_0 = twist_left_upper_arm_vz * 5.5
-        + (twist_left_upper_arm_wx * inertias.inertia_left_upper_arm_hy
-            - twist_left_upper_arm_wy * inertias.inertia_left_upper_arm_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_upper_arm_fz_0_1;
-    let wrench_left_forearm_mx_0 = inertias.inertia_left_forearm_xx
-        * twist_left_forearm_wx
-        + inertias.inertia_left_forearm_xy * twist_left_forearm_wy
-        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wz
-        + (inertias.inertia_left_forearm_hy * twist_left_forearm_vz
-            - inertias.inertia_left_forearm_hz * twist_left_forearm_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_mx_0_1;
-    let wrench_left_forearm_my_0 = inertias.inertia_left_forearm_xy
-        * twist_left_forearm_wx
-        + inertias.inertia_left_forearm_yy * twist_left_forearm_wy
-        + inertias.inertia_left_forearm_yz * twist_left_forearm_wz
-        + (inertias.inertia_left_forearm_hz * twist_left_forearm_vx
-            - inertias.inertia_left_forearm_hx * twist_left_forearm_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_my_0_1;
-    let wrench_left_forearm_mz_0 = inertias.inertia_left_forearm_yz
-        * twist_left_forearm_wy
-        - inertias.minus_inertia_left_forearm_xz * twist_left_forearm_wx
-        + inertias.inertia_left_forearm_zz * twist_left_forearm_wz
-        + (inertias.inertia_left_forearm_hx * twist_left_forearm_vy
-            - inertias.inertia_left_forearm_hy * twist_left_forearm_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_mz_0_1;
-    let wrench_left_forearm_fx_0 = twist_left_forearm_vx * 4.2
-        + (twist_left_forearm_wy * inertias.inertia_left_forearm_hz
-            - twist_left_forearm_wz * inertias.inertia_left_forearm_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_fx_0_1;
-    let wrench_left_forearm_fy_0 = twist_left_forearm_vy * 4.2
-        + (twist_left_forearm_wz * inertias.inertia_left_forearm_hx
-            - twist_left_forearm_wx * inertias.inertia_left_forearm_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_fy_0_1;
-    let wrench_left_forearm_fz_0 = twist_left_forearm_vz * 4.2
-        + (twist_left_forearm_wx * inertias.inertia_left_forearm_hy
-            - twist_left_forearm_wy * inertias.inertia_left_forearm_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_forearm_fz_0_1;
-    let wrench_left_wrist_bracket_mx_0 = inertias.inertia_left_wrist_bracket_xx
-        * twist_left_wrist_bracket_wx
-        + inertias.inertia_left_wrist_bracket_xy * twist_left_wrist_bracket_wy
-        + inertias.inertia_left_wrist_bracket_xz * twist_left_wrist_bracket_wz
-        + (inertias.inertia_left_wrist_bracket_hy * twist_left_wrist_bracket_vz
-            - inertias.inertia_left_wrist_bracket_hz * twist_left_wrist_bracket_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_mx_0_1;
-    let wrench_left_wrist_bracket_my_0 = inertias.inertia_left_wrist_bracket_xy
-        * twist_left_wrist_bracket_wx
-        + inertias.inertia_left_wrist_bracket_yy * twist_left_wrist_bracket_wy
-        + inertias.inertia_left_wrist_bracket_yz * twist_left_wrist_bracket_wz
-        + (inertias.inertia_left_wrist_bracket_hz * twist_left_wrist_bracket_vx
-            - inertias.inertia_left_wrist_bracket_hx * twist_left_wrist_bracket_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_my_0_1;
-    let wrench_left_wrist_bracket_mz_0 = inertias.inertia_left_wrist_bracket_xz
-        * twist_left_wrist_bracket_wx
-        + inertias.inertia_left_wrist_bracket_yz * twist_left_wrist_bracket_wy
-        + inertias.inertia_left_wrist_bracket_zz * twist_left_wrist_bracket_wz
-        + (inertias.inertia_left_wrist_bracket_hx * twist_left_wrist_bracket_vy
-            - inertias.inertia_left_wrist_bracket_hy * twist_left_wrist_bracket_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_mz_0_1;
-    let wrench_left_wrist_bracket_fx_0 = twist_left_wrist_bracket_vx * 1.8
-        + (twist_left_wrist_bracket_wy * inertias.inertia_left_wrist_bracket_hz
-            - twist_left_wrist_bracket_wz * inertias.inertia_left_wrist_bracket_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_fx_0_1;
-    let wrench_left_wrist_bracket_fy_0 = twist_left_wrist_bracket_vy * 1.8
-        + (twist_left_wrist_bracket_wz * inertias.inertia_left_wrist_bracket_hx
-            - twist_left_wrist_bracket_wx * inertias.inertia_left_wrist_bracket_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_fy_0_1;
-    let wrench_left_wrist_bracket_fz_0 = twist_left_wrist_bracket_vz * 1.8
-        + (twist_left_wrist_bracket_wx * inertias.inertia_left_wrist_bracket_hy
-            - twist_left_wrist_bracket_wy * inertias.inertia_left_wrist_bracket_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_bracket_fz_0_1;
-    let wrench_left_wrist_cross_mx_0 = inertias.inertia_left_wrist_cross_xx
-        * twist_left_wrist_cross_wx
-        + inertias.inertia_left_wrist_cross_xy * twist_left_wrist_cross_wy
-        + inertias.inertia_left_wrist_cross_xz * twist_left_wrist_cross_wz
-        + (inertias.inertia_left_wrist_cross_hy * twist_left_wrist_cross_vz
-            - inertias.inertia_left_wrist_cross_hz * twist_left_wrist_cross_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_mx_0_1;
-    let wrench_left_wrist_cross_my_0 = inertias.inertia_left_wrist_cross_xy
-        * twist_left_wrist_cross_wx
-        + inertias.inertia_left_wrist_cross_yy * twist_left_wrist_cross_wy
-        + inertias.inertia_left_wrist_cross_yz * twist_left_wrist_cross_wz
-        + (inertias.inertia_left_wrist_cross_hz * twist_left_wrist_cross_vx
-            - inertias.inertia_left_wrist_cross_hx * twist_left_wrist_cross_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_my_0_1;
-    let wrench_left_wrist_cross_mz_0 = inertias.inertia_left_wrist_cross_xz
-        * twist_left_wrist_cross_wx
-        + inertias.inertia_left_wrist_cross_yz * twist_left_wrist_cross_wy
-        + inertias.inertia_left_wrist_cross_zz * twist_left_wrist_cross_wz
-        + (inertias.inertia_left_wrist_cross_hx * twist_left_wrist_cross_vy
-            - inertias.inertia_left_wrist_cross_hy * twist_left_wrist_cross_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_mz_0_1;
-    let wrench_left_wrist_cross_fx_0 = twist_left_wrist_cross_vx * 1.6
-        + (twist_left_wrist_cross_wy * inertias.inertia_left_wrist_cross_hz
-            - twist_left_wrist_cross_wz * inertias.inertia_left_wrist_cross_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_fx_0_1;
-    let wrench_left_wrist_cross_fy_0 = twist_left_wrist_cross_vy * 1.6
-        + (twist_left_wrist_cross_wz * inertias.inertia_left_wrist_cross_hx
-            - twist_left_wrist_cross_wx * inertias.inertia_left_wrist_cross_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_fy_0_1;
-    let wrench_left_wrist_cross_fz_0 = twist_left_wrist_cross_vz * 1.6
-        + (twist_left_wrist_cross_wx * inertias.inertia_left_wrist_cross_hy
-            - twist_left_wrist_cross_wy * inertias.inertia_left_wrist_cross_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_wrist_cross_fz_0_1;
-    let wrench_left_end_plate_mx = inertias.inertia_left_end_plate_xx
-        * twist_left_end_plate_wx
-        + inertias.inertia_left_end_plate_xy * twist_left_end_plate_wy
-        + inertias.inertia_left_end_plate_xz * twist_left_end_plate_wz
-        + (inertias.inertia_left_end_plate_hy * twist_left_end_plate_vz
-            - inertias.inertia_left_end_plate_hz * twist_left_end_plate_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_mx_1;
-    let wrench_left_end_plate_my = inertias.inertia_left_end_plate_xy
-        * twist_left_end_plate_wx
-        + inertias.inertia_left_end_plate_yy * twist_left_end_plate_wy
-        + inertias.inertia_left_end_plate_yz * twist_left_end_plate_wz
-        + (inertias.inertia_left_end_plate_hz * twist_left_end_plate_vx
-            - inertias.inertia_left_end_plate_hx * twist_left_end_plate_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_my_1;
-    let wrench_left_end_plate_mz = inertias.inertia_left_end_plate_xz
-        * twist_left_end_plate_wx
-        + inertias.inertia_left_end_plate_yz * twist_left_end_plate_wy
-        + inertias.inertia_left_end_plate_zz * twist_left_end_plate_wz
-        + (inertias.inertia_left_end_plate_hx * twist_left_end_plate_vy
-            - inertias.inertia_left_end_plate_hy * twist_left_end_plate_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_mz_1;
-    let wrench_left_end_plate_fx = twist_left_end_plate_vx * 1.7000000000000002
-        + (twist_left_end_plate_wy * inertias.inertia_left_end_plate_hz
-            - twist_left_end_plate_wz * inertias.inertia_left_end_plate_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_fx_1;
-    let wrench_left_end_plate_fy = twist_left_end_plate_vy * 1.7000000000000002
-        + (twist_left_end_plate_wz * inertias.inertia_left_end_plate_hx
-            - twist_left_end_plate_wx * inertias.inertia_left_end_plate_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_fy_1;
-    let wrench_left_end_plate_fz = twist_left_end_plate_vz * 1.7000000000000002
-        + (twist_left_end_plate_wx * inertias.inertia_left_end_plate_hy
-            - twist_left_end_plate_wy * inertias.inertia_left_end_plate_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_left_end_plate_fz_1;
-    let wrench_right_shoulder_mx_0 = inertias.inertia_right_shoulder_xx
-        * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
-        + inertias.inertia_right_shoulder_xy
-            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
-        - inertias.inertia_right_shoulder_xz
-            * common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
-        + (inertias.inertia_right_shoulder_hy
-            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vz
-            - inertias.inertia_right_shoulder_hz
-                * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_mx_0_1;
-    let wrench_right_shoulder_my_0 = inertias.inertia_right_shoulder_xy
-        * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
-        + inertias.inertia_right_shoulder_yy
-            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
-        - inertias.inertia_right_shoulder_yz
-            * common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
-        + (inertias.inertia_right_shoulder_hz
-            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vx
-            - inertias.inertia_right_shoulder_hx
-                * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_my_0_1;
-    let wrench_right_shoulder_mz_0 = inertias.inertia_right_shoulder_xz
-        * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
-        + inertias.inertia_right_shoulder_yz
-            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
-        - inertias.inertia_right_shoulder_zz
-            * common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
-        + (inertias.inertia_right_shoulder_hx
-            * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vy
-            - inertias.inertia_right_shoulder_hy
-                * common_forward_dynamics_inverse_dynamics.twist_right_shoulder_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_mz_0_1;
-    let wrench_right_shoulder_fx_0 = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_vx * 4.0
-        + (common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
-            * inertias.inertia_right_shoulder_hz
-            + common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
-                * inertias.inertia_right_shoulder_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_fx_0_1;
-    let wrench_right_shoulder_fy_0 = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_vy * 4.0
-        - (common_forward_dynamics_inverse_dynamics.minus_twist_right_shoulder_wz
-            * inertias.inertia_right_shoulder_hx
-            + common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
-                * inertias.inertia_right_shoulder_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_fy_0_1;
-    let wrench_right_shoulder_fz_0 = common_forward_dynamics_inverse_dynamics
-        .twist_right_shoulder_vz * 4.0
-        + (common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wx
-            * inertias.inertia_right_shoulder_hy
-            - common_forward_dynamics_inverse_dynamics.twist_right_shoulder_wy
-                * inertias.inertia_right_shoulder_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_shoulder_fz_0_1;
-    let wrench_right_upper_arm_mx_0 = inertias.inertia_right_upper_arm_xx
-        * twist_right_upper_arm_wx
-        + inertias.inertia_right_upper_arm_xy * twist_right_upper_arm_wy
-        + inertias.inertia_right_upper_arm_xz * twist_right_upper_arm_wz
-        + (inertias.inertia_right_upper_arm_hy * twist_right_upper_arm_vz
-            - inertias.inertia_right_upper_arm_hz * twist_right_upper_arm_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_mx_0_1;
-    let wrench_right_upper_arm_my_0 = inertias.inertia_right_upper_arm_xy
-        * twist_right_upper_arm_wx
-        + inertias.inertia_right_upper_arm_yy * twist_right_upper_arm_wy
-        + inertias.inertia_right_upper_arm_yz * twist_right_upper_arm_wz
-        + (inertias.inertia_right_upper_arm_hz * twist_right_upper_arm_vx
-            - inertias.inertia_right_upper_arm_hx * twist_right_upper_arm_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_my_0_1;
-    let wrench_right_upper_arm_mz_0 = inertias.inertia_right_upper_arm_xz
-        * twist_right_upper_arm_wx
-        + inertias.inertia_right_upper_arm_yz * twist_right_upper_arm_wy
-        + inertias.inertia_right_upper_arm_zz * twist_right_upper_arm_wz
-        + (inertias.inertia_right_upper_arm_hx * twist_right_upper_arm_vy
-            - inertias.inertia_right_upper_arm_hy * twist_right_upper_arm_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_mz_0_1;
-    let wrench_right_upper_arm_fx_0 = twist_right_upper_arm_vx * 5.5
-        + (twist_right_upper_arm_wy * inertias.inertia_right_upper_arm_hz
-            - twist_right_upper_arm_wz * inertias.inertia_right_upper_arm_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_fx_0_1;
-    let wrench_right_upper_arm_fy_0 = twist_right_upper_arm_vy * 5.5
-        + (twist_right_upper_arm_wz * inertias.inertia_right_upper_arm_hx
-            - twist_right_upper_arm_wx * inertias.inertia_right_upper_arm_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_fy_0_1;
-    let wrench_right_upper_arm_fz_0 = twist_right_upper_arm_vz * 5.5
-        + (twist_right_upper_arm_wx * inertias.inertia_right_upper_arm_hy
-            - twist_right_upper_arm_wy * inertias.inertia_right_upper_arm_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_upper_arm_fz_0_1;
-    let wrench_right_forearm_mx_0 = inertias.inertia_right_forearm_xx
-        * twist_right_forearm_wx
-        + inertias.inertia_right_forearm_xy * twist_right_forearm_wy
-        + inertias.inertia_right_forearm_xz * twist_right_forearm_wz
-        + (inertias.inertia_right_forearm_hy * twist_right_forearm_vz
-            - inertias.inertia_right_forearm_hz * twist_right_forearm_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_mx_0_1;
-    let wrench_right_forearm_my_0 = inertias.inertia_right_forearm_xy
-        * twist_right_forearm_wx
-        + inertias.inertia_right_forearm_yy * twist_right_forearm_wy
-        + inertias.inertia_right_forearm_yz * twist_right_forearm_wz
-        + (inertias.inertia_right_forearm_hz * twist_right_forearm_vx
-            - inertias.inertia_right_forearm_hx * twist_right_forearm_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_my_0_1;
-    let wrench_right_forearm_mz_0 = inertias.inertia_right_forearm_xz
-        * twist_right_forearm_wx
-        + inertias.inertia_right_forearm_yz * twist_right_forearm_wy
-        + inertias.inertia_right_forearm_zz * twist_right_forearm_wz
-        + (inertias.inertia_right_forearm_hx * twist_right_forearm_vy
-            - inertias.inertia_right_forearm_hy * twist_right_forearm_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_mz_0_1;
-    let wrench_right_forearm_fx_0 = twist_right_forearm_vx * 4.2
-        + (twist_right_forearm_wy * inertias.inertia_right_forearm_hz
-            - twist_right_forearm_wz * inertias.inertia_right_forearm_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_fx_0_1;
-    let wrench_right_forearm_fy_0 = twist_right_forearm_vy * 4.2
-        + (twist_right_forearm_wz * inertias.inertia_right_forearm_hx
-            - twist_right_forearm_wx * inertias.inertia_right_forearm_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_fy_0_1;
-    let wrench_right_forearm_fz_0 = twist_right_forearm_vz * 4.2
-        + (twist_right_forearm_wx * inertias.inertia_right_forearm_hy
-            - twist_right_forearm_wy * inertias.inertia_right_forearm_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_forearm_fz_0_1;
-    let wrench_right_wrist_bracket_mx_0 = inertias.inertia_right_wrist_bracket_xx
-        * twist_right_wrist_bracket_wx
-        + inertias.inertia_right_wrist_bracket_xy * twist_right_wrist_bracket_wy
-        + inertias.inertia_right_wrist_bracket_xz * twist_right_wrist_bracket_wz
-        + (inertias.inertia_right_wrist_bracket_hy * twist_right_wrist_bracket_vz
-            - inertias.inertia_right_wrist_bracket_hz * twist_right_wrist_bracket_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_mx_0_1;
-    let wrench_right_wrist_bracket_my_0 = inertias.inertia_right_wrist_bracket_xy
-        * twist_right_wrist_bracket_wx
-        + inertias.inertia_right_wrist_bracket_yy * twist_right_wrist_bracket_wy
-        + inertias.inertia_right_wrist_bracket_yz * twist_right_wrist_bracket_wz
-        + (inertias.inertia_right_wrist_bracket_hz * twist_right_wrist_bracket_vx
-            - inertias.inertia_right_wrist_bracket_hx * twist_right_wrist_bracket_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_my_0_1;
-    let wrench_right_wrist_bracket_mz_0 = inertias.inertia_right_wrist_bracket_xz
-        * twist_right_wrist_bracket_wx
-        + inertias.inertia_right_wrist_bracket_yz * twist_right_wrist_bracket_wy
-        + inertias.inertia_right_wrist_bracket_zz * twist_right_wrist_bracket_wz
-        + (inertias.inertia_right_wrist_bracket_hx * twist_right_wrist_bracket_vy
-            - inertias.inertia_right_wrist_bracket_hy * twist_right_wrist_bracket_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_mz_0_1;
-    let wrench_right_wrist_bracket_fx_0 = twist_right_wrist_bracket_vx * 1.8
-        + (twist_right_wrist_bracket_wy * inertias.inertia_right_wrist_bracket_hz
-            - twist_right_wrist_bracket_wz * inertias.inertia_right_wrist_bracket_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_fx_0_1;
-    let wrench_right_wrist_bracket_fy_0 = twist_right_wrist_bracket_vy * 1.8
-        + (twist_right_wrist_bracket_wz * inertias.inertia_right_wrist_bracket_hx
-            - twist_right_wrist_bracket_wx * inertias.inertia_right_wrist_bracket_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_fy_0_1;
-    let wrench_right_wrist_bracket_fz_0 = twist_right_wrist_bracket_vz * 1.8
-        + (twist_right_wrist_bracket_wx * inertias.inertia_right_wrist_bracket_hy
-            - twist_right_wrist_bracket_wy * inertias.inertia_right_wrist_bracket_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_bracket_fz_0_1;
-    let wrench_right_wrist_cross_mx_0 = inertias.inertia_right_wrist_cross_xx
-        * twist_right_wrist_cross_wx
-        + inertias.inertia_right_wrist_cross_xy * twist_right_wrist_cross_wy
-        + inertias.inertia_right_wrist_cross_xz * twist_right_wrist_cross_wz
-        + (inertias.inertia_right_wrist_cross_hy * twist_right_wrist_cross_vz
-            - inertias.inertia_right_wrist_cross_hz * twist_right_wrist_cross_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_mx_0_1;
-    let wrench_right_wrist_cross_my_0 = inertias.inertia_right_wrist_cross_xy
-        * twist_right_wrist_cross_wx
-        + inertias.inertia_right_wrist_cross_yy * twist_right_wrist_cross_wy
-        + inertias.inertia_right_wrist_cross_yz * twist_right_wrist_cross_wz
-        + (inertias.inertia_right_wrist_cross_hz * twist_right_wrist_cross_vx
-            - inertias.inertia_right_wrist_cross_hx * twist_right_wrist_cross_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_my_0_1;
-    let wrench_right_wrist_cross_mz_0 = inertias.inertia_right_wrist_cross_xz
-        * twist_right_wrist_cross_wx
-        + inertias.inertia_right_wrist_cross_yz * twist_right_wrist_cross_wy
-        + inertias.inertia_right_wrist_cross_zz * twist_right_wrist_cross_wz
-        + (inertias.inertia_right_wrist_cross_hx * twist_right_wrist_cross_vy
-            - inertias.inertia_right_wrist_cross_hy * twist_right_wrist_cross_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_mz_0_1;
-    let wrench_right_wrist_cross_fx_0 = twist_right_wrist_cross_vx * 1.6
-        + (twist_right_wrist_cross_wy * inertias.inertia_right_wrist_cross_hz
-            - twist_right_wrist_cross_wz * inertias.inertia_right_wrist_cross_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_fx_0_1;
-    let wrench_right_wrist_cross_fy_0 = twist_right_wrist_cross_vy * 1.6
-        + (twist_right_wrist_cross_wz * inertias.inertia_right_wrist_cross_hx
-            - twist_right_wrist_cross_wx * inertias.inertia_right_wrist_cross_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_fy_0_1;
-    let wrench_right_wrist_cross_fz_0 = twist_right_wrist_cross_vz * 1.6
-        + (twist_right_wrist_cross_wx * inertias.inertia_right_wrist_cross_hy
-            - twist_right_wrist_cross_wy * inertias.inertia_right_wrist_cross_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_wrist_cross_fz_0_1;
-    let wrench_outside_finger_2_mx_0 = inertias.inertia_right_end_plate_xx
-        * twist_right_end_plate_wx
-        + inertias.inertia_right_end_plate_xy * twist_right_end_plate_wy
-        + inertias.inertia_right_end_plate_xz * twist_right_end_plate_wz
-        + (inertias.inertia_right_end_plate_hy * twist_right_end_plate_vz
-            - inertias.inertia_right_end_plate_hz * twist_right_end_plate_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_mx_0_0_1;
-    let wrench_outside_finger_2_my_0 = inertias.inertia_right_end_plate_xy
-        * twist_right_end_plate_wx
-        + inertias.inertia_right_end_plate_yy * twist_right_end_plate_wy
-        + inertias.inertia_right_end_plate_yz * twist_right_end_plate_wz
-        + (inertias.inertia_right_end_plate_hz * twist_right_end_plate_vx
-            - inertias.inertia_right_end_plate_hx * twist_right_end_plate_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_my_0_0_1;
-    let wrench_outside_finger_2_mz_0 = inertias.inertia_right_end_plate_xz
-        * twist_right_end_plate_wx
-        + inertias.inertia_right_end_plate_yz * twist_right_end_plate_wy
-        + inertias.inertia_right_end_plate_zz * twist_right_end_plate_wz
-        + (inertias.inertia_right_end_plate_hx * twist_right_end_plate_vy
-            - inertias.inertia_right_end_plate_hy * twist_right_end_plate_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_mz_0_0_1;
-    let wrench_outside_finger_2_fx_0 = twist_right_end_plate_vx * 2.3
-        + (twist_right_end_plate_wy * inertias.inertia_right_end_plate_hz
-            - twist_right_end_plate_wz * inertias.inertia_right_end_plate_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_fx_0_0_1;
-    let wrench_outside_finger_2_fy_0 = twist_right_end_plate_vy * 2.3
-        + (twist_right_end_plate_wz * inertias.inertia_right_end_plate_hx
-            - twist_right_end_plate_wx * inertias.inertia_right_end_plate_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_fy_0_0_1;
-    let wrench_outside_finger_2_fz_0 = twist_right_end_plate_vz * 2.3
-        + (twist_right_end_plate_wx * inertias.inertia_right_end_plate_hy
-            - twist_right_end_plate_wy * inertias.inertia_right_end_plate_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_right_end_plate_fz_0_0_1;
-    let wrench_finger_1_mx = inertias.inertia_finger_1_xx * twist_right_end_plate_wx
-        + inertias.inertia_finger_1_xy * twist_right_end_plate_wy
-        + inertias.inertia_finger_1_xz * twist_right_end_plate_wz
-        + (inertias.inertia_finger_1_hy * twist_finger_1_vz
-            - inertias.inertia_finger_1_hz * twist_finger_1_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_mx_1;
-    let wrench_finger_1_my = inertias.inertia_finger_1_xy * twist_right_end_plate_wx
-        + inertias.inertia_finger_1_yy * twist_right_end_plate_wy
-        + inertias.inertia_finger_1_yz * twist_right_end_plate_wz
-        + (inertias.inertia_finger_1_hz * twist_finger_1_vx
-            - inertias.inertia_finger_1_hx * twist_finger_1_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_my_1;
-    let wrench_finger_1_mz = inertias.inertia_finger_1_xz * twist_right_end_plate_wx
-        + inertias.inertia_finger_1_yz * twist_right_end_plate_wy
-        + inertias.inertia_finger_1_zz * twist_right_end_plate_wz
-        + (inertias.inertia_finger_1_hx * twist_finger_1_vy
-            - inertias.inertia_finger_1_hy * twist_finger_1_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_mz_1;
-    let wrench_finger_1_fx = twist_finger_1_vx * 0.18
-        + (twist_right_end_plate_wy * inertias.inertia_finger_1_hz
-            - twist_right_end_plate_wz * inertias.inertia_finger_1_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_fx_1;
-    let wrench_finger_1_fy = twist_finger_1_vy * 0.18
-        + (twist_right_end_plate_wz * inertias.inertia_finger_1_hx
-            - twist_right_end_plate_wx * inertias.inertia_finger_1_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_fy_1;
-    let wrench_finger_1_fz = twist_finger_1_vz * 0.18
-        + (twist_right_end_plate_wx * inertias.inertia_finger_1_hy
-            - twist_right_end_plate_wy * inertias.inertia_finger_1_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_1_fz_1;
-    let wrench_finger_2_mx = inertias.inertia_finger_2_xx * twist_right_end_plate_wx
-        + inertias.inertia_finger_2_xy * twist_right_end_plate_wy
-        + inertias.inertia_finger_2_xz * twist_right_end_plate_wz
-        + (inertias.inertia_finger_2_hy * twist_finger_2_vz
-            - inertias.inertia_finger_2_hz * twist_finger_2_vy)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_mx_1;
-    let wrench_finger_2_my = inertias.inertia_finger_2_xy * twist_right_end_plate_wx
-        + inertias.inertia_finger_2_yy * twist_right_end_plate_wy
-        + inertias.inertia_finger_2_yz * twist_right_end_plate_wz
-        + (inertias.inertia_finger_2_hz * twist_finger_2_vx
-            - inertias.inertia_finger_2_hx * twist_finger_2_vz)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_my_1;
-    let wrench_finger_2_mz = inertias.inertia_finger_2_xz * twist_right_end_plate_wx
-        + inertias.inertia_finger_2_yz * twist_right_end_plate_wy
-        + inertias.inertia_finger_2_zz * twist_right_end_plate_wz
-        + (inertias.inertia_finger_2_hx * twist_finger_2_vy
-            - inertias.inertia_finger_2_hy * twist_finger_2_vx)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_mz_1;
-    let wrench_finger_2_fx = twist_finger_2_vx * 0.18
-        + (twist_right_end_plate_wy * inertias.inertia_finger_2_hz
-            - twist_right_end_plate_wz * inertias.inertia_finger_2_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_fx_1;
-    let wrench_finger_2_fy = twist_finger_2_vy * 0.18
-        + (twist_right_end_plate_wz * inertias.inertia_finger_2_hx
-            - twist_right_end_plate_wx * inertias.inertia_finger_2_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_fy_1;
-    let wrench_finger_2_fz = twist_finger_2_vz * 0.18
-        + (twist_right_end_plate_wx * inertias.inertia_finger_2_hy
-            - twist_right_end_plate_wy * inertias.inertia_finger_2_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_finger_2_fz_1;
-    let wrench_right_end_plate_mx_0 = wrench_outside_finger_2_mx_0 + wrench_finger_2_mx;
-    let wrench_right_end_plate_my_0 = wrench_outside_finger_2_my_0 + wrench_finger_2_my;
-    let wrench_right_end_plate_mz_0 = wrench_outside_finger_2_mz_0 + wrench_finger_2_mz;
-    let wrench_right_end_plate_fx_0 = wrench_outside_finger_2_fx_0 + wrench_finger_2_fx;
-    let wrench_right_end_plate_fy_0 = wrench_outside_finger_2_fy_0 + wrench_finger_2_fy;
-    let wrench_right_end_plate_fz_0 = wrench_outside_finger_2_fz_0 + wrench_finger_2_fz;
-    let wrench_right_end_plate_mx = wrench_right_end_plate_mx_0 + wrench_finger_1_mx;
-    let wrench_right_end_plate_my = wrench_right_end_plate_my_0 + wrench_finger_1_my;
-    let wrench_right_end_plate_mz = wrench_right_end_plate_mz_0 + wrench_finger_1_mz;
-    let wrench_right_end_plate_fx = wrench_right_end_plate_fx_0 + wrench_finger_1_fx;
-    let wrench_right_end_plate_fy = wrench_right_end_plate_fy_0 + wrench_finger_1_fy;
-    let wrench_right_end_plate_fz = wrench_right_end_plate_fz_0 + wrench_finger_1_fz;
-    let wrench_right_wrist_cross_mx = wrench_right_wrist_cross_mx_0
-        + wrench_right_end_plate_mx;
-    let wrench_right_wrist_cross_my = wrench_right_wrist_cross_my_0
-        + wrench_right_end_plate_my;
-    let wrench_right_wrist_cross_mz = wrench_right_wrist_cross_mz_0
-        + wrench_right_end_plate_mz;
-    let wrench_right_wrist_cross_fx = wrench_right_wrist_cross_fx_0
-        + wrench_right_end_plate_fx;
-    let wrench_right_wrist_cross_fy = wrench_right_wrist_cross_fy_0
-        + wrench_right_end_plate_fy;
-    let wrench_right_wrist_cross_fz = wrench_right_wrist_cross_fz_0
-        + wrench_right_end_plate_fz;
-    let wrench_right_wrist_bracket_mx = wrench_right_wrist_bracket_mx_0
-        + wrench_right_wrist_cross_mx;
-    let wrench_right_wrist_bracket_my = wrench_right_wrist_bracket_my_0
-        + wrench_right_wrist_cross_my;
-    let wrench_right_wrist_bracket_mz = wrench_right_wrist_bracket_mz_0
-        + wrench_right_wrist_cross_mz;
-    let wrench_right_wrist_bracket_fx = wrench_right_wrist_bracket_fx_0
-        + wrench_right_wrist_cross_fx;
-    let wrench_right_wrist_bracket_fy = wrench_right_wrist_bracket_fy_0
-        + wrench_right_wrist_cross_fy;
-    let wrench_right_wrist_bracket_fz = wrench_right_wrist_bracket_fz_0
-        + wrench_right_wrist_cross_fz;
-    let wrench_right_forearm_mx = wrench_right_forearm_mx_0
-        + wrench_right_wrist_bracket_mx;
-    let wrench_right_forearm_my = wrench_right_forearm_my_0
-        + wrench_right_wrist_bracket_my;
-    let wrench_right_forearm_mz = wrench_right_forearm_mz_0
-        + wrench_right_wrist_bracket_mz;
-    let wrench_right_forearm_fx = wrench_right_forearm_fx_0
-        + wrench_right_wrist_bracket_fx;
-    let wrench_right_forearm_fy = wrench_right_forearm_fy_0
-        + wrench_right_wrist_bracket_fy;
-    let wrench_right_forearm_fz = wrench_right_forearm_fz_0
-        + wrench_right_wrist_bracket_fz;
-    let wrench_right_upper_arm_mx = wrench_right_upper_arm_mx_0
-        + wrench_right_forearm_mx;
-    let wrench_right_upper_arm_my = wrench_right_upper_arm_my_0
-        + wrench_right_forearm_my;
-    let wrench_right_upper_arm_mz = wrench_right_upper_arm_mz_0
-        + wrench_right_forearm_mz;
-    let wrench_right_upper_arm_fx = wrench_right_upper_arm_fx_0
-        + wrench_right_forearm_fx;
-    let wrench_right_upper_arm_fy = wrench_right_upper_arm_fy_0
-        + wrench_right_forearm_fy;
-    let wrench_right_upper_arm_fz = wrench_right_upper_arm_fz_0
-        + wrench_right_forearm_fz;
-    let wrench_right_shoulder_mx = wrench_right_shoulder_mx_0
-        + wrench_right_upper_arm_mx;
-    let wrench_right_shoulder_my = wrench_right_shoulder_my_0
-        + wrench_right_upper_arm_my;
-    let wrench_right_shoulder_mz = wrench_right_shoulder_mz_0
-        + wrench_right_upper_arm_mz;
-    let wrench_right_shoulder_fx = wrench_right_shoulder_fx_0
-        + wrench_right_upper_arm_fx;
-    let wrench_right_shoulder_fy = wrench_right_shoulder_fy_0
-        + wrench_right_upper_arm_fy;
-    let wrench_right_shoulder_fz = wrench_right_shoulder_fz_0
-        + wrench_right_upper_arm_fz;
-    let wrench_outside_left_shoulder_mx = wrench_right_shoulder_mx
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mx_1;
-    let wrench_outside_left_shoulder_my = wrench_right_shoulder_my
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_my_1;
-    let wrench_outside_left_shoulder_mz = wrench_right_shoulder_mz
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mz_1;
-    let wrench_outside_left_shoulder_fx = wrench_right_shoulder_fx
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fx_1;
-    let wrench_outside_left_shoulder_fy = wrench_right_shoulder_fy
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fy_1;
-    let wrench_outside_left_shoulder_fz = wrench_right_shoulder_fz
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fz_1;
-    let wrench_left_wrist_cross_mx = wrench_left_wrist_cross_mx_0
-        + wrench_left_end_plate_mx;
-    let wrench_left_wrist_cross_my = wrench_left_wrist_cross_my_0
-        + wrench_left_end_plate_my;
-    let wrench_left_wrist_cross_mz = wrench_left_wrist_cross_mz_0
-        + wrench_left_end_plate_mz;
-    let wrench_left_wrist_cross_fx = wrench_left_wrist_cross_fx_0
-        + wrench_left_end_plate_fx;
-    let wrench_left_wrist_cross_fy = wrench_left_wrist_cross_fy_0
-        + wrench_left_end_plate_fy;
-    let wrench_left_wrist_cross_fz = wrench_left_wrist_cross_fz_0
-        + wrench_left_end_plate_fz;
-    let wrench_left_wrist_bracket_mx = wrench_left_wrist_bracket_mx_0
-        + wrench_left_wrist_cross_mx;
-    let wrench_left_wrist_bracket_my = wrench_left_wrist_bracket_my_0
-        + wrench_left_wrist_cross_my;
-    let wrench_left_wrist_bracket_mz = wrench_left_wrist_bracket_mz_0
-        + wrench_left_wrist_cross_mz;
-    let wrench_left_wrist_bracket_fx = wrench_left_wrist_bracket_fx_0
-        + wrench_left_wrist_cross_fx;
-    let wrench_left_wrist_bracket_fy = wrench_left_wrist_bracket_fy_0
-        + wrench_left_wrist_cross_fy;
-    let wrench_left_wrist_bracket_fz = wrench_left_wrist_bracket_fz_0
-        + wrench_left_wrist_cross_fz;
-    let wrench_left_forearm_mx = wrench_left_forearm_mx_0 + wrench_left_wrist_bracket_mx;
-    let wrench_left_forearm_my = wrench_left_forearm_my_0 + wrench_left_wrist_bracket_my;
-    let wrench_left_forearm_mz = wrench_left_forearm_mz_0 + wrench_left_wrist_bracket_mz;
-    let wrench_left_forearm_fx = wrench_left_forearm_fx_0 + wrench_left_wrist_bracket_fx;
-    let wrench_left_forearm_fy = wrench_left_forearm_fy_0 + wrench_left_wrist_bracket_fy;
-    let wrench_left_forearm_fz = wrench_left_forearm_fz_0 + wrench_left_wrist_bracket_fz;
-    let wrench_left_upper_arm_mx = wrench_left_upper_arm_mx_0 + wrench_left_forearm_mx;
-    let wrench_left_upper_arm_my = wrench_left_upper_arm_my_0 + wrench_left_forearm_my;
-    let wrench_left_upper_arm_mz = wrench_left_upper_arm_mz_0 + wrench_left_forearm_mz;
-    let wrench_left_upper_arm_fx = wrench_left_upper_arm_fx_0 + wrench_left_forearm_fx;
-    let wrench_left_upper_arm_fy = wrench_left_upper_arm_fy_0 + wrench_left_forearm_fy;
-    let wrench_left_upper_arm_fz = wrench_left_upper_arm_fz_0 + wrench_left_forearm_fz;
-    let wrench_left_shoulder_mx = wrench_left_shoulder_mx_0 + wrench_left_upper_arm_mx;
-    let wrench_left_shoulder_my = wrench_left_shoulder_my_0 + wrench_left_upper_arm_my;
-    let wrench_left_shoulder_mz = wrench_left_shoulder_mz_0 + wrench_left_upper_arm_mz;
-    let wrench_left_shoulder_fx = wrench_left_shoulder_fx_0 + wrench_left_upper_arm_fx;
-    let wrench_left_shoulder_fy = wrench_left_shoulder_fy_0 + wrench_left_upper_arm_fy;
-    let wrench_left_shoulder_fz = wrench_left_shoulder_fz_0 + wrench_left_upper_arm_fz;
-    let wrench_outside_left_upper_arm_mx = wrench_left_shoulder_mx_0
-        + wrench_outside_left_shoulder_mx;
-    let wrench_outside_left_upper_arm_my = wrench_left_shoulder_my_0
-        + wrench_outside_left_shoulder_my;
-    let wrench_outside_left_upper_arm_mz = wrench_left_shoulder_mz_0
-        + wrench_outside_left_shoulder_mz;
-    let wrench_outside_left_upper_arm_fx = wrench_left_shoulder_fx_0
-        + wrench_outside_left_shoulder_fx;
-    let wrench_outside_left_upper_arm_fy = wrench_left_shoulder_fy_0
-        + wrench_outside_left_shoulder_fy;
-    let wrench_outside_left_upper_arm_fz = wrench_left_shoulder_fz_0
-        + wrench_outside_left_shoulder_fz;
-    let wrench_outside_left_forearm_mx = wrench_left_upper_arm_mx_0
-        + wrench_outside_left_upper_arm_mx;
-    let wrench_outside_left_forearm_my = wrench_left_upper_arm_my_0
-        + wrench_outside_left_upper_arm_my;
-    let wrench_outside_left_forearm_mz = wrench_left_upper_arm_mz_0
-        + wrench_outside_left_upper_arm_mz;
-    let wrench_outside_left_forearm_fx = wrench_left_upper_arm_fx_0
-        + wrench_outside_left_upper_arm_fx;
-    let wrench_outside_left_forearm_fy = wrench_left_upper_arm_fy_0
-        + wrench_outside_left_upper_arm_fy;
-    let wrench_outside_left_forearm_fz = wrench_left_upper_arm_fz_0
-        + wrench_outside_left_upper_arm_fz;
-    let wrench_outside_left_wrist_bracket_mx = wrench_left_forearm_mx_0
-        + wrench_outside_left_forearm_mx;
-    let wrench_outside_left_wrist_bracket_my = wrench_left_forearm_my_0
-        + wrench_outside_left_forearm_my;
-    let wrench_outside_left_wrist_bracket_mz = wrench_left_forearm_mz_0
-        + wrench_outside_left_forearm_mz;
-    let wrench_outside_left_wrist_bracket_fx = wrench_left_forearm_fx_0
-        + wrench_outside_left_forearm_fx;
-    let wrench_outside_left_wrist_bracket_fy = wrench_left_forearm_fy_0
-        + wrench_outside_left_forearm_fy;
-    let wrench_outside_left_wrist_bracket_fz = wrench_left_forearm_fz_0
-        + wrench_outside_left_forearm_fz;
-    let wrench_outside_left_wrist_cross_mx = wrench_left_wrist_bracket_mx_0
-        + wrench_outside_left_wrist_bracket_mx;
-    let wrench_outside_left_wrist_cross_my = wrench_left_wrist_bracket_my_0
-        + wrench_outside_left_wrist_bracket_my;
-    let wrench_outside_left_wrist_cross_mz = wrench_left_wrist_bracket_mz_0
-        + wrench_outside_left_wrist_bracket_mz;
-    let wrench_outside_left_wrist_cross_fx = wrench_left_wrist_bracket_fx_0
-        + wrench_outside_left_wrist_bracket_fx;
-    let wrench_outside_left_wrist_cross_fy = wrench_left_wrist_bracket_fy_0
-        + wrench_outside_left_wrist_bracket_fy;
-    let wrench_outside_left_wrist_cross_fz = wrench_left_wrist_bracket_fz_0
-        + wrench_outside_left_wrist_bracket_fz;
-    let wrench_outside_left_end_plate_mx = wrench_left_wrist_cross_mx_0
-        + wrench_outside_left_wrist_cross_mx;
-    let wrench_outside_left_end_plate_my = wrench_left_wrist_cross_my_0
-        + wrench_outside_left_wrist_cross_my;
-    let wrench_outside_left_end_plate_mz = wrench_left_wrist_cross_mz_0
-        + wrench_outside_left_wrist_cross_mz;
-    let wrench_outside_left_end_plate_fx = wrench_left_wrist_cross_fx_0
-        + wrench_outside_left_wrist_cross_fx;
-    let wrench_outside_left_end_plate_fy = wrench_left_wrist_cross_fy_0
-        + wrench_outside_left_wrist_cross_fy;
-    let wrench_outside_left_end_plate_fz = wrench_left_wrist_cross_fz_0
-        + wrench_outside_left_wrist_cross_fz;
-    let wrench_outside_right_shoulder_mx = wrench_left_shoulder_mx
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mx_1;
-    let wrench_outside_right_shoulder_my = wrench_left_shoulder_my
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_my_1;
-    let wrench_outside_right_shoulder_mz = wrench_left_shoulder_mz
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_mz_1;
-    let wrench_outside_right_shoulder_fx = wrench_left_shoulder_fx
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fx_1;
-    let wrench_outside_right_shoulder_fy = wrench_left_shoulder_fy
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fy_1;
-    let wrench_outside_right_shoulder_fz = wrench_left_shoulder_fz
-        - common_forward_dynamics_inverse_dynamics.wrench_outside_left_shoulder_fz_1;
-    let wrench_outside_right_upper_arm_mx = wrench_right_shoulder_mx_0
-        + wrench_outside_right_shoulder_mx;
-    let wrench_outside_right_upper_arm_my = wrench_right_shoulder_my_0
-        + wrench_outside_right_shoulder_my;
-    let wrench_outside_right_upper_arm_mz = wrench_right_shoulder_mz_0
-        + wrench_outside_right_shoulder_mz;
-    let wrench_outside_right_upper_arm_fx = wrench_right_shoulder_fx_0
-        + wrench_outside_right_shoulder_fx;
-    let wrench_outside_right_upper_arm_fy = wrench_right_shoulder_fy_0
-        + wrench_outside_right_shoulder_fy;
-    let wrench_outside_right_upper_arm_fz = wrench_right_shoulder_fz_0
-        + wrench_outside_right_shoulder_fz;
-    let wrench_outside_right_forearm_mx = wrench_right_upper_arm_mx_0
-        + wrench_outside_right_upper_arm_mx;
-    let wrench_outside_right_forearm_my = wrench_right_upper_arm_my_0
-        + wrench_outside_right_upper_arm_my;
-    let wrench_outside_right_forearm_mz = wrench_right_upper_arm_mz_0
-        + wrench_outside_right_upper_arm_mz;
-    let wrench_outside_right_forearm_fx = wrench_right_upper_arm_fx_0
-        + wrench_outside_right_upper_arm_fx;
-    let wrench_outside_right_forearm_fy = wrench_right_upper_arm_fy_0
-        + wrench_outside_right_upper_arm_fy;
-    let wrench_outside_right_forearm_fz = wrench_right_upper_arm_fz_0
-        + wrench_outside_right_upper_arm_fz;
-    let wrench_outside_right_wrist_bracket_mx = wrench_right_forearm_mx_0
-        + wrench_outside_right_forearm_mx;
-    let wrench_outside_right_wrist_bracket_my = wrench_right_forearm_my_0
-        + wrench_outside_right_forearm_my;
-    let wrench_outside_right_wrist_bracket_mz = wrench_right_forearm_mz_0
-        + wrench_outside_right_forearm_mz;
-    let wrench_outside_right_wrist_bracket_fx = wrench_right_forearm_fx_0
-        + wrench_outside_right_forearm_fx;
-    let wrench_outside_right_wrist_bracket_fy = wrench_right_forearm_fy_0
-        + wrench_outside_right_forearm_fy;
-    let wrench_outside_right_wrist_bracket_fz = wrench_right_forearm_fz_0
-        + wrench_outside_right_forearm_fz;
-    let wrench_outside_right_wrist_cross_mx = wrench_right_wrist_bracket_mx_0
-        + wrench_outside_right_wrist_bracket_mx;
-    let wrench_outside_right_wrist_cross_my = wrench_right_wrist_bracket_my_0
-        + wrench_outside_right_wrist_bracket_my;
-    let wrench_outside_right_wrist_cross_mz = wrench_right_wrist_bracket_mz_0
-        + wrench_outside_right_wrist_bracket_mz;
-    let wrench_outside_right_wrist_cross_fx = wrench_right_wrist_bracket_fx_0
-        + wrench_outside_right_wrist_bracket_fx;
-    let wrench_outside_right_wrist_cross_fy = wrench_right_wrist_bracket_fy_0
-        + wrench_outside_right_wrist_bracket_fy;
-    let wrench_outside_right_wrist_cross_fz = wrench_right_wrist_bracket_fz_0
-        + wrench_outside_right_wrist_bracket_fz;
-    let wrench_outside_right_end_plate_mx = wrench_right_wrist_cross_mx_0
-        + wrench_outside_right_wrist_cross_mx;
-    let wrench_outside_right_end_plate_my = wrench_right_wrist_cross_my_0
-        + wrench_outside_right_wrist_cross_my;
-    let wrench_outside_right_end_plate_mz = wrench_right_wrist_cross_mz_0
-        + wrench_outside_right_wrist_cross_mz;
-    let wrench_outside_right_end_plate_fx = wrench_right_wrist_cross_fx_0
-        + wrench_outside_right_wrist_cross_fx;
-    let wrench_outside_right_end_plate_fy = wrench_right_wrist_cross_fy_0
-        + wrench_outside_right_wrist_cross_fy;
-    let wrench_outside_right_end_plate_fz = wrench_right_wrist_cross_fz_0
-        + wrench_outside_right_wrist_cross_fz;
-    let wrench_outside_finger_1_mx = wrench_right_end_plate_mx_0
-        + wrench_outside_right_end_plate_mx;
-    let wrench_outside_finger_1_my = wrench_right_end_plate_my_0
-        + wrench_outside_right_end_plate_my;
-    let wrench_outside_finger_1_mz = wrench_right_end_plate_mz_0
-        + wrench_outside_right_end_plate_mz;
-    let wrench_outside_finger_1_fx = wrench_right_end_plate_fx_0
-        + wrench_outside_right_end_plate_fx;
-    let wrench_outside_finger_1_fy = wrench_right_end_plate_fy_0
-        + wrench_outside_right_end_plate_fy;
-    let wrench_outside_finger_1_fz = wrench_right_end_plate_fz_0
-        + wrench_outside_right_end_plate_fz;
-    let wrench_outside_finger_2_mx = wrench_outside_finger_2_mx_0
-        + (wrench_outside_right_end_plate_mx + wrench_finger_1_mx);
-    let wrench_outside_finger_2_my = wrench_outside_finger_2_my_0
-        + (wrench_outside_right_end_plate_my + wrench_finger_1_my);
-    let wrench_outside_finger_2_mz = wrench_outside_finger_2_mz_0
-        + (wrench_outside_right_end_plate_mz + wrench_finger_1_mz);
-    let wrench_outside_finger_2_fx = wrench_outside_finger_2_fx_0
-        + (wrench_outside_right_end_plate_fx + wrench_finger_1_fx);
-    let wrench_outside_finger_2_fy = wrench_outside_finger_2_fy_0
-        + (wrench_outside_right_end_plate_fy + wrench_finger_1_fy);
-    let wrench_outside_finger_2_fz = wrench_outside_finger_2_fz_0
-        + (wrench_outside_right_end_plate_fz + wrench_finger_1_fz);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_16 = screws.connection_finger_1_slide_vx
-        * base_wrench[3];
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_17 = screws.connection_finger_1_slide_vy
-        * base_wrench[4];
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_18 = screws.connection_finger_1_slide_vz
-        * base_wrench[5];
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38 = tau[0]
-        - (screws.connection_left_shoulder_yaw_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_left_shoulder_yaw_wy * xi_dot_0_3_3_24_20
-            + screws.connection_left_shoulder_yaw_wz * xi_dot_0_3_3_20
-            + screws.connection_left_shoulder_yaw_vx * base_wrench[3]
-            + screws.connection_left_shoulder_yaw_vy * base_wrench[4]
-            + screws.connection_left_shoulder_yaw_vz * base_wrench[5])
-        - (reactions.reaction_left_shoulder_yaw_wx * wrench_left_shoulder_mx
-            + reactions.reaction_left_shoulder_yaw_wy * wrench_left_shoulder_my
-            + reactions.reaction_left_shoulder_yaw_wz * wrench_left_shoulder_mz
-            + reactions.reaction_left_shoulder_yaw_vx * wrench_left_shoulder_fx
-            + reactions.reaction_left_shoulder_yaw_vy * wrench_left_shoulder_fy
-            + reactions.reaction_left_shoulder_yaw_vz * wrench_left_shoulder_fz
-            - (screws.connection_left_shoulder_yaw_wx * wrench_outside_left_shoulder_mx
-                + screws.connection_left_shoulder_yaw_wy
-                    * wrench_outside_left_shoulder_my
-                + screws.connection_left_shoulder_yaw_wz
-                    * wrench_outside_left_shoulder_mz
-                + screws.connection_left_shoulder_yaw_vx
-                    * wrench_outside_left_shoulder_fx
-                + screws.connection_left_shoulder_yaw_vy
-                    * wrench_outside_left_shoulder_fy
-                + screws.connection_left_shoulder_yaw_vz
-                    * wrench_outside_left_shoulder_fz));
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1 = 1.0
-        / common_inertia_forward_dynamics.shape_inertia_0_0;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_1_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0 = common_inertia_forward_dynamics
-        .shape_inertia_2_1
-        - common_inertia_forward_dynamics.shape_inertia_2_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3 = common_inertia_forward_dynamics
-        .shape_inertia_3_1
-        - common_inertia_forward_dynamics.shape_inertia_3_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_4_1
-        - common_inertia_forward_dynamics.shape_inertia_4_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_5_1
-        - common_inertia_forward_dynamics.shape_inertia_5_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_6_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-        - common_inertia_forward_dynamics.shape_inertia_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_7_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-        - common_inertia_forward_dynamics.shape_inertia_7_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_8_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-        - common_inertia_forward_dynamics.shape_inertia_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_9_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-        - common_inertia_forward_dynamics.shape_inertia_9_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_10_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-        - common_inertia_forward_dynamics.shape_inertia_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_11_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-        - common_inertia_forward_dynamics.shape_inertia_11_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3 = common_inertia_forward_dynamics
-        .shape_inertia_12_1
-        - common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_2_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_3_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_4_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1 = common_inertia_forward_dynamics
-        .shape_inertia_5_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_6_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_7_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_8_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_9_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_10_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2 = common_inertia_forward_dynamics
-        .shape_inertia_11_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2 = common_inertia_forward_dynamics
-        .shape_inertia_12_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_1_1
-            - common_inertia_forward_dynamics.shape_inertia_1_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0 = common_inertia_forward_dynamics
-        .shape_inertia_3_2
-        - common_inertia_forward_dynamics.shape_inertia_3_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5 = common_inertia_forward_dynamics
-        .shape_inertia_4_2
-        - common_inertia_forward_dynamics.shape_inertia_4_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_5_2
-        - common_inertia_forward_dynamics.shape_inertia_5_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_6_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - common_inertia_forward_dynamics.shape_inertia_6_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_7_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - common_inertia_forward_dynamics.shape_inertia_7_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_8_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - common_inertia_forward_dynamics.shape_inertia_8_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_9_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - common_inertia_forward_dynamics.shape_inertia_9_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_10_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - common_inertia_forward_dynamics.shape_inertia_10_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_11_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - common_inertia_forward_dynamics.shape_inertia_11_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5 = common_inertia_forward_dynamics
-        .shape_inertia_12_2
-        - common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_2_2
-            - common_inertia_forward_dynamics.shape_inertia_2_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0 = common_inertia_forward_dynamics
-        .shape_inertia_4_3
-        - common_inertia_forward_dynamics.shape_inertia_4_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7 = common_inertia_forward_dynamics
-        .shape_inertia_5_3
-        - common_inertia_forward_dynamics.shape_inertia_5_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7 = common_inertia_forward_dynamics
-        .shape_inertia_6_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - common_inertia_forward_dynamics.shape_inertia_6_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7 = common_inertia_forward_dynamics
-        .shape_inertia_7_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - common_inertia_forward_dynamics.shape_inertia_7_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7 = common_inertia_forward_dynamics
-        .shape_inertia_8_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - common_inertia_forward_dynamics.shape_inertia_8_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7 = common_inertia_forward_dynamics
-        .shape_inertia_9_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - common_inertia_forward_dynamics.shape_inertia_9_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7 = common_inertia_forward_dynamics
-        .shape_inertia_10_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - common_inertia_forward_dynamics.shape_inertia_10_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7 = common_inertia_forward_dynamics
-        .shape_inertia_11_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - common_inertia_forward_dynamics.shape_inertia_11_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7 = common_inertia_forward_dynamics
-        .shape_inertia_12_3
-        - common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_3_3
-            - common_inertia_forward_dynamics.shape_inertia_3_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0 = common_inertia_forward_dynamics
-        .shape_inertia_5_4
-        - common_inertia_forward_dynamics.shape_inertia_5_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9 = common_inertia_forward_dynamics
-        .shape_inertia_6_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - common_inertia_forward_dynamics.shape_inertia_6_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9 = common_inertia_forward_dynamics
-        .shape_inertia_7_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - common_inertia_forward_dynamics.shape_inertia_7_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9 = common_inertia_forward_dynamics
-        .shape_inertia_8_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - common_inertia_forward_dynamics.shape_inertia_8_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9 = common_inertia_forward_dynamics
-        .shape_inertia_9_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - common_inertia_forward_dynamics.shape_inertia_9_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9 = common_inertia_forward_dynamics
-        .shape_inertia_10_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - common_inertia_forward_dynamics.shape_inertia_10_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9 = common_inertia_forward_dynamics
-        .shape_inertia_11_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - common_inertia_forward_dynamics.shape_inertia_11_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9 = common_inertia_forward_dynamics
-        .shape_inertia_12_4
-        - common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_4_4
-            - common_inertia_forward_dynamics.shape_inertia_4_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0 = common_inertia_forward_dynamics
-        .shape_inertia_6_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-        - common_inertia_forward_dynamics.shape_inertia_6_5
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11 = common_inertia_forward_dynamics
-        .shape_inertia_7_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-        - common_inertia_forward_dynamics.shape_inertia_7_5
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11 = common_inertia_forward_dynamics
-        .shape_inertia_8_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-        - common_inertia_forward_dynamics.shape_inertia_8_5
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11 = common_inertia_forward_dynamics
-        .shape_inertia_9_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-        - common_inertia_forward_dynamics.shape_inertia_9_5
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11 = common_inertia_forward_dynamics
-        .shape_inertia_10_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-        - common_inertia_forward_dynamics.shape_inertia_10_5
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11 = common_inertia_forward_dynamics
-        .shape_inertia_11_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-        - common_inertia_forward_dynamics.shape_inertia_11_5
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11 = common_inertia_forward_dynamics
-        .shape_inertia_12_5
-        - common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_5_5
-            - common_inertia_forward_dynamics.shape_inertia_5_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_7
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0 = common_inertia_forward_dynamics
-        .shape_inertia_7_6
-        - common_inertia_forward_dynamics.shape_inertia_7_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13 = common_inertia_forward_dynamics
-        .shape_inertia_8_6
-        - common_inertia_forward_dynamics.shape_inertia_8_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13 = common_inertia_forward_dynamics
-        .shape_inertia_9_6
-        - common_inertia_forward_dynamics.shape_inertia_9_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13 = common_inertia_forward_dynamics
-        .shape_inertia_10_6
-        - common_inertia_forward_dynamics.shape_inertia_10_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13 = common_inertia_forward_dynamics
-        .shape_inertia_11_6
-        - common_inertia_forward_dynamics.shape_inertia_11_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13 = common_inertia_forward_dynamics
-        .shape_inertia_12_6
-        + common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_6_6
-            - common_inertia_forward_dynamics.shape_inertia_6_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9_7
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_9
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0 = common_inertia_forward_dynamics
-        .shape_inertia_8_7
-        - common_inertia_forward_dynamics.shape_inertia_8_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15 = common_inertia_forward_dynamics
-        .shape_inertia_9_7
-        - common_inertia_forward_dynamics.shape_inertia_9_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15 = common_inertia_forward_dynamics
-        .shape_inertia_10_7
-        - common_inertia_forward_dynamics.shape_inertia_10_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15 = common_inertia_forward_dynamics
-        .shape_inertia_11_7
-        - common_inertia_forward_dynamics.shape_inertia_11_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15 = common_inertia_forward_dynamics
-        .shape_inertia_12_7
-        + common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_7_7
-            - common_inertia_forward_dynamics.shape_inertia_7_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9_7
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11_9
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_11
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0 = common_inertia_forward_dynamics
-        .shape_inertia_9_8
-        - common_inertia_forward_dynamics.shape_inertia_9_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17 = common_inertia_forward_dynamics
-        .shape_inertia_10_8
-        - common_inertia_forward_dynamics.shape_inertia_10_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17 = common_inertia_forward_dynamics
-        .shape_inertia_11_8
-        - common_inertia_forward_dynamics.shape_inertia_11_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17 = common_inertia_forward_dynamics
-        .shape_inertia_12_8
-        + common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_8_8
-            - common_inertia_forward_dynamics.shape_inertia_8_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9_7
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11_9
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13_11
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_13
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0 = common_inertia_forward_dynamics
-        .shape_inertia_10_9
-        - common_inertia_forward_dynamics.shape_inertia_10_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19 = common_inertia_forward_dynamics
-        .shape_inertia_11_9
-        - common_inertia_forward_dynamics.shape_inertia_11_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19 = common_inertia_forward_dynamics
-        .shape_inertia_12_9
-        + common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_9_9
-            - common_inertia_forward_dynamics.shape_inertia_9_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9_7
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11_9
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13_11
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15_13
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_15
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0 = common_inertia_forward_dynamics
-        .shape_inertia_11_10
-        - common_inertia_forward_dynamics.shape_inertia_11_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21 = common_inertia_forward_dynamics
-        .shape_inertia_12_10
-        + common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_10_10
-            - common_inertia_forward_dynamics.shape_inertia_10_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9_7
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11_9
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13_11
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15_13
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17_15
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_17
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0 = common_inertia_forward_dynamics
-        .shape_inertia_12_11
-        + common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_1 = 1.0
-        / (common_inertia_forward_dynamics.shape_inertia_11_11
-            - common_inertia_forward_dynamics.shape_inertia_11_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5_3
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7_5
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9_7
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11_9
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13_11
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15_13
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17_15
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19_17
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_19
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20
-            - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0
-                * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_1;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18 = common_inertia_forward_dynamics
-        .shape_inertia_12_12
-        - common_inertia_forward_dynamics.shape_inertia_12_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5_3
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7_5
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9_7
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11_9
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13_11
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15_13
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17_15
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19_17
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21_19
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_21
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40 = tau[1]
-        - (screws.connection_left_shoulder_pitch_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_left_shoulder_pitch_wy * xi_dot_0_3_3_24_20
-            + screws.connection_left_shoulder_pitch_wz * xi_dot_0_3_3_20
-            + screws.connection_left_shoulder_pitch_vx * base_wrench[3]
-            + screws.connection_left_shoulder_pitch_vy * base_wrench[4]
-            + screws.connection_left_shoulder_pitch_vz * base_wrench[5])
-        - (reactions.reaction_left_shoulder_pitch_wx * wrench_left_upper_arm_mx
-            + reactions.reaction_left_shoulder_pitch_wy * wrench_left_upper_arm_my
-            + reactions.reaction_left_shoulder_pitch_wz * wrench_left_upper_arm_mz
-            + reactions.reaction_left_shoulder_pitch_vx * wrench_left_upper_arm_fx
-            + reactions.reaction_left_shoulder_pitch_vy * wrench_left_upper_arm_fy
-            + reactions.reaction_left_shoulder_pitch_vz * wrench_left_upper_arm_fz
-            - (screws.connection_left_shoulder_pitch_wx
-                * wrench_outside_left_upper_arm_mx
-                + screws.connection_left_shoulder_pitch_wy
-                    * wrench_outside_left_upper_arm_my
-                + screws.connection_left_shoulder_pitch_wz
-                    * wrench_outside_left_upper_arm_mz
-                + screws.connection_left_shoulder_pitch_vx
-                    * wrench_outside_left_upper_arm_fx
-                + screws.connection_left_shoulder_pitch_vy
-                    * wrench_outside_left_upper_arm_fy
-                + screws.connection_left_shoulder_pitch_vz
-                    * wrench_outside_left_upper_arm_fz))
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42 = tau[2]
-        - (screws.connection_left_elbow_pitch_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_left_elbow_pitch_wy * xi_dot_0_3_3_24_20
-            + screws.connection_left_elbow_pitch_wz * xi_dot_0_3_3_20
-            + screws.connection_left_elbow_pitch_vx * base_wrench[3]
-            + screws.connection_left_elbow_pitch_vy * base_wrench[4]
-            + screws.connection_left_elbow_pitch_vz * base_wrench[5])
-        - (reactions.reaction_left_elbow_pitch_wx * wrench_left_forearm_mx
-            + reactions.reaction_left_elbow_pitch_wy * wrench_left_forearm_my
-            + reactions.reaction_left_elbow_pitch_wz * wrench_left_forearm_mz
-            + reactions.reaction_left_elbow_pitch_vx * wrench_left_forearm_fx
-            + reactions.reaction_left_elbow_pitch_vy * wrench_left_forearm_fy
-            + reactions.reaction_left_elbow_pitch_vz * wrench_left_forearm_fz
-            - (screws.connection_left_elbow_pitch_wx * wrench_outside_left_forearm_mx
-                + screws.connection_left_elbow_pitch_wy * wrench_outside_left_forearm_my
-                + screws.connection_left_elbow_pitch_wz * wrench_outside_left_forearm_mz
-                + screws.connection_left_elbow_pitch_vx * wrench_outside_left_forearm_fx
-                + screws.connection_left_elbow_pitch_vy * wrench_outside_left_forearm_fy
-                + screws.connection_left_elbow_pitch_vz
-                    * wrench_outside_left_forearm_fz))
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44 = tau[3]
-        - (screws.connection_left_wrist_pitch_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_left_wrist_pitch_wy * xi_dot_0_3_3_24_20
-            + screws.connection_left_wrist_pitch_wz * xi_dot_0_3_3_20
-            + screws.connection_left_wrist_pitch_vx * base_wrench[3]
-            + screws.connection_left_wrist_pitch_vy * base_wrench[4]
-            + screws.connection_left_wrist_pitch_vz * base_wrench[5])
-        - (reactions.reaction_left_wrist_pitch_wx * wrench_left_wrist_bracket_mx
-            + reactions.reaction_left_wrist_pitch_wy * wrench_left_wrist_bracket_my
-            + reactions.reaction_left_wrist_pitch_wz * wrench_left_wrist_bracket_mz
-            + reactions.reaction_left_wrist_pitch_vx * wrench_left_wrist_bracket_fx
-            + reactions.reaction_left_wrist_pitch_vy * wrench_left_wrist_bracket_fy
-            + reactions.reaction_left_wrist_pitch_vz * wrench_left_wrist_bracket_fz
-            - (screws.connection_left_wrist_pitch_wx
-                * wrench_outside_left_wrist_bracket_mx
-                + screws.connection_left_wrist_pitch_wy
-                    * wrench_outside_left_wrist_bracket_my
-                + screws.connection_left_wrist_pitch_wz
-                    * wrench_outside_left_wrist_bracket_mz
-                + screws.connection_left_wrist_pitch_vx
-                    * wrench_outside_left_wrist_bracket_fx
-                + screws.connection_left_wrist_pitch_vy
-                    * wrench_outside_left_wrist_bracket_fy
-                + screws.connection_left_wrist_pitch_vz
-                    * wrench_outside_left_wrist_bracket_fz))
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46 = tau[4]
-        - (screws.connection_left_wrist_yaw_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_left_wrist_yaw_wy * xi_dot_0_3_3_24_20
-            + screws.connection_left_wrist_yaw_wz * xi_dot_0_3_3_20
-            + screws.connection_left_wrist_yaw_vx * base_wrench[3]
-            + screws.connection_left_wrist_yaw_vy * base_wrench[4]
-            + screws.connection_left_wrist_yaw_vz * base_wrench[5])
-        - (reactions.reaction_left_wrist_yaw_wx * wrench_left_wrist_cross_mx
-            + reactions.reaction_left_wrist_yaw_wy * wrench_left_wrist_cross_my
-            + reactions.reaction_left_wrist_yaw_wz * wrench_left_wrist_cross_mz
-            + reactions.reaction_left_wrist_yaw_vx * wrench_left_wrist_cross_fx
-            + reactions.reaction_left_wrist_yaw_vy * wrench_left_wrist_cross_fy
-            + reactions.reaction_left_wrist_yaw_vz * wrench_left_wrist_cross_fz
-            - (screws.connection_left_wrist_yaw_wx * wrench_outside_left_wrist_cross_mx
-                + screws.connection_left_wrist_yaw_wy
-                    * wrench_outside_left_wrist_cross_my
-                + screws.connection_left_wrist_yaw_wz
-                    * wrench_outside_left_wrist_cross_mz
-                + screws.connection_left_wrist_yaw_vx
-                    * wrench_outside_left_wrist_cross_fx
-                + screws.connection_left_wrist_yaw_vy
-                    * wrench_outside_left_wrist_cross_fy
-                + screws.connection_left_wrist_yaw_vz
-                    * wrench_outside_left_wrist_cross_fz))
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0 = tau[12]
-        - (screws.connection_finger_1_slide_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_finger_1_slide_wy * xi_dot_0_3_3_24_20
-            + screws.connection_finger_1_slide_wz * xi_dot_0_3_3_20
-            + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_16
-            + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_17
-            + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_18
-            + (screws.connection_finger_2_wx * xi_dot_0_3_3_24_22_20
-                + screws.connection_finger_2_wy * xi_dot_0_3_3_24_20
-                + screws.connection_finger_2_wz * xi_dot_0_3_3_20
-                - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_16
-                - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_17
-                - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0_18))
-        - (reactions.reaction_finger_1_slide_wx * wrench_finger_1_mx
-            + reactions.reaction_finger_1_slide_wy * wrench_finger_1_my
-            + reactions.reaction_finger_1_slide_wz * wrench_finger_1_mz
-            + reactions.reaction_finger_1_slide_vx * wrench_finger_1_fx
-            + reactions.reaction_finger_1_slide_vy * wrench_finger_1_fy
-            + reactions.reaction_finger_1_slide_vz * wrench_finger_1_fz
-            - (screws.connection_finger_1_slide_wx * wrench_outside_finger_1_mx
-                + screws.connection_finger_1_slide_wy * wrench_outside_finger_1_my
-                + screws.connection_finger_1_slide_wz * wrench_outside_finger_1_mz
-                + screws.connection_finger_1_slide_vx * wrench_outside_finger_1_fx
-                + screws.connection_finger_1_slide_vy * wrench_outside_finger_1_fy
-                + screws.connection_finger_1_slide_vz * wrench_outside_finger_1_fz)
-            + (reactions.reaction_finger_2_wx * wrench_finger_2_mx
-                + reactions.reaction_finger_2_wy * wrench_finger_2_my
-                + reactions.reaction_finger_2_wz * wrench_finger_2_mz
-                - reactions.reaction_finger_1_slide_vx * wrench_finger_2_fx
-                - reactions.reaction_finger_1_slide_vy * wrench_finger_2_fy
-                - reactions.reaction_finger_1_slide_vz * wrench_finger_2_fz
-                - (screws.connection_finger_2_wx * wrench_outside_finger_2_mx
-                    + screws.connection_finger_2_wy * wrench_outside_finger_2_my
-                    + screws.connection_finger_2_wz * wrench_outside_finger_2_mz
-                    - screws.connection_finger_1_slide_vx * wrench_outside_finger_2_fx
-                    - screws.connection_finger_1_slide_vy * wrench_outside_finger_2_fy
-                    - screws.connection_finger_1_slide_vz * wrench_outside_finger_2_fz)))
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2 = tau[5]
-        - (screws.connection_left_wrist_roll_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_left_wrist_roll_wy * xi_dot_0_3_3_24_20
-            + screws.connection_left_wrist_roll_wz * xi_dot_0_3_3_20
-            + screws.connection_left_wrist_roll_vx * base_wrench[3]
-            + screws.connection_left_wrist_roll_vy * base_wrench[4]
-            + screws.connection_left_wrist_roll_vz * base_wrench[5])
-        - (reactions.reaction_left_wrist_roll_wx * wrench_left_end_plate_mx
-            + reactions.reaction_left_wrist_roll_wy * wrench_left_end_plate_my
-            + reactions.reaction_left_wrist_roll_wz * wrench_left_end_plate_mz
-            + reactions.reaction_left_wrist_roll_vx * wrench_left_end_plate_fx
-            + reactions.reaction_left_wrist_roll_vy * wrench_left_end_plate_fy
-            + reactions.reaction_left_wrist_roll_vz * wrench_left_end_plate_fz
-            - (screws.connection_left_wrist_roll_wx * wrench_outside_left_end_plate_mx
-                + screws.connection_left_wrist_roll_wy * wrench_outside_left_end_plate_my
-                + screws.connection_left_wrist_roll_wz * wrench_outside_left_end_plate_mz
-                + screws.connection_left_wrist_roll_vx * wrench_outside_left_end_plate_fx
-                + screws.connection_left_wrist_roll_vy * wrench_outside_left_end_plate_fy
-                + screws.connection_left_wrist_roll_vz
-                    * wrench_outside_left_end_plate_fz))
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_0 = tau[6]
-        - (screws.connection_right_shoulder_yaw_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_right_shoulder_yaw_wy * xi_dot_0_3_3_24_20
-            + screws.connection_right_shoulder_yaw_wz * xi_dot_0_3_3_20
-            + screws.connection_right_shoulder_yaw_vx * base_wrench[3]
-            + screws.connection_right_shoulder_yaw_vy * base_wrench[4]
-            + screws.connection_right_shoulder_yaw_vz * base_wrench[5])
-        - (reactions.reaction_right_shoulder_yaw_wx * wrench_right_shoulder_mx
-            + reactions.reaction_right_shoulder_yaw_wy * wrench_right_shoulder_my
-            + reactions.reaction_right_shoulder_yaw_wz * wrench_right_shoulder_mz
-            + reactions.reaction_right_shoulder_yaw_vx * wrench_right_shoulder_fx
-            + reactions.reaction_right_shoulder_yaw_vy * wrench_right_shoulder_fy
-            + reactions.reaction_right_shoulder_yaw_vz * wrench_right_shoulder_fz
-            - (screws.connection_right_shoulder_yaw_wx * wrench_outside_right_shoulder_mx
-                + screws.connection_right_shoulder_yaw_wy
-                    * wrench_outside_right_shoulder_my
-                + screws.connection_right_shoulder_yaw_wz
-                    * wrench_outside_right_shoulder_mz
-                + screws.connection_right_shoulder_yaw_vx
-                    * wrench_outside_right_shoulder_fx
-                + screws.connection_right_shoulder_yaw_vy
-                    * wrench_outside_right_shoulder_fy
-                + screws.connection_right_shoulder_yaw_vz
-                    * wrench_outside_right_shoulder_fz))
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_0 = tau[7]
-        - (screws.connection_right_shoulder_pitch_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_right_shoulder_pitch_wy * xi_dot_0_3_3_24_20
-            + screws.connection_right_shoulder_pitch_wz * xi_dot_0_3_3_20
-            + screws.connection_right_shoulder_pitch_vx * base_wrench[3]
-            + screws.connection_right_shoulder_pitch_vy * base_wrench[4]
-            + screws.connection_right_shoulder_pitch_vz * base_wrench[5])
-        - (reactions.reaction_right_shoulder_pitch_wx * wrench_right_upper_arm_mx
-            + reactions.reaction_right_shoulder_pitch_wy * wrench_right_upper_arm_my
-            + reactions.reaction_right_shoulder_pitch_wz * wrench_right_upper_arm_mz
-            + reactions.reaction_right_shoulder_pitch_vx * wrench_right_upper_arm_fx
-            + reactions.reaction_right_shoulder_pitch_vy * wrench_right_upper_arm_fy
-            + reactions.reaction_right_shoulder_pitch_vz * wrench_right_upper_arm_fz
-            - (screws.connection_right_shoulder_pitch_wx
-                * wrench_outside_right_upper_arm_mx
-                + screws.connection_right_shoulder_pitch_wy
-                    * wrench_outside_right_upper_arm_my
-                + screws.connection_right_shoulder_pitch_wz
-                    * wrench_outside_right_upper_arm_mz
-                + screws.connection_right_shoulder_pitch_vx
-                    * wrench_outside_right_upper_arm_fx
-                + screws.connection_right_shoulder_pitch_vy
-                    * wrench_outside_right_upper_arm_fy
-                + screws.connection_right_shoulder_pitch_vz
-                    * wrench_outside_right_upper_arm_fz))
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_0 = tau[8]
-        - (screws.connection_right_elbow_pitch_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_right_elbow_pitch_wy * xi_dot_0_3_3_24_20
-            + screws.connection_right_elbow_pitch_wz * xi_dot_0_3_3_20
-            + screws.connection_right_elbow_pitch_vx * base_wrench[3]
-            + screws.connection_right_elbow_pitch_vy * base_wrench[4]
-            + screws.connection_right_elbow_pitch_vz * base_wrench[5])
-        - (reactions.reaction_right_elbow_pitch_wx * wrench_right_forearm_mx
-            + reactions.reaction_right_elbow_pitch_wy * wrench_right_forearm_my
-            + reactions.reaction_right_elbow_pitch_wz * wrench_right_forearm_mz
-            + reactions.reaction_right_elbow_pitch_vx * wrench_right_forearm_fx
-            + reactions.reaction_right_elbow_pitch_vy * wrench_right_forearm_fy
-            + reactions.reaction_right_elbow_pitch_vz * wrench_right_forearm_fz
-            - (screws.connection_right_elbow_pitch_wx * wrench_outside_right_forearm_mx
-                + screws.connection_right_elbow_pitch_wy
-                    * wrench_outside_right_forearm_my
-                + screws.connection_right_elbow_pitch_wz
-                    * wrench_outside_right_forearm_mz
-                + screws.connection_right_elbow_pitch_vx
-                    * wrench_outside_right_forearm_fx
-                + screws.connection_right_elbow_pitch_vy
-                    * wrench_outside_right_forearm_fy
-                + screws.connection_right_elbow_pitch_vz
-                    * wrench_outside_right_forearm_fz))
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_0 = tau[9]
-        - (screws.connection_right_wrist_pitch_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_right_wrist_pitch_wy * xi_dot_0_3_3_24_20
-            + screws.connection_right_wrist_pitch_wz * xi_dot_0_3_3_20
-            + screws.connection_right_wrist_pitch_vx * base_wrench[3]
-            + screws.connection_right_wrist_pitch_vy * base_wrench[4]
-            + screws.connection_right_wrist_pitch_vz * base_wrench[5])
-        - (reactions.reaction_right_wrist_pitch_wx * wrench_right_wrist_bracket_mx
-            + reactions.reaction_right_wrist_pitch_wy * wrench_right_wrist_bracket_my
-            + reactions.reaction_right_wrist_pitch_wz * wrench_right_wrist_bracket_mz
-            + reactions.reaction_right_wrist_pitch_vx * wrench_right_wrist_bracket_fx
-            + reactions.reaction_right_wrist_pitch_vy * wrench_right_wrist_bracket_fy
-            + reactions.reaction_right_wrist_pitch_vz * wrench_right_wrist_bracket_fz
-            - (screws.connection_right_wrist_pitch_wx
-                * wrench_outside_right_wrist_bracket_mx
-                + screws.connection_right_wrist_pitch_wy
-                    * wrench_outside_right_wrist_bracket_my
-                + screws.connection_right_wrist_pitch_wz
-                    * wrench_outside_right_wrist_bracket_mz
-                + screws.connection_right_wrist_pitch_vx
-                    * wrench_outside_right_wrist_bracket_fx
-                + screws.connection_right_wrist_pitch_vy
-                    * wrench_outside_right_wrist_bracket_fy
-                + screws.connection_right_wrist_pitch_vz
-                    * wrench_outside_right_wrist_bracket_fz))
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_0 = tau[10]
-        - (screws.connection_right_wrist_yaw_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_right_wrist_yaw_wy * xi_dot_0_3_3_24_20
-            + screws.connection_right_wrist_yaw_wz * xi_dot_0_3_3_20
-            + screws.connection_right_wrist_yaw_vx * base_wrench[3]
-            + screws.connection_right_wrist_yaw_vy * base_wrench[4]
-            + screws.connection_right_wrist_yaw_vz * base_wrench[5])
-        - (reactions.reaction_right_wrist_yaw_wx * wrench_right_wrist_cross_mx
-            + reactions.reaction_right_wrist_yaw_wy * wrench_right_wrist_cross_my
-            + reactions.reaction_right_wrist_yaw_wz * wrench_right_wrist_cross_mz
-            + reactions.reaction_right_wrist_yaw_vx * wrench_right_wrist_cross_fx
-            + reactions.reaction_right_wrist_yaw_vy * wrench_right_wrist_cross_fy
-            + reactions.reaction_right_wrist_yaw_vz * wrench_right_wrist_cross_fz
-            - (screws.connection_right_wrist_yaw_wx * wrench_outside_right_wrist_cross_mx
-                + screws.connection_right_wrist_yaw_wy
-                    * wrench_outside_right_wrist_cross_my
-                + screws.connection_right_wrist_yaw_wz
-                    * wrench_outside_right_wrist_cross_mz
-                + screws.connection_right_wrist_yaw_vx
-                    * wrench_outside_right_wrist_cross_fx
-                + screws.connection_right_wrist_yaw_vy
-                    * wrench_outside_right_wrist_cross_fy
-                + screws.connection_right_wrist_yaw_vz
-                    * wrench_outside_right_wrist_cross_fz))
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_0 = tau[11]
-        - (screws.connection_right_wrist_roll_wx * xi_dot_0_3_3_24_22_20
-            + screws.connection_right_wrist_roll_wy * xi_dot_0_3_3_24_20
-            + screws.connection_right_wrist_roll_wz * xi_dot_0_3_3_20
-            + screws.connection_right_wrist_roll_vx * base_wrench[3]
-            + screws.connection_right_wrist_roll_vy * base_wrench[4]
-            + screws.connection_right_wrist_roll_vz * base_wrench[5])
-        - (reactions.reaction_right_wrist_roll_wx * wrench_right_end_plate_mx
-            + reactions.reaction_right_wrist_roll_wy * wrench_right_end_plate_my
-            + reactions.reaction_right_wrist_roll_wz * wrench_right_end_plate_mz
-            + reactions.reaction_right_wrist_roll_vx * wrench_right_end_plate_fx
-            + reactions.reaction_right_wrist_roll_vy * wrench_right_end_plate_fy
-            + reactions.reaction_right_wrist_roll_vz * wrench_right_end_plate_fz
-            - (screws.connection_right_wrist_roll_wx * wrench_outside_right_end_plate_mx
-                + screws.connection_right_wrist_roll_wy
-                    * wrench_outside_right_end_plate_my
-                + screws.connection_right_wrist_roll_wz
-                    * wrench_outside_right_end_plate_mz
-                + screws.connection_right_wrist_roll_vx
-                    * wrench_outside_right_end_plate_fx
-                + screws.connection_right_wrist_roll_vy
-                    * wrench_outside_right_end_plate_fy
-                + screws.connection_right_wrist_roll_vz
-                    * wrench_outside_right_end_plate_fz))
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_0
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_0
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_0
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_0
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_0
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_0
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3 = (xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_0
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20
-            * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16)
-        * (1.0 / xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18);
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_22 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_20 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_20 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_18 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_18 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_18 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_16
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_16 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_16 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_16 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14
-            * xi_dot_6_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_14
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_14
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_14 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_14 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_14 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12
-            * xi_dot_6_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_12
-            * xi_dot_6_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_12
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_12 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_12 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_12 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10
-            * xi_dot_6_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_10
-            * xi_dot_6_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_10
-            * xi_dot_6_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_10
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_10 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_10 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_10 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8
-            * xi_dot_6_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_8
-            * xi_dot_6_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_8
-            * xi_dot_6_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_8
-            * xi_dot_6_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_8
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_8 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_8 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_8 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6
-            * xi_dot_6_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_6
-            * xi_dot_6_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_6
-            * xi_dot_6_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_6
-            * xi_dot_6_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_6
-            * xi_dot_6_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_6
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_6 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_6 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_6 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6_3 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4
-            * xi_dot_6_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_4
-            * xi_dot_6_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_4
-            * xi_dot_6_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_4
-            * xi_dot_6_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_4
-            * xi_dot_6_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_4
-            * xi_dot_6_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_4
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_4 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_4 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_4 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    let xi_dot_6 = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_16_12_10_8_6_4_2_46_44_42_40_38
-        * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2_1
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_4_0_2
-            * xi_dot_6_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_6_0_2
-            * xi_dot_6_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_8_0_2
-            * xi_dot_6_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_10_0_2
-            * xi_dot_6_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_12_0_1
-            * xi_dot_6_3_3_3_3_3
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_14_0_2
-            * xi_dot_6_3_3_3_3_3_3
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_16_0_2
-            * xi_dot_6_3_3_3_3_3_3_3
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_18_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_20_0_2
-            * xi_dot_6_3_3_3_3_3_3_3_3_3
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_22_0_2 * xi_dot_6_3_3_3_3_3_3_3_3_3_3
-        + xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_24_0_2 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3
-        - xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3_18_2 * xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3;
-    xi_dot[6] = xi_dot_6 + 0.0;
-    xi_dot[7] = xi_dot_6_3 + 0.0;
-    xi_dot[8] = xi_dot_6_3_3 + 0.0;
-    xi_dot[9] = xi_dot_6_3_3_3 + 0.0;
-    xi_dot[10] = xi_dot_6_3_3_3_3 + 0.0;
-    xi_dot[11] = xi_dot_6_3_3_3_3_3 + 0.0;
-    xi_dot[12] = xi_dot_6_3_3_3_3_3_3 + 0.0;
-    xi_dot[13] = xi_dot_6_3_3_3_3_3_3_3 + 0.0;
-    xi_dot[14] = xi_dot_6_3_3_3_3_3_3_3_3 + 0.0;
-    xi_dot[15] = xi_dot_6_3_3_3_3_3_3_3_3_3 + 0.0;
-    xi_dot[16] = xi_dot_6_3_3_3_3_3_3_3_3_3_3 + 0.0;
-    xi_dot[17] = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3 + 0.0;
-    xi_dot[18] = xi_dot_6_3_3_3_3_3_3_3_3_3_3_3_3 + 0.0;
+    forward_dynamics_itself(
+        mu,
+        qd,
+        gravity,
+        base_wrench,
+        tau,
+        &poses,
+        &inertias,
+        &screws,
+        &reactions,
+        &velocities,
+        &common_d_mu_and_7_more,
+        &common_inertia_forward_dynamics,
+        &common_forward_dynamics_inverse_dynamics,
+        xi_dot,
+    );
+}
+/// V₁ = μ − A_l q̇ and ξ̇ at once: the rates of the pose, ġ₁ = g₁ V₁^, and of ξ.
+///
+/// - `q`: shape (13; rad, m)
+/// - `qd`: shape velocity (13; rad/s, m/s)
+/// - `mu`: locked velocity, base frame (6; rad/s, m/s)
+/// - `gravity`: acceleration of free fall, base axes (3; m/s²)
+/// - `base_wrench`: wrench on the base, base frame (6; N·m, N)
+/// - `tau`: joint torques (13; N·m, N)
+/// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
+/// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (19; rad/s², m/s²)
+///
+/// 10036 operations: 4964 + −, 5056 ×, 16 ÷; 12 sin cos; about 118.1 KiB of code.
+pub fn state_rate(
+    q: &[f64; 13],
+    qd: &[f64; 13],
+    mu: &[f64; 6],
+    gravity: &[f64; 3],
+    base_wrench: &[f64; 6],
+    tau: &[f64; 13],
+    base_twist: &mut [f64; 6],
+    xi_dot: &mut [f64; 19],
+) {
+    let poses = poses(q);
+    let inertias = inertias(&poses);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
+    let outside = outside(&poses, &inertias, &complements, &screws);
+    let reactions = reactions(&inertias, &outside);
+    let velocities = velocities(qd, &poses, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
+    let common_inertia_forward_dynamics = common_inertia_forward_dynamics(
+        &screws,
+        &outside,
+    );
+    let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
+        mu,
+        qd,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+    );
+    base_twist_itself(mu, &poses, &velocities, base_twist);
+    forward_dynamics_itself(
+        mu,
+        qd,
+        gravity,
+        base_wrench,
+        tau,
+        &poses,
+        &inertias,
+        &screws,
+        &reactions,
+        &velocities,
+        &common_d_mu_and_7_more,
+        &common_inertia_forward_dynamics,
+        &common_forward_dynamics_inverse_dynamics,
+        xi_dot,
+    );
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
 ///

@@ -36,7 +36,7 @@ impl FloatingBase<f64> for LwrSatellite {
             Quantity::DMuXi | Quantity::DQdotXi | Quantity::HamelBias |
             Quantity::Curvature | Quantity::Momentum | Quantity::VelocityOfMomentum |
             Quantity::BaseTwist | Quantity::KineticEnergy | Quantity::ForwardDynamics |
-            Quantity::InverseDynamics | Quantity::Kinematics(7)
+            Quantity::StateRate | Quantity::InverseDynamics | Quantity::Kinematics(7)
         )
     }
     fn answer(
@@ -146,6 +146,30 @@ impl FloatingBase<f64> for LwrSatellite {
                     array(gravity),
                     array(base_wrench),
                     array(tau),
+                    array_mut(xi_dot),
+                )
+            }
+            (
+                Quantity::StateRate,
+                [q,
+                qd,
+                mu,
+                gravity,
+                base_wrench,
+                tau,
+                ],
+                [base_twist,
+                xi_dot,
+                ],
+            ) => {
+                self::state_rate(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    array(gravity),
+                    array(base_wrench),
+                    array(tau),
+                    array_mut(base_twist),
                     array_mut(xi_dot),
                 )
             }
@@ -10078,6 +10102,1533 @@ mod d_qdot_itself {
             + three_joint_7_z * screws.connection_joint_7_wz + 0.0;
     }
 }
+/// What only `base_twist` computes.
+#[inline(never)]
+fn base_twist_itself(
+    mu: &[f64; 6],
+    poses: &Poses,
+    velocities: &Velocities,
+    base_twist: &mut [f64; 6],
+) {
+    // V₁
+    base_twist[0] = mu[0] - velocities.minus_velocity_base_wx + 0.0;
+    base_twist[1] = mu[1] - velocities.minus_velocity_base_wy + 0.0;
+    base_twist[2] = mu[2] - velocities.minus_velocity_base_wz + 0.0;
+    base_twist[3] = mu[3]
+        + (velocities.velocity_base_vx
+            + (velocities.minus_velocity_base_wy * poses.com_z
+                - velocities.minus_velocity_base_wz * poses.com_y)) + 0.0;
+    base_twist[4] = mu[4]
+        + (velocities.minus_velocity_base_wz * poses.com_x
+            - velocities.minus_velocity_base_wx * poses.com_z
+            - velocities.minus_velocity_base_vy) + 0.0;
+    base_twist[5] = mu[5]
+        + (velocities.minus_velocity_base_wx * poses.com_y
+            - velocities.minus_velocity_base_wy * poses.com_x
+            - velocities.minus_velocity_base_vz) + 0.0;
+}
+/// What only `forward_dynamics` computes.
+#[inline(never)]
+fn forward_dynamics_itself(
+    mu: &[f64; 6],
+    qd: &[f64; 7],
+    gravity: &[f64; 3],
+    base_wrench: &[f64; 6],
+    tau: &[f64; 7],
+    poses: &Poses,
+    inertias: &Inertias,
+    screws: &Screws,
+    velocities: &Velocities,
+    common_d_mu_and_7_more: &CommonDMuAnd7More,
+    common_forward_dynamics_inverse_dynamics: &CommonForwardDynamicsInverseDynamics,
+    xi_dot: &mut [f64; 13],
+) {
+    let xi_dot_0_3_3_4_0_2 = inertias.composite_base_xx * mu[0]
+        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
+    let xi_dot_0_3_3_4_3_0_0 = inertias.composite_base_xy * mu[0]
+        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
+    let xi_dot_0_3_3_4_3_0_2 = inertias.composite_base_xz * mu[0]
+        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
+    let xi_dot_0_3_3_4_3_0_9 = inertias.composite_link_1_xy
+        + inertias.composite_link_1_xy;
+    let xi_dot_0_3_3_4_0_11_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
+    let xi_dot_0_3_3_4_3_0_8_1 = inertias.composite_link_1_hy
+        * poses.minus_origin_base_x;
+    let xi_dot_0_3_3_4_3_0_8 = xi_dot_0_3_3_4_3_0_8_1 + xi_dot_0_3_3_4_3_0_8_1;
+    let xi_dot_0_3_3_4_0_11 = xi_dot_0_3_3_4_0_11_1 + xi_dot_0_3_3_4_0_11_1;
+    let xi_dot_0_3_3_4_0_6_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
+    let xi_dot_0_3_3_4_3_0_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
+    let xi_dot_0_3_3_4_3_0_4_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
+    let xi_dot_0_3_3_4_0_6 = xi_dot_0_3_3_4_0_6_0 * 17.5;
+    let xi_dot_0_3_3_4_3_0_6 = xi_dot_0_3_3_4_3_0_6_0 * 17.5;
+    let xi_dot_0_3_3_4_3_0_4 = xi_dot_0_3_3_4_3_0_4_0 * 17.5;
+    let xi_dot_0_3_3_4_3_0_24 = (inertias.composite_link_1_xx
+        - inertias.composite_link_1_yy
+        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
+        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * qd[6];
+    let xi_dot_0_3_3_4_3_0_26 = common_d_mu_and_7_more.three_joint_2_x_1_0 * qd[1]
+        - screws.inside_joint_1_my * qd[0]
+        + common_d_mu_and_7_more.three_joint_3_x_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_x_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_x_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_x_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_x_1_0 * qd[6];
+    let xi_dot_0_3_3_4_0_26 = screws.inside_joint_1_mx * qd[0]
+        + common_d_mu_and_7_more.three_joint_2_y_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_joint_3_y_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_joint_4_y_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_joint_5_y_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_joint_6_y_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_joint_7_y_1_0 * qd[6];
+    let xi_dot_0_3_3_4_0_30 = velocities.velocity_base_vx * 17.5;
+    let xi_dot_0_3_3_4_3_0_28 = velocities.minus_velocity_base_vy * 17.5;
+    let xi_dot_0_3_3_4_3_0_30 = velocities.minus_velocity_base_vz * 17.5;
+    let xi_dot_0_3_3_4_0_1 = mu[0] - velocities.minus_velocity_base_wx;
+    let xi_dot_0_3_3_4_3_0_3 = mu[1] - velocities.minus_velocity_base_wy;
+    let xi_dot_0_3_3_4_3_0_1 = mu[2] - velocities.minus_velocity_base_wz;
+    let wrench_base_mx_4 = base_wrench[0]
+        + (base_wrench[4] * poses.com_z - base_wrench[5] * poses.com_y);
+    let wrench_base_my_4 = base_wrench[1]
+        + (base_wrench[5] * poses.com_x - base_wrench[3] * poses.com_z);
+    let wrench_base_mz_4 = base_wrench[2]
+        + (base_wrench[3] * poses.com_y - base_wrench[4] * poses.com_x);
+    let xi_dot_0_3_3_4_3_0 = xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_3_0_1
+        - xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_3_0_3
+        + (xi_dot_0_3_3_4_3_0_4 * velocities.minus_velocity_base_vy
+            - xi_dot_0_3_3_4_3_0_6 * velocities.minus_velocity_base_vz)
+        - (((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_3_0_9) * qd[0]
+            + common_d_mu_and_7_more.three_joint_2_x_0_0_0 * qd[1]
+            + common_d_mu_and_7_more.three_joint_3_x_0_0_0 * qd[2]
+            + common_d_mu_and_7_more.three_joint_4_x_0_0_0 * qd[3]
+            + common_d_mu_and_7_more.three_joint_5_x_0_0_0 * qd[4]
+            + common_d_mu_and_7_more.three_joint_6_x_0_0_0 * qd[5]
+            + common_d_mu_and_7_more.three_joint_7_x_0_0_0 * qd[6]) * mu[0]
+            + xi_dot_0_3_3_4_3_0_24 * mu[1] + xi_dot_0_3_3_4_3_0_26 * mu[2]
+            + (xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_3_0_4_0
+                - xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_3_0_6_0));
+    let xi_dot_0_3_3_4_0 = xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_0_1
+        - xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_1
+        + (xi_dot_0_3_3_4_3_0_4 * velocities.velocity_base_vx
+            + xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vz)
+        - (xi_dot_0_3_3_4_3_0_24 * mu[0]
+            + ((xi_dot_0_3_3_4_3_0_9 - xi_dot_0_3_3_4_0_11) * qd[0]
+                + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * qd[1]
+                + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * qd[2]
+                + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * qd[3]
+                + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * qd[4]
+                + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * qd[5]
+                + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * qd[6]) * mu[1]
+            + xi_dot_0_3_3_4_0_26 * mu[2]
+            + (xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_0_6_0
+                + xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_4_0));
+    let xi_dot_0_3_3_4_3 = xi_dot_0_3_3_4_3_0 + wrench_base_mx_4;
+    let xi_dot_0_3_3_0 = xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_3
+        - xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_0_1
+        - (xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vy
+            + xi_dot_0_3_3_4_3_0_6 * velocities.velocity_base_vx)
+        - (xi_dot_0_3_3_4_3_0_26 * mu[0] + xi_dot_0_3_3_4_0_26 * mu[1]
+            + ((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_0_11) * qd[0]
+                + common_d_mu_and_7_more.three_joint_2_z_1_0 * qd[1]
+                + common_d_mu_and_7_more.three_joint_3_z_1_0 * qd[2]
+                - common_d_mu_and_7_more.three_joint_4_z_1_0 * qd[3]
+                + common_d_mu_and_7_more.three_joint_5_z_1_0 * qd[4]
+                + common_d_mu_and_7_more.three_joint_6_z_1_0 * qd[5]
+                + common_d_mu_and_7_more.three_joint_7_z_1_0 * qd[6]) * mu[2]
+            - (xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_6_0
+                + xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_0_6_0)) + wrench_base_mz_4;
+    let xi_dot_0_3_3_4 = xi_dot_0_3_3_4_0 + wrench_base_my_4
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_4_3;
+    let xi_dot_0_3_3 = (xi_dot_0_3_3_0
+        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_4_3
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_4)
+        * inertias.locked_inverse_pivot_z;
+    let xi_dot_0_3 = xi_dot_0_3_3_4 * inertias.locked_inverse_pivot_y
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
+    let xi_dot_0 = xi_dot_0_3_3_4_3 * inertias.locked_inverse_pivot_x
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
+        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
+    // ξ\u{307} = [μ\u{307}; q\u{308}]
+    xi_dot[0] = xi_dot_0 + 0.0;
+    xi_dot[1] = xi_dot_0_3 + 0.0;
+    xi_dot[2] = xi_dot_0_3_3 + 0.0;
+    xi_dot[3] = (xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_3_0_1
+        - xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_3_0_3
+        - (mu[1] * xi_dot_0_3_3_4_3_0_30 - mu[2] * xi_dot_0_3_3_4_3_0_28)
+        + base_wrench[3]) * 0.05714285714285714
+        + (xi_dot_0_3_3 * poses.com_y - xi_dot_0_3 * poses.com_z) + gravity[0] + 0.0;
+    xi_dot[4] = (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_1
+        - xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_1
+        + (mu[2] * xi_dot_0_3_3_4_0_30 + mu[0] * xi_dot_0_3_3_4_3_0_30) + base_wrench[4])
+        * 0.05714285714285714 + (xi_dot_0 * poses.com_z - xi_dot_0_3_3 * poses.com_x)
+        + gravity[1] + 0.0;
+    xi_dot[5] = (xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_3
+        - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_1
+        - (mu[0] * xi_dot_0_3_3_4_3_0_28 + mu[1] * xi_dot_0_3_3_4_0_30) + base_wrench[5])
+        * 0.05714285714285714 + (xi_dot_0_3 * poses.com_x - xi_dot_0 * poses.com_y)
+        + gravity[2] + 0.0;
+    let wrench_link_2_mx_1 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_1;
+    let wrench_link_2_mx_3 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1;
+    let wrench_link_2_my_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_0_1;
+    let wrench_link_2_mx_9 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1;
+    let wrench_link_2_mx_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_0_1;
+    let wrench_link_3_mx_1 = wrench_link_2_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1;
+    let wrench_link_3_mx_3 = wrench_link_2_mx_3
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1;
+    let wrench_link_3_mx_5 = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_0_1_1_0_0_0_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1;
+    let wrench_link_3_my_7 = wrench_link_2_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_1;
+    let wrench_link_3_mx_9 = wrench_link_2_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_1;
+    let wrench_link_3_mx_7 = wrench_link_2_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_1;
+    let wrench_link_4_mx_1 = wrench_link_3_mx_1
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_1;
+    let wrench_link_4_mx_3 = wrench_link_3_mx_3
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_1;
+    let wrench_link_4_mx_5 = wrench_link_3_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_1;
+    let wrench_link_4_my_7 = wrench_link_3_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_1;
+    let wrench_link_4_mx_9 = wrench_link_3_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_1;
+    let wrench_link_4_mx_7 = wrench_link_3_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_1;
+    let wrench_link_5_mx_1 = wrench_link_4_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_1;
+    let wrench_link_5_mx_3 = wrench_link_4_mx_3
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_1;
+    let wrench_link_5_mx_5 = wrench_link_4_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_1;
+    let wrench_link_5_my_7 = wrench_link_4_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_1;
+    let wrench_link_5_mx_9 = wrench_link_4_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_1;
+    let wrench_link_5_mx_7 = wrench_link_4_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_1;
+    let wrench_link_6_mx_1 = wrench_link_5_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_1;
+    let wrench_link_6_mx_3 = wrench_link_5_mx_3
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_1;
+    let wrench_link_6_mx_5 = wrench_link_5_mx_5
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_1;
+    let wrench_link_6_my_7 = wrench_link_5_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_1;
+    let wrench_link_6_mx_9 = wrench_link_5_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_1;
+    let wrench_link_6_mx_7 = wrench_link_5_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_1;
+    let wrench_link_7_mx_1 = wrench_link_6_mx_1
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_1;
+    let wrench_link_7_mx_3 = wrench_link_6_mx_3
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_1;
+    let wrench_link_7_mx_5 = wrench_link_6_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_1;
+    let wrench_link_7_my_7 = wrench_link_6_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_1;
+    let wrench_link_7_mx_9 = wrench_link_6_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_1;
+    let wrench_link_7_mx_7 = wrench_link_6_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_1;
+    let wrench_link_7_mx = inertias.inertia_link_7_xx * wrench_link_7_mx_1
+        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_3
+        + inertias.inertia_link_7_xz * wrench_link_7_mx_5
+        - (inertias.minus_inertia_link_7_hy * wrench_link_7_mx_7
+            + inertias.inertia_link_7_hz * wrench_link_7_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_1;
+    let wrench_link_7_my = inertias.inertia_link_7_yy * wrench_link_7_mx_3
+        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_1
+        + inertias.inertia_link_7_yz * wrench_link_7_mx_5
+        + (inertias.inertia_link_7_hz * wrench_link_7_my_7
+            + inertias.minus_inertia_link_7_hx * wrench_link_7_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_my_1;
+    let wrench_link_7_mz = inertias.inertia_link_7_xz * wrench_link_7_mx_1
+        + inertias.inertia_link_7_yz * wrench_link_7_mx_3
+        + inertias.inertia_link_7_zz * wrench_link_7_mx_5
+        + (inertias.minus_inertia_link_7_hy * wrench_link_7_my_7
+            - inertias.minus_inertia_link_7_hx * wrench_link_7_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mz_1;
+    let wrench_link_7_fx = wrench_link_7_my_7 * 2.0
+        + (wrench_link_7_mx_3 * inertias.inertia_link_7_hz
+            + wrench_link_7_mx_5 * inertias.minus_inertia_link_7_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fx_1;
+    let wrench_link_7_fy = wrench_link_7_mx_9 * 2.0
+        - (wrench_link_7_mx_5 * inertias.minus_inertia_link_7_hx
+            + wrench_link_7_mx_1 * inertias.inertia_link_7_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fy_1;
+    let wrench_link_7_fz = wrench_link_7_mx_7 * 2.0
+        + (wrench_link_7_mx_3 * inertias.minus_inertia_link_7_hx
+            - wrench_link_7_mx_1 * inertias.minus_inertia_link_7_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fz_1;
+    let inverse_pivot_joint_7_d = 1.0
+        / (poses.rotation_link_6_zy * screws.inside_joint_7_mz
+            - (poses.minus_rotation_link_6_xy * screws.inside_joint_7_mx
+                + poses.minus_rotation_link_6_yy * screws.inside_joint_7_my)
+            + screws.screw_joint_7_vx * screws.inside_joint_7_fx
+            + screws.screw_joint_7_vy * screws.inside_joint_7_fy
+            + screws.screw_joint_7_vz * screws.inside_joint_7_fz);
+    let wrench_link_6_mx_13_0 = tau[6]
+        - (poses.rotation_link_6_zy * wrench_link_7_mz
+            - (poses.minus_rotation_link_6_xy * wrench_link_7_mx
+                + poses.minus_rotation_link_6_yy * wrench_link_7_my)
+            + screws.screw_joint_7_vx * wrench_link_7_fx
+            + screws.screw_joint_7_vy * wrench_link_7_fy
+            + screws.screw_joint_7_vz * wrench_link_7_fz);
+    let wrench_link_6_mx_13 = wrench_link_6_mx_13_0 * inverse_pivot_joint_7_d;
+    let wrench_link_6_mx = inertias.inertia_link_6_xx * wrench_link_6_mx_1
+        - inertias.minus_inertia_link_6_xy * wrench_link_6_mx_3
+        + inertias.inertia_link_6_xz * wrench_link_6_mx_5
+        - (inertias.minus_inertia_link_6_hy * wrench_link_6_mx_7
+            + inertias.inertia_link_6_hz * wrench_link_6_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_1
+        + (wrench_link_7_mx + screws.inside_joint_7_mx * wrench_link_6_mx_13);
+    let wrench_link_6_my = inertias.inertia_link_6_yy * wrench_link_6_mx_3
+        - inertias.minus_inertia_link_6_xy * wrench_link_6_mx_1
+        + inertias.inertia_link_6_yz * wrench_link_6_mx_5
+        + (inertias.inertia_link_6_hz * wrench_link_6_my_7
+            + inertias.minus_inertia_link_6_hx * wrench_link_6_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_1
+        + (wrench_link_7_my + screws.inside_joint_7_my * wrench_link_6_mx_13);
+    let wrench_link_6_mz = inertias.inertia_link_6_xz * wrench_link_6_mx_1
+        + inertias.inertia_link_6_yz * wrench_link_6_mx_3
+        + inertias.inertia_link_6_zz * wrench_link_6_mx_5
+        + (inertias.minus_inertia_link_6_hy * wrench_link_6_my_7
+            - inertias.minus_inertia_link_6_hx * wrench_link_6_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mz_0_1
+        + (wrench_link_7_mz + screws.inside_joint_7_mz * wrench_link_6_mx_13);
+    let wrench_link_6_fx = wrench_link_6_my_7 * 2.0
+        + (wrench_link_6_mx_3 * inertias.inertia_link_6_hz
+            + wrench_link_6_mx_5 * inertias.minus_inertia_link_6_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fx_0_1
+        + (wrench_link_7_fx + screws.inside_joint_7_fx * wrench_link_6_mx_13);
+    let wrench_link_6_fy = wrench_link_6_mx_9 * 2.0
+        - (wrench_link_6_mx_5 * inertias.minus_inertia_link_6_hx
+            + wrench_link_6_mx_1 * inertias.inertia_link_6_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fy_0_1
+        + (wrench_link_7_fy + screws.inside_joint_7_fy * wrench_link_6_mx_13);
+    let wrench_link_6_fz = wrench_link_6_mx_7 * 2.0
+        + (wrench_link_6_mx_3 * inertias.minus_inertia_link_6_hx
+            - wrench_link_6_mx_1 * inertias.minus_inertia_link_6_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fz_0_1
+        + (wrench_link_7_fz + screws.inside_joint_7_fz * wrench_link_6_mx_13);
+    let minus_articulated_link_6_hxx_0 = screws.inside_joint_7_mx
+        * inverse_pivot_joint_7_d;
+    let minus_articulated_link_6_hyy_0 = screws.inside_joint_7_my
+        * inverse_pivot_joint_7_d;
+    let minus_articulated_link_6_hzz_0 = screws.inside_joint_7_mz
+        * inverse_pivot_joint_7_d;
+    let minus_articulated_link_6_mxy_0 = screws.inside_joint_7_fx
+        * inverse_pivot_joint_7_d;
+    let minus_articulated_link_6_myz_0 = screws.inside_joint_7_fy
+        * inverse_pivot_joint_7_d;
+    let minus_articulated_link_6_hxx = minus_articulated_link_6_hxx_0
+        * screws.inside_joint_7_fx;
+    let minus_articulated_link_6_hyy = minus_articulated_link_6_hyy_0
+        * screws.inside_joint_7_fy;
+    let minus_articulated_link_6_hzz = minus_articulated_link_6_hzz_0
+        * screws.inside_joint_7_fz;
+    let minus_articulated_link_6_mxy = minus_articulated_link_6_mxy_0
+        * screws.inside_joint_7_fy;
+    let minus_articulated_link_6_mxz = minus_articulated_link_6_mxy_0
+        * screws.inside_joint_7_fz;
+    let minus_articulated_link_6_myz = minus_articulated_link_6_myz_0
+        * screws.inside_joint_7_fz;
+    let articulated_link_6_jxx = inertias.inertia_link_6_xx
+        + (inertias.inertia_link_7_xx
+            - minus_articulated_link_6_hxx_0 * screws.inside_joint_7_mx);
+    let minus_articulated_link_6_jxy = inertias.minus_inertia_link_6_xy
+        + (inertias.minus_inertia_link_7_xy
+            + minus_articulated_link_6_hxx_0 * screws.inside_joint_7_my);
+    let articulated_link_6_jxz = inertias.inertia_link_6_xz
+        + (inertias.inertia_link_7_xz
+            - minus_articulated_link_6_hxx_0 * screws.inside_joint_7_mz);
+    let articulated_link_6_jyy = inertias.inertia_link_6_yy
+        + (inertias.inertia_link_7_yy
+            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_my);
+    let articulated_link_6_jyz = inertias.inertia_link_6_yz
+        + (inertias.inertia_link_7_yz
+            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_mz);
+    let articulated_link_6_jzz = inertias.inertia_link_6_zz
+        + (inertias.inertia_link_7_zz
+            - minus_articulated_link_6_hzz_0 * screws.inside_joint_7_mz);
+    let articulated_link_6_hyx = inertias.inertia_link_6_hz
+        + (inertias.inertia_link_7_hz
+            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_fx);
+    let articulated_link_6_hzx = inertias.minus_inertia_link_6_hy
+        + (inertias.minus_inertia_link_7_hy
+            - minus_articulated_link_6_hzz_0 * screws.inside_joint_7_fx);
+    let minus_articulated_link_6_hxy = inertias.inertia_link_6_hz
+        + (inertias.inertia_link_7_hz
+            + minus_articulated_link_6_hxx_0 * screws.inside_joint_7_fy);
+    let minus_articulated_link_6_hzy = inertias.minus_inertia_link_6_hx
+        + (inertias.minus_inertia_link_7_hx
+            + minus_articulated_link_6_hzz_0 * screws.inside_joint_7_fy);
+    let minus_articulated_link_6_hxz = inertias.minus_inertia_link_6_hy
+        + (inertias.minus_inertia_link_7_hy
+            + minus_articulated_link_6_hxx_0 * screws.inside_joint_7_fz);
+    let articulated_link_6_hyz = inertias.minus_inertia_link_6_hx
+        + (inertias.minus_inertia_link_7_hx
+            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_fz);
+    let articulated_link_6_mxx = 2.0
+        + (2.0 - minus_articulated_link_6_mxy_0 * screws.inside_joint_7_fx);
+    let articulated_link_6_myy = 2.0
+        + (2.0 - minus_articulated_link_6_myz_0 * screws.inside_joint_7_fy);
+    let articulated_link_6_mzz = 2.0
+        + (2.0
+            - screws.inside_joint_7_fz * inverse_pivot_joint_7_d
+                * screws.inside_joint_7_fz);
+    let wrench_outside_link_6_mx = articulated_link_6_jxx * poses.rotation_link_6_xz
+        + minus_articulated_link_6_jxy * poses.rotation_link_5_yy
+        + articulated_link_6_jxz * poses.rotation_link_6_zz
+        - (minus_articulated_link_6_hxz * screws.screw_joint_6_vz
+            + (minus_articulated_link_6_hxy * screws.screw_joint_6_vy
+                + minus_articulated_link_6_hxx * screws.screw_joint_6_vx));
+    let wrench_outside_link_6_my = articulated_link_6_jyz * poses.rotation_link_6_zz
+        - (minus_articulated_link_6_jxy * poses.rotation_link_6_xz
+            + articulated_link_6_jyy * poses.rotation_link_5_yy)
+        + (articulated_link_6_hyz * screws.screw_joint_6_vz
+            + (articulated_link_6_hyx * screws.screw_joint_6_vx
+                - minus_articulated_link_6_hyy * screws.screw_joint_6_vy));
+    let wrench_outside_link_6_mz = articulated_link_6_jxz * poses.rotation_link_6_xz
+        - articulated_link_6_jyz * poses.rotation_link_5_yy
+        + articulated_link_6_jzz * poses.rotation_link_6_zz
+        + (articulated_link_6_hzx * screws.screw_joint_6_vx
+            - minus_articulated_link_6_hzy * screws.screw_joint_6_vy
+            - minus_articulated_link_6_hzz * screws.screw_joint_6_vz);
+    let wrench_outside_link_6_fx = articulated_link_6_hzx * poses.rotation_link_6_zz
+        - (minus_articulated_link_6_hxx * poses.rotation_link_6_xz
+            + articulated_link_6_hyx * poses.rotation_link_5_yy)
+        + (articulated_link_6_mxx * screws.screw_joint_6_vx
+            - minus_articulated_link_6_mxy * screws.screw_joint_6_vy
+            - minus_articulated_link_6_mxz * screws.screw_joint_6_vz);
+    let wrench_outside_link_6_fy = minus_articulated_link_6_hyy
+        * poses.rotation_link_5_yy
+        - minus_articulated_link_6_hxy * poses.rotation_link_6_xz
+        - minus_articulated_link_6_hzy * poses.rotation_link_6_zz
+        + (articulated_link_6_myy * screws.screw_joint_6_vy
+            - minus_articulated_link_6_mxy * screws.screw_joint_6_vx
+            - minus_articulated_link_6_myz * screws.screw_joint_6_vz);
+    let wrench_outside_link_6_fz = articulated_link_6_mzz * screws.screw_joint_6_vz
+        - (minus_articulated_link_6_mxz * screws.screw_joint_6_vx
+            + minus_articulated_link_6_myz * screws.screw_joint_6_vy)
+        - (minus_articulated_link_6_hxz * poses.rotation_link_6_xz
+            + articulated_link_6_hyz * poses.rotation_link_5_yy
+            + minus_articulated_link_6_hzz * poses.rotation_link_6_zz);
+    let inverse_pivot_joint_6_d = 1.0
+        / (poses.rotation_link_6_xz * wrench_outside_link_6_mx
+            - poses.rotation_link_5_yy * wrench_outside_link_6_my
+            + poses.rotation_link_6_zz * wrench_outside_link_6_mz
+            + screws.screw_joint_6_vx * wrench_outside_link_6_fx
+            + screws.screw_joint_6_vy * wrench_outside_link_6_fy
+            + screws.screw_joint_6_vz * wrench_outside_link_6_fz);
+    let wrench_link_5_mx_13_0 = tau[5]
+        - (poses.rotation_link_6_xz * wrench_link_6_mx
+            - poses.rotation_link_5_yy * wrench_link_6_my
+            + poses.rotation_link_6_zz * wrench_link_6_mz
+            + screws.screw_joint_6_vx * wrench_link_6_fx
+            + screws.screw_joint_6_vy * wrench_link_6_fy
+            + screws.screw_joint_6_vz * wrench_link_6_fz);
+    let wrench_link_5_mx_13 = wrench_link_5_mx_13_0 * inverse_pivot_joint_6_d;
+    let wrench_link_5_mx = inertias.inertia_link_5_xx * wrench_link_5_mx_1
+        + inertias.inertia_link_5_xy * wrench_link_5_mx_3
+        + inertias.inertia_link_5_xz * wrench_link_5_mx_5
+        + (inertias.inertia_link_5_hy * wrench_link_5_mx_7
+            - inertias.inertia_link_5_hz * wrench_link_5_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_1
+        + (wrench_link_6_mx + wrench_outside_link_6_mx * wrench_link_5_mx_13);
+    let wrench_link_5_my = inertias.inertia_link_5_xy * wrench_link_5_mx_1
+        + inertias.inertia_link_5_yy * wrench_link_5_mx_3
+        + inertias.inertia_link_5_yz * wrench_link_5_mx_5
+        + (inertias.inertia_link_5_hz * wrench_link_5_my_7
+            + inertias.minus_inertia_link_5_hx * wrench_link_5_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_my_0_1
+        + (wrench_link_6_my + wrench_outside_link_6_my * wrench_link_5_mx_13);
+    let wrench_link_5_mz = inertias.inertia_link_5_xz * wrench_link_5_mx_1
+        + inertias.inertia_link_5_yz * wrench_link_5_mx_3
+        + inertias.inertia_link_5_zz * wrench_link_5_mx_5
+        - (inertias.minus_inertia_link_5_hx * wrench_link_5_mx_9
+            + inertias.inertia_link_5_hy * wrench_link_5_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mz_0_1
+        + (wrench_link_6_mz + wrench_outside_link_6_mz * wrench_link_5_mx_13);
+    let wrench_link_5_fx = wrench_link_5_my_7 * 2.0
+        + (wrench_link_5_mx_3 * inertias.inertia_link_5_hz
+            - wrench_link_5_mx_5 * inertias.inertia_link_5_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fx_0_1
+        + (wrench_link_6_fx + wrench_outside_link_6_fx * wrench_link_5_mx_13);
+    let wrench_link_5_fy = wrench_link_5_mx_9 * 2.0
+        - (wrench_link_5_mx_5 * inertias.minus_inertia_link_5_hx
+            + wrench_link_5_mx_1 * inertias.inertia_link_5_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fy_0_1
+        + (wrench_link_6_fy + wrench_outside_link_6_fy * wrench_link_5_mx_13);
+    let wrench_link_5_fz = wrench_link_5_mx_7 * 2.0
+        + (wrench_link_5_mx_1 * inertias.inertia_link_5_hy
+            + wrench_link_5_mx_3 * inertias.minus_inertia_link_5_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fz_0_1
+        + (wrench_link_6_fz + wrench_outside_link_6_fz * wrench_link_5_mx_13);
+    let minus_articulated_link_5_hxx_1 = wrench_outside_link_6_mx
+        * inverse_pivot_joint_6_d;
+    let minus_articulated_link_5_hyy_1 = wrench_outside_link_6_my
+        * inverse_pivot_joint_6_d;
+    let minus_articulated_link_5_hzz_1 = wrench_outside_link_6_mz
+        * inverse_pivot_joint_6_d;
+    let minus_articulated_link_5_mxy_1 = wrench_outside_link_6_fx
+        * inverse_pivot_joint_6_d;
+    let minus_articulated_link_5_myz_1 = wrench_outside_link_6_fy
+        * inverse_pivot_joint_6_d;
+    let minus_articulated_link_5_hxx = minus_articulated_link_6_hxx
+        + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_fx;
+    let minus_articulated_link_5_hyy = minus_articulated_link_6_hyy
+        + minus_articulated_link_5_hyy_1 * wrench_outside_link_6_fy;
+    let minus_articulated_link_5_hzz = minus_articulated_link_6_hzz
+        + minus_articulated_link_5_hzz_1 * wrench_outside_link_6_fz;
+    let minus_articulated_link_5_mxy = minus_articulated_link_6_mxy
+        + minus_articulated_link_5_mxy_1 * wrench_outside_link_6_fy;
+    let minus_articulated_link_5_mxz = minus_articulated_link_6_mxz
+        + minus_articulated_link_5_mxy_1 * wrench_outside_link_6_fz;
+    let minus_articulated_link_5_myz = minus_articulated_link_6_myz
+        + minus_articulated_link_5_myz_1 * wrench_outside_link_6_fz;
+    let articulated_link_5_jxx = inertias.inertia_link_5_xx
+        + (articulated_link_6_jxx
+            - minus_articulated_link_5_hxx_1 * wrench_outside_link_6_mx);
+    let articulated_link_5_jxy = inertias.inertia_link_5_xy
+        - (minus_articulated_link_6_jxy
+            + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_my);
+    let articulated_link_5_jxz = inertias.inertia_link_5_xz
+        + (articulated_link_6_jxz
+            - minus_articulated_link_5_hxx_1 * wrench_outside_link_6_mz);
+    let articulated_link_5_jyy = inertias.inertia_link_5_yy
+        + (articulated_link_6_jyy
+            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_my);
+    let articulated_link_5_jyz = inertias.inertia_link_5_yz
+        + (articulated_link_6_jyz
+            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_mz);
+    let articulated_link_5_jzz = inertias.inertia_link_5_zz
+        + (articulated_link_6_jzz
+            - minus_articulated_link_5_hzz_1 * wrench_outside_link_6_mz);
+    let articulated_link_5_hyx = inertias.inertia_link_5_hz
+        + (articulated_link_6_hyx
+            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_fx);
+    let articulated_link_5_hzx = articulated_link_6_hzx
+        - minus_articulated_link_5_hzz_1 * wrench_outside_link_6_fx
+        - inertias.inertia_link_5_hy;
+    let minus_articulated_link_5_hxy = inertias.inertia_link_5_hz
+        + (minus_articulated_link_6_hxy
+            + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_fy);
+    let minus_articulated_link_5_hzy = inertias.minus_inertia_link_5_hx
+        + (minus_articulated_link_6_hzy
+            + minus_articulated_link_5_hzz_1 * wrench_outside_link_6_fy);
+    let articulated_link_5_hxz = inertias.inertia_link_5_hy
+        - (minus_articulated_link_6_hxz
+            + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_fz);
+    let articulated_link_5_hyz = inertias.minus_inertia_link_5_hx
+        + (articulated_link_6_hyz
+            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_fz);
+    let articulated_link_5_mxx = 2.0
+        + (articulated_link_6_mxx
+            - minus_articulated_link_5_mxy_1 * wrench_outside_link_6_fx);
+    let articulated_link_5_myy = 2.0
+        + (articulated_link_6_myy
+            - minus_articulated_link_5_myz_1 * wrench_outside_link_6_fy);
+    let articulated_link_5_mzz = 2.0
+        + (articulated_link_6_mzz
+            - wrench_outside_link_6_fz * inverse_pivot_joint_6_d
+                * wrench_outside_link_6_fz);
+    let wrench_outside_link_5_mx = articulated_link_5_jxz * poses.rotation_link_5_zz
+        - (articulated_link_5_jxx * poses.rotation_link_4_xy
+            + articulated_link_5_jxy * poses.rotation_link_4_yy)
+        + (articulated_link_5_hxz * screws.screw_joint_5_vz
+            - (minus_articulated_link_5_hxy * screws.screw_joint_5_vy
+                + minus_articulated_link_5_hxx * screws.screw_joint_5_vx));
+    let wrench_outside_link_5_my = articulated_link_5_jyz * poses.rotation_link_5_zz
+        - (articulated_link_5_jxy * poses.rotation_link_4_xy
+            + articulated_link_5_jyy * poses.rotation_link_4_yy)
+        + (articulated_link_5_hyz * screws.screw_joint_5_vz
+            + (articulated_link_5_hyx * screws.screw_joint_5_vx
+                - minus_articulated_link_5_hyy * screws.screw_joint_5_vy));
+    let wrench_outside_link_5_mz = articulated_link_5_jzz * poses.rotation_link_5_zz
+        - (articulated_link_5_jxz * poses.rotation_link_4_xy
+            + articulated_link_5_jyz * poses.rotation_link_4_yy)
+        + (articulated_link_5_hzx * screws.screw_joint_5_vx
+            - minus_articulated_link_5_hzy * screws.screw_joint_5_vy
+            - minus_articulated_link_5_hzz * screws.screw_joint_5_vz);
+    let wrench_outside_link_5_fx = minus_articulated_link_5_hxx
+        * poses.rotation_link_4_xy - articulated_link_5_hyx * poses.rotation_link_4_yy
+        + articulated_link_5_hzx * poses.rotation_link_5_zz
+        + (articulated_link_5_mxx * screws.screw_joint_5_vx
+            - minus_articulated_link_5_mxy * screws.screw_joint_5_vy
+            - minus_articulated_link_5_mxz * screws.screw_joint_5_vz);
+    let wrench_outside_link_5_fy = minus_articulated_link_5_hxy
+        * poses.rotation_link_4_xy
+        + minus_articulated_link_5_hyy * poses.rotation_link_4_yy
+        - minus_articulated_link_5_hzy * poses.rotation_link_5_zz
+        + (articulated_link_5_myy * screws.screw_joint_5_vy
+            - minus_articulated_link_5_mxy * screws.screw_joint_5_vx
+            - minus_articulated_link_5_myz * screws.screw_joint_5_vz);
+    let wrench_outside_link_5_fz = articulated_link_5_mzz * screws.screw_joint_5_vz
+        - (minus_articulated_link_5_mxz * screws.screw_joint_5_vx
+            + minus_articulated_link_5_myz * screws.screw_joint_5_vy)
+        - (articulated_link_5_hxz * poses.rotation_link_4_xy
+            + articulated_link_5_hyz * poses.rotation_link_4_yy
+            + minus_articulated_link_5_hzz * poses.rotation_link_5_zz);
+    let inverse_pivot_joint_5_d = 1.0
+        / (poses.rotation_link_5_zz * wrench_outside_link_5_mz
+            - (poses.rotation_link_4_xy * wrench_outside_link_5_mx
+                + poses.rotation_link_4_yy * wrench_outside_link_5_my)
+            + screws.screw_joint_5_vx * wrench_outside_link_5_fx
+            + screws.screw_joint_5_vy * wrench_outside_link_5_fy
+            + screws.screw_joint_5_vz * wrench_outside_link_5_fz);
+    let wrench_link_4_mx_13_0 = tau[4]
+        - (poses.rotation_link_5_zz * wrench_link_5_mz
+            - (poses.rotation_link_4_xy * wrench_link_5_mx
+                + poses.rotation_link_4_yy * wrench_link_5_my)
+            + screws.screw_joint_5_vx * wrench_link_5_fx
+            + screws.screw_joint_5_vy * wrench_link_5_fy
+            + screws.screw_joint_5_vz * wrench_link_5_fz);
+    let wrench_link_4_mx_13 = wrench_link_4_mx_13_0 * inverse_pivot_joint_5_d;
+    let wrench_link_4_mx = inertias.inertia_link_4_xx * wrench_link_4_mx_1
+        + inertias.inertia_link_4_xy * wrench_link_4_mx_3
+        + inertias.inertia_link_4_xz * wrench_link_4_mx_5
+        + (inertias.inertia_link_4_hy * wrench_link_4_mx_7
+            - inertias.inertia_link_4_hz * wrench_link_4_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_1
+        + (wrench_link_5_mx + wrench_outside_link_5_mx * wrench_link_4_mx_13);
+    let wrench_link_4_my = inertias.inertia_link_4_xy * wrench_link_4_mx_1
+        + inertias.inertia_link_4_yy * wrench_link_4_mx_3
+        + inertias.inertia_link_4_yz * wrench_link_4_mx_5
+        + (inertias.inertia_link_4_hz * wrench_link_4_my_7
+            + inertias.minus_inertia_link_4_hx * wrench_link_4_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_my_0_1
+        + (wrench_link_5_my + wrench_outside_link_5_my * wrench_link_4_mx_13);
+    let wrench_link_4_mz = inertias.inertia_link_4_xz * wrench_link_4_mx_1
+        + inertias.inertia_link_4_yz * wrench_link_4_mx_3
+        + inertias.inertia_link_4_zz * wrench_link_4_mx_5
+        - (inertias.minus_inertia_link_4_hx * wrench_link_4_mx_9
+            + inertias.inertia_link_4_hy * wrench_link_4_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mz_0_1
+        + (wrench_link_5_mz + wrench_outside_link_5_mz * wrench_link_4_mx_13);
+    let wrench_link_4_fx = wrench_link_4_my_7 * 2.0
+        + (wrench_link_4_mx_3 * inertias.inertia_link_4_hz
+            - wrench_link_4_mx_5 * inertias.inertia_link_4_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fx_0_1
+        + (wrench_link_5_fx + wrench_outside_link_5_fx * wrench_link_4_mx_13);
+    let wrench_link_4_fy = wrench_link_4_mx_9 * 2.0
+        - (wrench_link_4_mx_5 * inertias.minus_inertia_link_4_hx
+            + wrench_link_4_mx_1 * inertias.inertia_link_4_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fy_0_1
+        + (wrench_link_5_fy + wrench_outside_link_5_fy * wrench_link_4_mx_13);
+    let wrench_link_4_fz = wrench_link_4_mx_7 * 2.0
+        + (wrench_link_4_mx_1 * inertias.inertia_link_4_hy
+            + wrench_link_4_mx_3 * inertias.minus_inertia_link_4_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fz_0_1
+        + (wrench_link_5_fz + wrench_outside_link_5_fz * wrench_link_4_mx_13);
+    let minus_articulated_link_4_hxx_1 = wrench_outside_link_5_mx
+        * inverse_pivot_joint_5_d;
+    let minus_articulated_link_4_hyy_1 = wrench_outside_link_5_my
+        * inverse_pivot_joint_5_d;
+    let minus_articulated_link_4_hzz_1 = wrench_outside_link_5_mz
+        * inverse_pivot_joint_5_d;
+    let minus_articulated_link_4_mxy_1 = wrench_outside_link_5_fx
+        * inverse_pivot_joint_5_d;
+    let minus_articulated_link_4_myz_1 = wrench_outside_link_5_fy
+        * inverse_pivot_joint_5_d;
+    let minus_articulated_link_4_hxx = minus_articulated_link_5_hxx
+        + minus_articulated_link_4_hxx_1 * wrench_outside_link_5_fx;
+    let minus_articulated_link_4_hyy = minus_articulated_link_5_hyy
+        + minus_articulated_link_4_hyy_1 * wrench_outside_link_5_fy;
+    let minus_articulated_link_4_hzz = minus_articulated_link_5_hzz
+        + minus_articulated_link_4_hzz_1 * wrench_outside_link_5_fz;
+    let minus_articulated_link_4_mxy = minus_articulated_link_5_mxy
+        + minus_articulated_link_4_mxy_1 * wrench_outside_link_5_fy;
+    let minus_articulated_link_4_mxz = minus_articulated_link_5_mxz
+        + minus_articulated_link_4_mxy_1 * wrench_outside_link_5_fz;
+    let minus_articulated_link_4_myz = minus_articulated_link_5_myz
+        + minus_articulated_link_4_myz_1 * wrench_outside_link_5_fz;
+    let articulated_link_4_jxx = inertias.inertia_link_4_xx
+        + (articulated_link_5_jxx
+            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_mx);
+    let articulated_link_4_jxy = inertias.inertia_link_4_xy
+        + (articulated_link_5_jxy
+            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_my);
+    let articulated_link_4_jxz = inertias.inertia_link_4_xz
+        + (articulated_link_5_jxz
+            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_mz);
+    let articulated_link_4_jyy = inertias.inertia_link_4_yy
+        + (articulated_link_5_jyy
+            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_my);
+    let articulated_link_4_jyz = inertias.inertia_link_4_yz
+        + (articulated_link_5_jyz
+            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_mz);
+    let articulated_link_4_jzz = inertias.inertia_link_4_zz
+        + (articulated_link_5_jzz
+            - minus_articulated_link_4_hzz_1 * wrench_outside_link_5_mz);
+    let articulated_link_4_hyx = inertias.inertia_link_4_hz
+        + (articulated_link_5_hyx
+            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_fx);
+    let articulated_link_4_hzx = articulated_link_5_hzx
+        - minus_articulated_link_4_hzz_1 * wrench_outside_link_5_fx
+        - inertias.inertia_link_4_hy;
+    let minus_articulated_link_4_hxy = inertias.inertia_link_4_hz
+        + (minus_articulated_link_5_hxy
+            + minus_articulated_link_4_hxx_1 * wrench_outside_link_5_fy);
+    let minus_articulated_link_4_hzy = inertias.minus_inertia_link_4_hx
+        + (minus_articulated_link_5_hzy
+            + minus_articulated_link_4_hzz_1 * wrench_outside_link_5_fy);
+    let articulated_link_4_hxz = inertias.inertia_link_4_hy
+        + (articulated_link_5_hxz
+            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_fz);
+    let articulated_link_4_hyz = inertias.minus_inertia_link_4_hx
+        + (articulated_link_5_hyz
+            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_fz);
+    let articulated_link_4_mxx = 2.0
+        + (articulated_link_5_mxx
+            - minus_articulated_link_4_mxy_1 * wrench_outside_link_5_fx);
+    let articulated_link_4_myy = 2.0
+        + (articulated_link_5_myy
+            - minus_articulated_link_4_myz_1 * wrench_outside_link_5_fy);
+    let articulated_link_4_mzz = 2.0
+        + (articulated_link_5_mzz
+            - wrench_outside_link_5_fz * inverse_pivot_joint_5_d
+                * wrench_outside_link_5_fz);
+    let wrench_outside_link_4_mx = articulated_link_4_jxy * poses.rotation_link_3_yy
+        - articulated_link_4_jxx * poses.minus_rotation_link_3_xy
+        - articulated_link_4_jxz * poses.minus_rotation_link_3_zy
+        + (minus_articulated_link_4_hxy * screws.minus_screw_joint_4_vy
+            - minus_articulated_link_4_hxx * screws.screw_joint_4_vx
+            - articulated_link_4_hxz * screws.minus_screw_joint_4_vz);
+    let wrench_outside_link_4_my = articulated_link_4_jyy * poses.rotation_link_3_yy
+        - articulated_link_4_jxy * poses.minus_rotation_link_3_xy
+        - articulated_link_4_jyz * poses.minus_rotation_link_3_zy
+        + (minus_articulated_link_4_hyy * screws.minus_screw_joint_4_vy
+            + articulated_link_4_hyx * screws.screw_joint_4_vx
+            - articulated_link_4_hyz * screws.minus_screw_joint_4_vz);
+    let wrench_outside_link_4_mz = articulated_link_4_jyz * poses.rotation_link_3_yy
+        - articulated_link_4_jxz * poses.minus_rotation_link_3_xy
+        - articulated_link_4_jzz * poses.minus_rotation_link_3_zy
+        + (minus_articulated_link_4_hzz * screws.minus_screw_joint_4_vz
+            + (minus_articulated_link_4_hzy * screws.minus_screw_joint_4_vy
+                + articulated_link_4_hzx * screws.screw_joint_4_vx));
+    let wrench_outside_link_4_fx = minus_articulated_link_4_hxx
+        * poses.minus_rotation_link_3_xy
+        + articulated_link_4_hyx * poses.rotation_link_3_yy
+        - articulated_link_4_hzx * poses.minus_rotation_link_3_zy
+        + (articulated_link_4_mxx * screws.screw_joint_4_vx
+            + minus_articulated_link_4_mxy * screws.minus_screw_joint_4_vy
+            + minus_articulated_link_4_mxz * screws.minus_screw_joint_4_vz);
+    let wrench_outside_link_4_fy = minus_articulated_link_4_hxy
+        * poses.minus_rotation_link_3_xy
+        - minus_articulated_link_4_hyy * poses.rotation_link_3_yy
+        + minus_articulated_link_4_hzy * poses.minus_rotation_link_3_zy
+        + (minus_articulated_link_4_myz * screws.minus_screw_joint_4_vz
+            - (minus_articulated_link_4_mxy * screws.screw_joint_4_vx
+                + articulated_link_4_myy * screws.minus_screw_joint_4_vy));
+    let wrench_outside_link_4_fz = articulated_link_4_hyz * poses.rotation_link_3_yy
+        - articulated_link_4_hxz * poses.minus_rotation_link_3_xy
+        + minus_articulated_link_4_hzz * poses.minus_rotation_link_3_zy
+        + (minus_articulated_link_4_myz * screws.minus_screw_joint_4_vy
+            - minus_articulated_link_4_mxz * screws.screw_joint_4_vx
+            - articulated_link_4_mzz * screws.minus_screw_joint_4_vz);
+    let inverse_pivot_joint_4_d = 1.0
+        / (poses.rotation_link_3_yy * wrench_outside_link_4_my
+            - poses.minus_rotation_link_3_xy * wrench_outside_link_4_mx
+            - poses.minus_rotation_link_3_zy * wrench_outside_link_4_mz
+            + screws.screw_joint_4_vx * wrench_outside_link_4_fx
+            - screws.minus_screw_joint_4_vy * wrench_outside_link_4_fy
+            - screws.minus_screw_joint_4_vz * wrench_outside_link_4_fz);
+    let wrench_link_3_mx_13_0 = tau[3]
+        - (poses.rotation_link_3_yy * wrench_link_4_my
+            - poses.minus_rotation_link_3_xy * wrench_link_4_mx
+            - poses.minus_rotation_link_3_zy * wrench_link_4_mz
+            + screws.screw_joint_4_vx * wrench_link_4_fx
+            - screws.minus_screw_joint_4_vy * wrench_link_4_fy
+            - screws.minus_screw_joint_4_vz * wrench_link_4_fz);
+    let wrench_link_3_mx_13 = wrench_link_3_mx_13_0 * inverse_pivot_joint_4_d;
+    let wrench_link_3_mx = inertias.inertia_link_3_xx * wrench_link_3_mx_1
+        + inertias.inertia_link_3_xy * wrench_link_3_mx_3
+        + inertias.inertia_link_3_xz * wrench_link_3_mx_5
+        - (inertias.minus_inertia_link_3_hy * wrench_link_3_mx_7
+            + inertias.inertia_link_3_hz * wrench_link_3_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1
+        + (wrench_link_4_mx + wrench_outside_link_4_mx * wrench_link_3_mx_13);
+    let wrench_link_3_my = inertias.inertia_link_3_xy * wrench_link_3_mx_1
+        + inertias.inertia_link_3_yy * wrench_link_3_mx_3
+        + inertias.inertia_link_3_yz * wrench_link_3_mx_5
+        + (inertias.inertia_link_3_hz * wrench_link_3_my_7
+            - inertias.inertia_link_3_hx * wrench_link_3_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1
+        + (wrench_link_4_my + wrench_outside_link_4_my * wrench_link_3_mx_13);
+    let wrench_link_3_mz = inertias.inertia_link_3_xz * wrench_link_3_mx_1
+        + inertias.inertia_link_3_yz * wrench_link_3_mx_3
+        + inertias.inertia_link_3_zz * wrench_link_3_mx_5
+        + (inertias.inertia_link_3_hx * wrench_link_3_mx_9
+            + inertias.minus_inertia_link_3_hy * wrench_link_3_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_0_1
+        + (wrench_link_4_mz + wrench_outside_link_4_mz * wrench_link_3_mx_13);
+    let wrench_link_3_fx = wrench_link_3_my_7 * 2.0
+        + (wrench_link_3_mx_3 * inertias.inertia_link_3_hz
+            + wrench_link_3_mx_5 * inertias.minus_inertia_link_3_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_0_1
+        + (wrench_link_4_fx + wrench_outside_link_4_fx * wrench_link_3_mx_13);
+    let wrench_link_3_fy = wrench_link_3_mx_9 * 2.0
+        + (wrench_link_3_mx_5 * inertias.inertia_link_3_hx
+            - wrench_link_3_mx_1 * inertias.inertia_link_3_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_0_1
+        + (wrench_link_4_fy + wrench_outside_link_4_fy * wrench_link_3_mx_13);
+    let wrench_link_3_fz = wrench_link_3_mx_7 * 2.0
+        - (wrench_link_3_mx_1 * inertias.minus_inertia_link_3_hy
+            + wrench_link_3_mx_3 * inertias.inertia_link_3_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_0_1
+        + (wrench_link_4_fz + wrench_outside_link_4_fz * wrench_link_3_mx_13);
+    let minus_articulated_link_3_hxx_1 = wrench_outside_link_4_mx
+        * inverse_pivot_joint_4_d;
+    let minus_articulated_link_3_hyy_1 = wrench_outside_link_4_my
+        * inverse_pivot_joint_4_d;
+    let minus_articulated_link_3_hzz_1 = wrench_outside_link_4_mz
+        * inverse_pivot_joint_4_d;
+    let minus_articulated_link_3_mxy_1 = wrench_outside_link_4_fx
+        * inverse_pivot_joint_4_d;
+    let minus_articulated_link_3_myz_1 = wrench_outside_link_4_fy
+        * inverse_pivot_joint_4_d;
+    let minus_articulated_link_3_hxx = minus_articulated_link_4_hxx
+        + minus_articulated_link_3_hxx_1 * wrench_outside_link_4_fx;
+    let minus_articulated_link_3_hyy = minus_articulated_link_4_hyy
+        + minus_articulated_link_3_hyy_1 * wrench_outside_link_4_fy;
+    let minus_articulated_link_3_hzz = minus_articulated_link_4_hzz
+        + minus_articulated_link_3_hzz_1 * wrench_outside_link_4_fz;
+    let minus_articulated_link_3_mxy = minus_articulated_link_4_mxy
+        + minus_articulated_link_3_mxy_1 * wrench_outside_link_4_fy;
+    let minus_articulated_link_3_mxz = minus_articulated_link_4_mxz
+        + minus_articulated_link_3_mxy_1 * wrench_outside_link_4_fz;
+    let minus_articulated_link_3_myz = minus_articulated_link_4_myz
+        + minus_articulated_link_3_myz_1 * wrench_outside_link_4_fz;
+    let articulated_link_3_jxx = inertias.inertia_link_3_xx
+        + (articulated_link_4_jxx
+            - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_mx);
+    let articulated_link_3_jxy = inertias.inertia_link_3_xy
+        + (articulated_link_4_jxy
+            - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_my);
+    let articulated_link_3_jxz = inertias.inertia_link_3_xz
+        + (articulated_link_4_jxz
+            - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_mz);
+    let articulated_link_3_jyy = inertias.inertia_link_3_yy
+        + (articulated_link_4_jyy
+            - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_my);
+    let articulated_link_3_jyz = inertias.inertia_link_3_yz
+        + (articulated_link_4_jyz
+            - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_mz);
+    let articulated_link_3_jzz = inertias.inertia_link_3_zz
+        + (articulated_link_4_jzz
+            - minus_articulated_link_3_hzz_1 * wrench_outside_link_4_mz);
+    let articulated_link_3_hyx = inertias.inertia_link_3_hz
+        + (articulated_link_4_hyx
+            - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_fx);
+    let articulated_link_3_hzx = inertias.minus_inertia_link_3_hy
+        + (articulated_link_4_hzx
+            - minus_articulated_link_3_hzz_1 * wrench_outside_link_4_fx);
+    let minus_articulated_link_3_hxy = inertias.inertia_link_3_hz
+        + (minus_articulated_link_4_hxy
+            + minus_articulated_link_3_hxx_1 * wrench_outside_link_4_fy);
+    let articulated_link_3_hzy = inertias.inertia_link_3_hx
+        - (minus_articulated_link_4_hzy
+            + minus_articulated_link_3_hzz_1 * wrench_outside_link_4_fy);
+    let articulated_link_3_hxz = articulated_link_4_hxz
+        - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_fz
+        - inertias.minus_inertia_link_3_hy;
+    let articulated_link_3_hyz = articulated_link_4_hyz
+        - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_fz
+        - inertias.inertia_link_3_hx;
+    let articulated_link_3_mxx = 2.0
+        + (articulated_link_4_mxx
+            - minus_articulated_link_3_mxy_1 * wrench_outside_link_4_fx);
+    let articulated_link_3_myy = 2.0
+        + (articulated_link_4_myy
+            - minus_articulated_link_3_myz_1 * wrench_outside_link_4_fy);
+    let articulated_link_3_mzz = 2.0
+        + (articulated_link_4_mzz
+            - wrench_outside_link_4_fz * inverse_pivot_joint_4_d
+                * wrench_outside_link_4_fz);
+    let wrench_outside_link_3_mx = articulated_link_3_jxz * poses.cos_joint_2
+        - (articulated_link_3_jxx * poses.minus_rotation_link_2_xy
+            + articulated_link_3_jxy * poses.minus_rotation_link_2_yy)
+        + (articulated_link_3_hxz * screws.screw_joint_3_vz
+            - (minus_articulated_link_3_hxy * screws.screw_joint_3_vy
+                + minus_articulated_link_3_hxx * screws.screw_joint_3_vx));
+    let wrench_outside_link_3_my = articulated_link_3_jyz * poses.cos_joint_2
+        - (articulated_link_3_jxy * poses.minus_rotation_link_2_xy
+            + articulated_link_3_jyy * poses.minus_rotation_link_2_yy)
+        + (articulated_link_3_hyz * screws.screw_joint_3_vz
+            + (articulated_link_3_hyx * screws.screw_joint_3_vx
+                - minus_articulated_link_3_hyy * screws.screw_joint_3_vy));
+    let wrench_outside_link_3_mz = articulated_link_3_jzz * poses.cos_joint_2
+        - (articulated_link_3_jxz * poses.minus_rotation_link_2_xy
+            + articulated_link_3_jyz * poses.minus_rotation_link_2_yy)
+        + (articulated_link_3_hzy * screws.screw_joint_3_vy
+            + articulated_link_3_hzx * screws.screw_joint_3_vx
+            - minus_articulated_link_3_hzz * screws.screw_joint_3_vz);
+    let wrench_outside_link_3_fx = minus_articulated_link_3_hxx
+        * poses.minus_rotation_link_2_xy
+        - articulated_link_3_hyx * poses.minus_rotation_link_2_yy
+        + articulated_link_3_hzx * poses.cos_joint_2
+        + (articulated_link_3_mxx * screws.screw_joint_3_vx
+            - minus_articulated_link_3_mxy * screws.screw_joint_3_vy
+            - minus_articulated_link_3_mxz * screws.screw_joint_3_vz);
+    let wrench_outside_link_3_fy = minus_articulated_link_3_hxy
+        * poses.minus_rotation_link_2_xy
+        + minus_articulated_link_3_hyy * poses.minus_rotation_link_2_yy
+        + articulated_link_3_hzy * poses.cos_joint_2
+        + (articulated_link_3_myy * screws.screw_joint_3_vy
+            - minus_articulated_link_3_mxy * screws.screw_joint_3_vx
+            - minus_articulated_link_3_myz * screws.screw_joint_3_vz);
+    let wrench_outside_link_3_fz = articulated_link_3_mzz * screws.screw_joint_3_vz
+        - (minus_articulated_link_3_mxz * screws.screw_joint_3_vx
+            + minus_articulated_link_3_myz * screws.screw_joint_3_vy)
+        - (articulated_link_3_hxz * poses.minus_rotation_link_2_xy
+            + articulated_link_3_hyz * poses.minus_rotation_link_2_yy
+            + minus_articulated_link_3_hzz * poses.cos_joint_2);
+    let inverse_pivot_joint_3_d = 1.0
+        / (poses.cos_joint_2 * wrench_outside_link_3_mz
+            - (poses.minus_rotation_link_2_xy * wrench_outside_link_3_mx
+                + poses.minus_rotation_link_2_yy * wrench_outside_link_3_my)
+            + screws.screw_joint_3_vx * wrench_outside_link_3_fx
+            + screws.screw_joint_3_vy * wrench_outside_link_3_fy
+            + screws.screw_joint_3_vz * wrench_outside_link_3_fz);
+    let wrench_link_2_mx_13_0 = tau[2]
+        - (poses.cos_joint_2 * wrench_link_3_mz
+            - (poses.minus_rotation_link_2_xy * wrench_link_3_mx
+                + poses.minus_rotation_link_2_yy * wrench_link_3_my)
+            + screws.screw_joint_3_vx * wrench_link_3_fx
+            + screws.screw_joint_3_vy * wrench_link_3_fy
+            + screws.screw_joint_3_vz * wrench_link_3_fz);
+    let wrench_link_2_mx_13 = wrench_link_2_mx_13_0 * inverse_pivot_joint_3_d;
+    let wrench_link_2_mx = inertias.inertia_link_2_xx * wrench_link_2_mx_1
+        + inertias.inertia_link_2_xy * wrench_link_2_mx_3
+        - inertias.inertia_link_2_xz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+        - (inertias.minus_inertia_link_2_hy * wrench_link_2_mx_7
+            + inertias.inertia_link_2_hz * wrench_link_2_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_1
+        + (wrench_link_3_mx + wrench_outside_link_3_mx * wrench_link_2_mx_13);
+    let wrench_link_2_my = inertias.inertia_link_2_xy * wrench_link_2_mx_1
+        + inertias.inertia_link_2_yy * wrench_link_2_mx_3
+        - inertias.inertia_link_2_yz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+        + (inertias.inertia_link_2_hz * wrench_link_2_my_7
+            - inertias.inertia_link_2_hx * wrench_link_2_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_1
+        + (wrench_link_3_my + wrench_outside_link_3_my * wrench_link_2_mx_13);
+    let wrench_link_2_mz = inertias.inertia_link_2_xz * wrench_link_2_mx_1
+        + inertias.inertia_link_2_yz * wrench_link_2_mx_3
+        - inertias.inertia_link_2_zz
+            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+        + (inertias.inertia_link_2_hx * wrench_link_2_mx_9
+            + inertias.minus_inertia_link_2_hy * wrench_link_2_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_0_1
+        + (wrench_link_3_mz + wrench_outside_link_3_mz * wrench_link_2_mx_13);
+    let wrench_link_2_fx = wrench_link_2_my_7 * 2.0
+        + (wrench_link_2_mx_3 * inertias.inertia_link_2_hz
+            - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+                * inertias.minus_inertia_link_2_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_0_1
+        + (wrench_link_3_fx + wrench_outside_link_3_fx * wrench_link_2_mx_13);
+    let wrench_link_2_fy = wrench_link_2_mx_9 * 2.0
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
+            * inertias.inertia_link_2_hx
+            + wrench_link_2_mx_1 * inertias.inertia_link_2_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_0_1
+        + (wrench_link_3_fy + wrench_outside_link_3_fy * wrench_link_2_mx_13);
+    let wrench_link_2_fz = wrench_link_2_mx_7 * 2.0
+        - (wrench_link_2_mx_1 * inertias.minus_inertia_link_2_hy
+            + wrench_link_2_mx_3 * inertias.inertia_link_2_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_0_1
+        + (wrench_link_3_fz + wrench_outside_link_3_fz * wrench_link_2_mx_13);
+    let minus_articulated_link_2_hxx_1 = wrench_outside_link_3_mx
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_hyy_1 = wrench_outside_link_3_my
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_hzz_1 = wrench_outside_link_3_mz
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_mxy_1 = wrench_outside_link_3_fx
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_myz_1 = wrench_outside_link_3_fy
+        * inverse_pivot_joint_3_d;
+    let minus_articulated_link_2_hxx = minus_articulated_link_3_hxx
+        + minus_articulated_link_2_hxx_1 * wrench_outside_link_3_fx;
+    let minus_articulated_link_2_hyy = minus_articulated_link_3_hyy
+        + minus_articulated_link_2_hyy_1 * wrench_outside_link_3_fy;
+    let minus_articulated_link_2_hzz = minus_articulated_link_3_hzz
+        + minus_articulated_link_2_hzz_1 * wrench_outside_link_3_fz;
+    let minus_articulated_link_2_mxy = minus_articulated_link_3_mxy
+        + minus_articulated_link_2_mxy_1 * wrench_outside_link_3_fy;
+    let minus_articulated_link_2_mxz = minus_articulated_link_3_mxz
+        + minus_articulated_link_2_mxy_1 * wrench_outside_link_3_fz;
+    let minus_articulated_link_2_myz = minus_articulated_link_3_myz
+        + minus_articulated_link_2_myz_1 * wrench_outside_link_3_fz;
+    let articulated_link_2_jxx = inertias.inertia_link_2_xx
+        + (articulated_link_3_jxx
+            - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_mx);
+    let articulated_link_2_jxy = inertias.inertia_link_2_xy
+        + (articulated_link_3_jxy
+            - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_my);
+    let articulated_link_2_jxz = inertias.inertia_link_2_xz
+        + (articulated_link_3_jxz
+            - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_mz);
+    let articulated_link_2_jyy = inertias.inertia_link_2_yy
+        + (articulated_link_3_jyy
+            - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_my);
+    let articulated_link_2_jyz = inertias.inertia_link_2_yz
+        + (articulated_link_3_jyz
+            - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_mz);
+    let articulated_link_2_jzz = inertias.inertia_link_2_zz
+        + (articulated_link_3_jzz
+            - minus_articulated_link_2_hzz_1 * wrench_outside_link_3_mz);
+    let articulated_link_2_hyx = inertias.inertia_link_2_hz
+        + (articulated_link_3_hyx
+            - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_fx);
+    let articulated_link_2_hzx = inertias.minus_inertia_link_2_hy
+        + (articulated_link_3_hzx
+            - minus_articulated_link_2_hzz_1 * wrench_outside_link_3_fx);
+    let minus_articulated_link_2_hxy = inertias.inertia_link_2_hz
+        + (minus_articulated_link_3_hxy
+            + minus_articulated_link_2_hxx_1 * wrench_outside_link_3_fy);
+    let articulated_link_2_hzy = inertias.inertia_link_2_hx
+        + (articulated_link_3_hzy
+            - minus_articulated_link_2_hzz_1 * wrench_outside_link_3_fy);
+    let articulated_link_2_hxz = articulated_link_3_hxz
+        - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_fz
+        - inertias.minus_inertia_link_2_hy;
+    let articulated_link_2_hyz = articulated_link_3_hyz
+        - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_fz
+        - inertias.inertia_link_2_hx;
+    let articulated_link_2_mxx = 2.0
+        + (articulated_link_3_mxx
+            - minus_articulated_link_2_mxy_1 * wrench_outside_link_3_fx);
+    let articulated_link_2_myy = 2.0
+        + (articulated_link_3_myy
+            - minus_articulated_link_2_myz_1 * wrench_outside_link_3_fy);
+    let articulated_link_2_mzz = 2.0
+        + (articulated_link_3_mzz
+            - wrench_outside_link_3_fz * inverse_pivot_joint_3_d
+                * wrench_outside_link_3_fz);
+    let wrench_outside_link_2_mx = articulated_link_2_jxx * poses.sin_joint_1
+        - articulated_link_2_jxy * poses.cos_joint_1
+        + (articulated_link_2_hxz * screws.screw_joint_2_vz
+            - (minus_articulated_link_2_hxy * screws.screw_joint_2_vy
+                + minus_articulated_link_2_hxx * screws.screw_joint_2_vx));
+    let wrench_outside_link_2_my = articulated_link_2_jxy * poses.sin_joint_1
+        - articulated_link_2_jyy * poses.cos_joint_1
+        + (articulated_link_2_hyz * screws.screw_joint_2_vz
+            + (articulated_link_2_hyx * screws.screw_joint_2_vx
+                - minus_articulated_link_2_hyy * screws.screw_joint_2_vy));
+    let wrench_outside_link_2_mz = articulated_link_2_jxz * poses.sin_joint_1
+        - articulated_link_2_jyz * poses.cos_joint_1
+        + (articulated_link_2_hzy * screws.screw_joint_2_vy
+            + articulated_link_2_hzx * screws.screw_joint_2_vx
+            - minus_articulated_link_2_hzz * screws.screw_joint_2_vz);
+    let wrench_outside_link_2_fx = articulated_link_2_mxx * screws.screw_joint_2_vx
+        - minus_articulated_link_2_mxy * screws.screw_joint_2_vy
+        - minus_articulated_link_2_mxz * screws.screw_joint_2_vz
+        - (minus_articulated_link_2_hxx * poses.sin_joint_1
+            + articulated_link_2_hyx * poses.cos_joint_1);
+    let wrench_outside_link_2_fy = minus_articulated_link_2_hyy * poses.cos_joint_1
+        - minus_articulated_link_2_hxy * poses.sin_joint_1
+        + (articulated_link_2_myy * screws.screw_joint_2_vy
+            - minus_articulated_link_2_mxy * screws.screw_joint_2_vx
+            - minus_articulated_link_2_myz * screws.screw_joint_2_vz);
+    let wrench_outside_link_2_fz = articulated_link_2_hxz * poses.sin_joint_1
+        - articulated_link_2_hyz * poses.cos_joint_1
+        + (articulated_link_2_mzz * screws.screw_joint_2_vz
+            - (minus_articulated_link_2_mxz * screws.screw_joint_2_vx
+                + minus_articulated_link_2_myz * screws.screw_joint_2_vy));
+    let inverse_pivot_joint_2_d = 1.0
+        / (poses.sin_joint_1 * wrench_outside_link_2_mx
+            - poses.cos_joint_1 * wrench_outside_link_2_my
+            + screws.screw_joint_2_vx * wrench_outside_link_2_fx
+            + screws.screw_joint_2_vy * wrench_outside_link_2_fy
+            + screws.screw_joint_2_vz * wrench_outside_link_2_fz);
+    let wrench_link_1_mx_11_0 = tau[1]
+        - (poses.sin_joint_1 * wrench_link_2_mx - poses.cos_joint_1 * wrench_link_2_my
+            + screws.screw_joint_2_vx * wrench_link_2_fx
+            + screws.screw_joint_2_vy * wrench_link_2_fy
+            + screws.screw_joint_2_vz * wrench_link_2_fz);
+    let wrench_link_1_mx_11 = wrench_link_1_mx_11_0 * inverse_pivot_joint_2_d;
+    let wrench_link_1_mx = inertias.inertia_link_1_xx
+        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        - inertias.inertia_link_1_xy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+        + (inertias.inertia_link_1_hy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0
+            + inertias.inertia_link_1_hz
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_1
+        + (wrench_link_2_mx + wrench_outside_link_2_mx * wrench_link_1_mx_11);
+    let wrench_link_1_my = inertias.inertia_link_1_xy
+        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        - inertias.inertia_link_1_yy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+        + (inertias.inertia_link_1_hz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0
+            + inertias.minus_inertia_link_1_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_0_1
+        + (wrench_link_2_my + wrench_outside_link_2_my * wrench_link_1_mx_11);
+    let wrench_link_1_mz = inertias.inertia_link_1_xz
+        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
+        + inertias.minus_inertia_link_1_yz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+        + (inertias.minus_inertia_link_1_hx
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1
+            - inertias.inertia_link_1_hy
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_0_1
+        + (wrench_link_2_mz + wrench_outside_link_2_mz * wrench_link_1_mx_11);
+    let wrench_link_1_fx = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0 * 2.0
+        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+            * inertias.inertia_link_1_hz
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_0_1
+        + (wrench_link_2_fx + wrench_outside_link_2_fx * wrench_link_1_mx_11);
+    let wrench_link_1_fy = wrench_link_2_fy
+        + wrench_outside_link_2_fy * wrench_link_1_mx_11
+        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1
+            * 2.0
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 * inertias.inertia_link_1_hz
+            + common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1_1);
+    let wrench_link_1_fz = common_forward_dynamics_inverse_dynamics
+        .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0 * 2.0
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 * inertias.inertia_link_1_hy
+            - common_forward_dynamics_inverse_dynamics
+                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
+                * inertias.minus_inertia_link_1_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_0_1
+        + (wrench_link_2_fz + wrench_outside_link_2_fz * wrench_link_1_mx_11);
+    let minus_articulated_link_1_hxx_1 = wrench_outside_link_2_mx
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_hyy_1 = wrench_outside_link_2_my
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_hzz_1 = wrench_outside_link_2_mz
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_mxy_1 = wrench_outside_link_2_fx
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_myz_1 = wrench_outside_link_2_fy
+        * inverse_pivot_joint_2_d;
+    let minus_articulated_link_1_hxx = minus_articulated_link_2_hxx
+        + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fx;
+    let minus_articulated_link_1_hyy = minus_articulated_link_2_hyy
+        + minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fy;
+    let minus_articulated_link_1_hzz = minus_articulated_link_2_hzz
+        + minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fz;
+    let minus_articulated_link_1_mxy = minus_articulated_link_2_mxy
+        + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fy;
+    let minus_articulated_link_1_mxz = minus_articulated_link_2_mxz
+        + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fz;
+    let minus_articulated_link_1_myz = minus_articulated_link_2_myz
+        + minus_articulated_link_1_myz_1 * wrench_outside_link_2_fz;
+    let articulated_link_1_jxx = inertias.inertia_link_1_xx
+        + (articulated_link_2_jxx
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mx);
+    let articulated_link_1_jxy = inertias.inertia_link_1_xy
+        + (articulated_link_2_jxy
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_my);
+    let articulated_link_1_jxz = inertias.inertia_link_1_xz
+        + (articulated_link_2_jxz
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mz);
+    let articulated_link_1_jyy = inertias.inertia_link_1_yy
+        + (articulated_link_2_jyy
+            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_my);
+    let articulated_link_1_jyz = articulated_link_2_jyz
+        - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_mz
+        - inertias.minus_inertia_link_1_yz;
+    let articulated_link_1_jzz = inertias.inertia_link_1_zz
+        + (articulated_link_2_jzz
+            - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_mz);
+    let articulated_link_1_hyx = inertias.inertia_link_1_hz
+        + (articulated_link_2_hyx
+            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fx);
+    let articulated_link_1_hzx = articulated_link_2_hzx
+        - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fx
+        - inertias.inertia_link_1_hy;
+    let minus_articulated_link_1_hxy = inertias.inertia_link_1_hz
+        + (minus_articulated_link_2_hxy
+            + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fy);
+    let articulated_link_1_hzy = articulated_link_2_hzy
+        - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fy
+        - inertias.minus_inertia_link_1_hx;
+    let articulated_link_1_hxz = inertias.inertia_link_1_hy
+        + (articulated_link_2_hxz
+            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fz);
+    let articulated_link_1_hyz = inertias.minus_inertia_link_1_hx
+        + (articulated_link_2_hyz
+            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fz);
+    let articulated_link_1_mxx = 2.0
+        + (articulated_link_2_mxx
+            - minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fx);
+    let articulated_link_1_myy = 2.0
+        + (articulated_link_2_myy
+            - minus_articulated_link_1_myz_1 * wrench_outside_link_2_fy);
+    let articulated_link_1_mzz = 2.0
+        + (articulated_link_2_mzz
+            - wrench_outside_link_2_fz * inverse_pivot_joint_2_d
+                * wrench_outside_link_2_fz);
+    let wrench_outside_link_1_mx = articulated_link_1_jxz
+        + (minus_articulated_link_1_hxx * poses.minus_origin_base_y
+            - minus_articulated_link_1_hxy * poses.minus_origin_base_x);
+    let wrench_outside_link_1_my = articulated_link_1_jyz
+        - (minus_articulated_link_1_hyy * poses.minus_origin_base_x
+            + articulated_link_1_hyx * poses.minus_origin_base_y);
+    let wrench_outside_link_1_mz = articulated_link_1_jzz
+        + (articulated_link_1_hzy * poses.minus_origin_base_x
+            - articulated_link_1_hzx * poses.minus_origin_base_y);
+    let wrench_outside_link_1_fx = articulated_link_1_hzx
+        - (articulated_link_1_mxx * poses.minus_origin_base_y
+            + minus_articulated_link_1_mxy * poses.minus_origin_base_x);
+    let wrench_outside_link_1_fy = articulated_link_1_hzy
+        + (minus_articulated_link_1_mxy * poses.minus_origin_base_y
+            + articulated_link_1_myy * poses.minus_origin_base_x);
+    let wrench_outside_link_1_fz = minus_articulated_link_1_mxz
+        * poses.minus_origin_base_y
+        - minus_articulated_link_1_myz * poses.minus_origin_base_x
+        - minus_articulated_link_1_hzz;
+    let inverse_pivot_joint_1_d = 1.0
+        / (wrench_outside_link_1_mz
+            - poses.minus_origin_base_y * wrench_outside_link_1_fx
+            + poses.minus_origin_base_x * wrench_outside_link_1_fy);
+    let wrench_base_mx_2_0 = tau[0]
+        - (wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
+            + poses.minus_origin_base_x * wrench_link_1_fy);
+    let wrench_base_mx_2 = wrench_base_mx_2_0 * inverse_pivot_joint_1_d;
+    let wrench_base_mx = wrench_link_1_mx + wrench_outside_link_1_mx * wrench_base_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_1_0
+            + wrench_base_mx_4);
+    let wrench_base_my = wrench_link_1_my + wrench_outside_link_1_my * wrench_base_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_my_1_0
+            + wrench_base_my_4);
+    let wrench_base_mz = wrench_link_1_mz + wrench_outside_link_1_mz * wrench_base_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_mz_1_0
+            + wrench_base_mz_4);
+    let wrench_base_fx = wrench_link_1_fx + wrench_outside_link_1_fx * wrench_base_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_fx_1_0 + base_wrench[3]);
+    let wrench_base_fy = wrench_link_1_fy + wrench_outside_link_1_fy * wrench_base_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0 + base_wrench[4]);
+    let wrench_base_fz = wrench_link_1_fz + wrench_outside_link_1_fz * wrench_base_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_base_fz_1_0 + base_wrench[5]);
+    let minus_articulated_base_hxx_1 = wrench_outside_link_1_mx
+        * inverse_pivot_joint_1_d;
+    let minus_articulated_base_hyy_1 = wrench_outside_link_1_my
+        * inverse_pivot_joint_1_d;
+    let minus_articulated_base_hzz_1 = wrench_outside_link_1_mz
+        * inverse_pivot_joint_1_d;
+    let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx
+        * inverse_pivot_joint_1_d;
+    let minus_articulated_base_myz_1 = wrench_outside_link_1_fy
+        * inverse_pivot_joint_1_d;
+    let minus_articulated_base_hxx = minus_articulated_link_1_hxx
+        + minus_articulated_base_hxx_1 * wrench_outside_link_1_fx;
+    let minus_articulated_base_hyy = minus_articulated_link_1_hyy
+        + minus_articulated_base_hyy_1 * wrench_outside_link_1_fy;
+    let minus_articulated_base_hzz = minus_articulated_link_1_hzz
+        + minus_articulated_base_hzz_1 * wrench_outside_link_1_fz;
+    let minus_articulated_base_mxy = minus_articulated_link_1_mxy
+        + minus_articulated_base_mxy_1 * wrench_outside_link_1_fy;
+    let minus_articulated_base_mxz = minus_articulated_link_1_mxz
+        + minus_articulated_base_mxy_1 * wrench_outside_link_1_fz;
+    let minus_articulated_base_myz = minus_articulated_link_1_myz
+        + minus_articulated_base_myz_1 * wrench_outside_link_1_fz;
+    let articulated_base_jxx = inertias.inertia_base_xx
+        + (articulated_link_1_jxx
+            - minus_articulated_base_hxx_1 * wrench_outside_link_1_mx);
+    let articulated_base_jxy = articulated_link_1_jxy
+        - minus_articulated_base_hxx_1 * wrench_outside_link_1_my
+        - inertias.minus_inertia_base_xy;
+    let articulated_base_jxz = articulated_link_1_jxz
+        - minus_articulated_base_hxx_1 * wrench_outside_link_1_mz
+        - inertias.minus_inertia_base_xz;
+    let articulated_base_jyy = inertias.inertia_base_yy
+        + (articulated_link_1_jyy
+            - minus_articulated_base_hyy_1 * wrench_outside_link_1_my);
+    let articulated_base_jyz = articulated_link_1_jyz
+        - minus_articulated_base_hyy_1 * wrench_outside_link_1_mz
+        - inertias.minus_inertia_base_yz;
+    let articulated_base_jzz = inertias.inertia_base_zz
+        + (articulated_link_1_jzz
+            - minus_articulated_base_hzz_1 * wrench_outside_link_1_mz);
+    let articulated_base_hyx = articulated_link_1_hyx
+        - minus_articulated_base_hyy_1 * wrench_outside_link_1_fx
+        - inertias.minus_inertia_base_hz;
+    let articulated_base_hzx = inertias.minus_inertia_base_hy
+        + (articulated_link_1_hzx
+            - minus_articulated_base_hzz_1 * wrench_outside_link_1_fx);
+    let articulated_base_hxy = inertias.minus_inertia_base_hz
+        - (minus_articulated_link_1_hxy
+            + minus_articulated_base_hxx_1 * wrench_outside_link_1_fy);
+    let articulated_base_hzy = articulated_link_1_hzy
+        - minus_articulated_base_hzz_1 * wrench_outside_link_1_fy
+        - inertias.minus_inertia_base_hx;
+    let articulated_base_hxz = articulated_link_1_hxz
+        - minus_articulated_base_hxx_1 * wrench_outside_link_1_fz
+        - inertias.minus_inertia_base_hy;
+    let articulated_base_hyz = inertias.minus_inertia_base_hx
+        + (articulated_link_1_hyz
+            - minus_articulated_base_hyy_1 * wrench_outside_link_1_fz);
+    let articulated_base_mxx = 3.5
+        + (articulated_link_1_mxx
+            - minus_articulated_base_mxy_1 * wrench_outside_link_1_fx);
+    let articulated_base_myy = 3.5
+        + (articulated_link_1_myy
+            - minus_articulated_base_myz_1 * wrench_outside_link_1_fy);
+    let articulated_base_mzz = 3.5
+        + (articulated_link_1_mzz
+            - wrench_outside_link_1_fz * inverse_pivot_joint_1_d
+                * wrench_outside_link_1_fz);
+    let twist_base_wz_15 = 1.0 / articulated_base_mxx;
+    let twist_base_wz_16 = minus_articulated_base_mxy * twist_base_wz_15;
+    let twist_base_wz_18 = minus_articulated_base_mxz * twist_base_wz_15;
+    let minus_twist_base_vy_1 = 1.0
+        / (articulated_base_myy - twist_base_wz_16 * minus_articulated_base_mxy);
+    let minus_twist_base_vz_9_0 = minus_articulated_base_myz
+        + twist_base_wz_18 * minus_articulated_base_mxy;
+    let minus_twist_base_vz_9 = minus_twist_base_vz_9_0 * minus_twist_base_vy_1;
+    let minus_twist_base_vz_11 = 1.0
+        / (articulated_base_mzz - twist_base_wz_18 * minus_articulated_base_mxz
+            - minus_twist_base_vz_9 * minus_twist_base_vz_9_0);
+    let minus_twist_base_wx_2_0_2_1_3_4 = articulated_base_hxy
+        - twist_base_wz_16 * minus_articulated_base_hxx;
+    let minus_twist_base_wx_2_0_2_1_3 = (articulated_base_hxz
+        - twist_base_wz_18 * minus_articulated_base_hxx
+        + minus_twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3_4)
+        * minus_twist_base_vz_11;
+    let minus_twist_base_wx_2_0_2_1 = minus_twist_base_wx_2_0_2_1_3_4
+        * minus_twist_base_vy_1 + minus_twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3;
+    let minus_twist_base_wx_2_0_2 = twist_base_wz_16 * minus_twist_base_wx_2_0_2_1
+        - minus_articulated_base_hxx * twist_base_wz_15
+        + twist_base_wz_18 * minus_twist_base_wx_2_0_2_1_3;
+    let twist_base_wy_1_3_3_3_4 = twist_base_wz_16 * articulated_base_hyx
+        - minus_articulated_base_hyy;
+    let twist_base_wy_1_3_3_3 = (articulated_base_hyz
+        + twist_base_wz_18 * articulated_base_hyx
+        + minus_twist_base_vz_9 * twist_base_wy_1_3_3_3_4) * minus_twist_base_vz_11;
+    let twist_base_wy_1_3_3 = twist_base_wy_1_3_3_3_4 * minus_twist_base_vy_1
+        + minus_twist_base_vz_9 * twist_base_wy_1_3_3_3;
+    let twist_base_wy_1_3 = articulated_base_hyx * twist_base_wz_15
+        + twist_base_wz_16 * twist_base_wy_1_3_3
+        + twist_base_wz_18 * twist_base_wy_1_3_3_3;
+    let twist_base_wz_23_4 = articulated_base_hzy
+        + twist_base_wz_16 * articulated_base_hzx;
+    let twist_base_wz_23 = (twist_base_wz_18 * articulated_base_hzx
+        - minus_articulated_base_hzz + minus_twist_base_vz_9 * twist_base_wz_23_4)
+        * minus_twist_base_vz_11;
+    let twist_base_wz_21 = twist_base_wz_23_4 * minus_twist_base_vy_1
+        + minus_twist_base_vz_9 * twist_base_wz_23;
+    let minus_twist_base_wx_2_0 = articulated_base_jxy
+        - (articulated_base_hyx * minus_twist_base_wx_2_0_2
+            - minus_articulated_base_hyy * minus_twist_base_wx_2_0_2_1
+            + articulated_base_hyz * minus_twist_base_wx_2_0_2_1_3);
+    let twist_base_wz_25 = articulated_base_jxz
+        - (articulated_base_hzx * minus_twist_base_wx_2_0_2
+            + articulated_base_hzy * minus_twist_base_wx_2_0_2_1
+            - minus_articulated_base_hzz * minus_twist_base_wx_2_0_2_1_3);
+    let minus_twist_base_wx_1 = 1.0
+        / (articulated_base_jxx
+            - (articulated_base_hxy * minus_twist_base_wx_2_0_2_1
+                - minus_articulated_base_hxx * minus_twist_base_wx_2_0_2
+                + articulated_base_hxz * minus_twist_base_wx_2_0_2_1_3));
+    let minus_twist_base_wx_2 = minus_twist_base_wx_2_0 * minus_twist_base_wx_1;
+    let twist_base_wz_24 = twist_base_wz_25 * minus_twist_base_wx_1;
+    let twist_base_wy_1 = 1.0
+        / (articulated_base_jyy
+            - (articulated_base_hyx * twist_base_wy_1_3
+                - minus_articulated_base_hyy * twist_base_wy_1_3_3
+                + articulated_base_hyz * twist_base_wy_1_3_3_3)
+            - minus_twist_base_wx_2 * minus_twist_base_wx_2_0);
+    let twist_base_wz_27 = articulated_base_jyz
+        - (articulated_base_hzx * twist_base_wy_1_3
+            + articulated_base_hzy * twist_base_wy_1_3_3
+            - minus_articulated_base_hzz * twist_base_wy_1_3_3_3)
+        - twist_base_wz_24 * minus_twist_base_wx_2_0;
+    let twist_base_wz_26 = twist_base_wz_27 * twist_base_wy_1;
+    let twist_base_wz_4_4 = wrench_base_fy + twist_base_wz_16 * wrench_base_fx;
+    let twist_base_wz_4 = (wrench_base_fz + twist_base_wz_18 * wrench_base_fx
+        + minus_twist_base_vz_9 * twist_base_wz_4_4) * minus_twist_base_vz_11;
+    let twist_base_wz_6 = twist_base_wz_4_4 * minus_twist_base_vy_1
+        + minus_twist_base_vz_9 * twist_base_wz_4;
+    let twist_base_wz_8 = wrench_base_fx * twist_base_wz_15
+        + twist_base_wz_16 * twist_base_wz_6 + twist_base_wz_18 * twist_base_wz_4;
+    let twist_base_wz_1 = wrench_base_mx
+        + (minus_articulated_base_hxx * twist_base_wz_8
+            - articulated_base_hxy * twist_base_wz_6
+            - articulated_base_hxz * twist_base_wz_4);
+    let twist_base_wz_10 = minus_twist_base_wx_2 * twist_base_wz_1
+        - (wrench_base_my
+            + (minus_articulated_base_hyy * twist_base_wz_6
+                - articulated_base_hyx * twist_base_wz_8
+                - articulated_base_hyz * twist_base_wz_4));
+    let twist_base_wz = (twist_base_wz_24 * twist_base_wz_1
+        - (wrench_base_mz
+            + (minus_articulated_base_hzz * twist_base_wz_4
+                - (articulated_base_hzy * twist_base_wz_6
+                    + articulated_base_hzx * twist_base_wz_8)))
+        - twist_base_wz_26 * twist_base_wz_10)
+        * (1.0
+            / (articulated_base_jzz
+                - (articulated_base_hzx
+                    * (articulated_base_hzx * twist_base_wz_15
+                        + twist_base_wz_16 * twist_base_wz_21
+                        + twist_base_wz_18 * twist_base_wz_23)
+                    + articulated_base_hzy * twist_base_wz_21
+                    - minus_articulated_base_hzz * twist_base_wz_23)
+                - twist_base_wz_24 * twist_base_wz_25
+                - twist_base_wz_26 * twist_base_wz_27));
+    let twist_base_wy = twist_base_wz_10 * twist_base_wy_1
+        - twist_base_wz_26 * twist_base_wz;
+    let minus_twist_base_wx = twist_base_wz_1 * minus_twist_base_wx_1
+        + minus_twist_base_wx_2 * twist_base_wy + twist_base_wz_24 * twist_base_wz;
+    let minus_twist_base_vz_8 = wrench_base_fx
+        + (minus_articulated_base_hxx * minus_twist_base_wx
+            + articulated_base_hyx * twist_base_wy
+            + articulated_base_hzx * twist_base_wz);
+    let minus_twist_base_vz_10 = wrench_base_fy
+        + (articulated_base_hzy * twist_base_wz
+            - (articulated_base_hxy * minus_twist_base_wx
+                + minus_articulated_base_hyy * twist_base_wy))
+        + twist_base_wz_16 * minus_twist_base_vz_8;
+    let minus_twist_base_vz = (wrench_base_fz
+        + (articulated_base_hyz * twist_base_wy
+            - articulated_base_hxz * minus_twist_base_wx
+            - minus_articulated_base_hzz * twist_base_wz)
+        + twist_base_wz_18 * minus_twist_base_vz_8
+        + minus_twist_base_vz_9 * minus_twist_base_vz_10) * minus_twist_base_vz_11;
+    let minus_twist_base_vy = minus_twist_base_vz_10 * minus_twist_base_vy_1
+        + minus_twist_base_vz_9 * minus_twist_base_vz;
+    let minus_twist_base_vx = minus_twist_base_vz_8 * twist_base_wz_15
+        + twist_base_wz_16 * minus_twist_base_vy
+        + twist_base_wz_18 * minus_twist_base_vz;
+    let twist_link_1_wz_1 = (wrench_base_mx_2_0
+        - (twist_base_wy * wrench_outside_link_1_my
+            - minus_twist_base_wx * wrench_outside_link_1_mx
+            + twist_base_wz * wrench_outside_link_1_mz
+            - minus_twist_base_vx * wrench_outside_link_1_fx
+            - minus_twist_base_vy * wrench_outside_link_1_fy
+            - minus_twist_base_vz * wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
+    xi_dot[6] = twist_link_1_wz_1 + 0.0;
+    let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
+    let minus_twist_link_1_vx = minus_twist_base_vx
+        + poses.minus_origin_base_y * twist_link_1_wz_1;
+    let twist_link_1_vy = poses.minus_origin_base_x * twist_link_1_wz_1
+        - minus_twist_base_vy;
+    let twist_link_2_wx_1 = (wrench_link_1_mx_11_0
+        - (twist_base_wy * wrench_outside_link_2_my
+            - minus_twist_base_wx * wrench_outside_link_2_mx
+            + twist_link_1_wz * wrench_outside_link_2_mz
+            - minus_twist_link_1_vx * wrench_outside_link_2_fx
+            + twist_link_1_vy * wrench_outside_link_2_fy
+            - minus_twist_base_vz * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
+    xi_dot[7] = twist_link_2_wx_1 + 0.0;
+    let twist_link_2_wx = poses.sin_joint_1 * twist_link_2_wx_1 - minus_twist_base_wx;
+    let twist_link_2_wy = twist_base_wy - poses.cos_joint_1 * twist_link_2_wx_1;
+    let twist_link_2_vx = screws.screw_joint_2_vx * twist_link_2_wx_1
+        - minus_twist_link_1_vx;
+    let twist_link_2_vy = twist_link_1_vy + screws.screw_joint_2_vy * twist_link_2_wx_1;
+    let twist_link_2_vz = screws.screw_joint_2_vz * twist_link_2_wx_1
+        - minus_twist_base_vz;
+    let twist_link_3_wx_2 = (wrench_link_2_mx_13_0
+        - (twist_link_2_wx * wrench_outside_link_3_mx
+            + twist_link_2_wy * wrench_outside_link_3_my
+            + twist_link_1_wz * wrench_outside_link_3_mz
+            + twist_link_2_vx * wrench_outside_link_3_fx
+            + twist_link_2_vy * wrench_outside_link_3_fy
+            + twist_link_2_vz * wrench_outside_link_3_fz)) * inverse_pivot_joint_3_d;
+    xi_dot[8] = twist_link_3_wx_2 + 0.0;
+    let twist_link_3_wx = twist_link_2_wx
+        - poses.minus_rotation_link_2_xy * twist_link_3_wx_2;
+    let twist_link_3_wy = twist_link_2_wy
+        - poses.minus_rotation_link_2_yy * twist_link_3_wx_2;
+    let twist_link_3_wz = twist_link_1_wz + poses.cos_joint_2 * twist_link_3_wx_2;
+    let twist_link_3_vx = twist_link_2_vx + screws.screw_joint_3_vx * twist_link_3_wx_2;
+    let twist_link_3_vy = twist_link_2_vy + screws.screw_joint_3_vy * twist_link_3_wx_2;
+    let twist_link_3_vz = twist_link_2_vz + screws.screw_joint_3_vz * twist_link_3_wx_2;
+    let twist_link_4_wx_2 = (wrench_link_3_mx_13_0
+        - (twist_link_3_wx * wrench_outside_link_4_mx
+            + twist_link_3_wy * wrench_outside_link_4_my
+            + twist_link_3_wz * wrench_outside_link_4_mz
+            + twist_link_3_vx * wrench_outside_link_4_fx
+            + twist_link_3_vy * wrench_outside_link_4_fy
+            + twist_link_3_vz * wrench_outside_link_4_fz)) * inverse_pivot_joint_4_d;
+    xi_dot[9] = twist_link_4_wx_2 + 0.0;
+    let twist_link_4_wx = twist_link_3_wx
+        - poses.minus_rotation_link_3_xy * twist_link_4_wx_2;
+    let twist_link_4_wy = twist_link_3_wy + poses.rotation_link_3_yy * twist_link_4_wx_2;
+    let twist_link_4_wz = twist_link_3_wz
+        - poses.minus_rotation_link_3_zy * twist_link_4_wx_2;
+    let twist_link_4_vx = twist_link_3_vx + screws.screw_joint_4_vx * twist_link_4_wx_2;
+    let twist_link_4_vy = twist_link_3_vy
+        - screws.minus_screw_joint_4_vy * twist_link_4_wx_2;
+    let twist_link_4_vz = twist_link_3_vz
+        - screws.minus_screw_joint_4_vz * twist_link_4_wx_2;
+    let twist_link_5_wx_2 = (wrench_link_4_mx_13_0
+        - (twist_link_4_wx * wrench_outside_link_5_mx
+            + twist_link_4_wy * wrench_outside_link_5_my
+            + twist_link_4_wz * wrench_outside_link_5_mz
+            + twist_link_4_vx * wrench_outside_link_5_fx
+            + twist_link_4_vy * wrench_outside_link_5_fy
+            + twist_link_4_vz * wrench_outside_link_5_fz)) * inverse_pivot_joint_5_d;
+    xi_dot[10] = twist_link_5_wx_2 + 0.0;
+    let twist_link_5_wx = twist_link_4_wx - poses.rotation_link_4_xy * twist_link_5_wx_2;
+    let twist_link_5_wy = twist_link_4_wy - poses.rotation_link_4_yy * twist_link_5_wx_2;
+    let twist_link_5_wz = twist_link_4_wz + poses.rotation_link_5_zz * twist_link_5_wx_2;
+    let twist_link_5_vx = twist_link_4_vx + screws.screw_joint_5_vx * twist_link_5_wx_2;
+    let twist_link_5_vy = twist_link_4_vy + screws.screw_joint_5_vy * twist_link_5_wx_2;
+    let twist_link_5_vz = twist_link_4_vz + screws.screw_joint_5_vz * twist_link_5_wx_2;
+    let twist_link_6_wx_2 = (wrench_link_5_mx_13_0
+        - (twist_link_5_wx * wrench_outside_link_6_mx
+            + twist_link_5_wy * wrench_outside_link_6_my
+            + twist_link_5_wz * wrench_outside_link_6_mz
+            + twist_link_5_vx * wrench_outside_link_6_fx
+            + twist_link_5_vy * wrench_outside_link_6_fy
+            + twist_link_5_vz * wrench_outside_link_6_fz)) * inverse_pivot_joint_6_d;
+    xi_dot[11] = twist_link_6_wx_2 + 0.0;
+    let twist_link_6_wx = twist_link_5_wx + poses.rotation_link_6_xz * twist_link_6_wx_2;
+    let twist_link_6_wy = twist_link_5_wy - poses.rotation_link_5_yy * twist_link_6_wx_2;
+    let twist_link_6_wz = twist_link_5_wz + poses.rotation_link_6_zz * twist_link_6_wx_2;
+    let twist_link_6_vx = twist_link_5_vx + screws.screw_joint_6_vx * twist_link_6_wx_2;
+    let twist_link_6_vy = twist_link_5_vy + screws.screw_joint_6_vy * twist_link_6_wx_2;
+    let twist_link_6_vz = twist_link_5_vz + screws.screw_joint_6_vz * twist_link_6_wx_2;
+    xi_dot[12] = (wrench_link_6_mx_13_0
+        - (twist_link_6_wx * screws.inside_joint_7_mx
+            + twist_link_6_wy * screws.inside_joint_7_my
+            + twist_link_6_wz * screws.inside_joint_7_mz
+            + twist_link_6_vx * screws.inside_joint_7_fx
+            + twist_link_6_vy * screws.inside_joint_7_fy
+            + twist_link_6_vz * screws.inside_joint_7_fz)) * inverse_pivot_joint_7_d
+        + 0.0;
+}
 /// The block-diagonal inertia diag(Λ_b, Λ_q) and the connection A_l = Λ_b⁻¹ M_bq.
 ///
 /// - `q`: shape (7; rad, m)
@@ -14267,22 +15818,7 @@ pub fn base_twist(
     let complements = complements(&poses, &inertias);
     let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
-    // V₁
-    base_twist[0] = mu[0] - velocities.minus_velocity_base_wx + 0.0;
-    base_twist[1] = mu[1] - velocities.minus_velocity_base_wy + 0.0;
-    base_twist[2] = mu[2] - velocities.minus_velocity_base_wz + 0.0;
-    base_twist[3] = mu[3]
-        + (velocities.velocity_base_vx
-            + (velocities.minus_velocity_base_wy * poses.com_z
-                - velocities.minus_velocity_base_wz * poses.com_y)) + 0.0;
-    base_twist[4] = mu[4]
-        + (velocities.minus_velocity_base_wz * poses.com_x
-            - velocities.minus_velocity_base_wx * poses.com_z
-            - velocities.minus_velocity_base_vy) + 0.0;
-    base_twist[5] = mu[5]
-        + (velocities.minus_velocity_base_wx * poses.com_y
-            - velocities.minus_velocity_base_wy * poses.com_x
-            - velocities.minus_velocity_base_vz) + 0.0;
+    base_twist_itself(mu, &poses, &velocities, base_twist);
 }
 /// ½ μᵀ Λ_b μ + ½ q̇ᵀ Λ_q q̇.
 ///
@@ -14627,1491 +16163,72 @@ pub fn forward_dynamics(
         &screws,
         &velocities,
     );
-    let xi_dot_0_3_3_4_0_2 = inertias.composite_base_xx * mu[0]
-        + inertias.composite_base_xy * mu[1] + inertias.composite_base_xz * mu[2];
-    let xi_dot_0_3_3_4_3_0_0 = inertias.composite_base_xy * mu[0]
-        + inertias.composite_base_yy * mu[1] + inertias.composite_base_yz * mu[2];
-    let xi_dot_0_3_3_4_3_0_2 = inertias.composite_base_xz * mu[0]
-        + inertias.composite_base_yz * mu[1] + inertias.composite_base_zz * mu[2];
-    let xi_dot_0_3_3_4_3_0_9 = inertias.composite_link_1_xy
-        + inertias.composite_link_1_xy;
-    let xi_dot_0_3_3_4_0_11_1 = inertias.composite_link_1_hx * poses.minus_origin_base_y;
-    let xi_dot_0_3_3_4_3_0_8_1 = inertias.composite_link_1_hy
-        * poses.minus_origin_base_x;
-    let xi_dot_0_3_3_4_3_0_8 = xi_dot_0_3_3_4_3_0_8_1 + xi_dot_0_3_3_4_3_0_8_1;
-    let xi_dot_0_3_3_4_0_11 = xi_dot_0_3_3_4_0_11_1 + xi_dot_0_3_3_4_0_11_1;
-    let xi_dot_0_3_3_4_0_6_0 = mu[3] + (mu[1] * poses.com_z - mu[2] * poses.com_y);
-    let xi_dot_0_3_3_4_3_0_6_0 = mu[4] + (mu[2] * poses.com_x - mu[0] * poses.com_z);
-    let xi_dot_0_3_3_4_3_0_4_0 = mu[5] + (mu[0] * poses.com_y - mu[1] * poses.com_x);
-    let xi_dot_0_3_3_4_0_6 = xi_dot_0_3_3_4_0_6_0 * 17.5;
-    let xi_dot_0_3_3_4_3_0_6 = xi_dot_0_3_3_4_3_0_6_0 * 17.5;
-    let xi_dot_0_3_3_4_3_0_4 = xi_dot_0_3_3_4_3_0_4_0 * 17.5;
-    let xi_dot_0_3_3_4_3_0_24 = (inertias.composite_link_1_xx
-        - inertias.composite_link_1_yy
-        - (inertias.inside_joint_1_mz_1_0 - inertias.inside_joint_1_mz_1_1)) * qd[0]
-        - common_d_mu_and_7_more.three_joint_2_x_0_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_joint_3_x_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_joint_4_x_0_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_joint_5_x_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_joint_6_x_0_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_joint_7_x_0_1_0 * qd[6];
-    let xi_dot_0_3_3_4_3_0_26 = common_d_mu_and_7_more.three_joint_2_x_1_0 * qd[1]
-        - screws.inside_joint_1_my * qd[0]
-        + common_d_mu_and_7_more.three_joint_3_x_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_joint_4_x_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_joint_5_x_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_joint_6_x_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_joint_7_x_1_0 * qd[6];
-    let xi_dot_0_3_3_4_0_26 = screws.inside_joint_1_mx * qd[0]
-        + common_d_mu_and_7_more.three_joint_2_y_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_joint_3_y_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_joint_4_y_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_joint_5_y_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_joint_6_y_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_joint_7_y_1_0 * qd[6];
-    let xi_dot_0_3_3_4_0_30 = velocities.velocity_base_vx * 17.5;
-    let xi_dot_0_3_3_4_3_0_28 = velocities.minus_velocity_base_vy * 17.5;
-    let xi_dot_0_3_3_4_3_0_30 = velocities.minus_velocity_base_vz * 17.5;
-    let xi_dot_0_3_3_4_0_1 = mu[0] - velocities.minus_velocity_base_wx;
-    let xi_dot_0_3_3_4_3_0_3 = mu[1] - velocities.minus_velocity_base_wy;
-    let xi_dot_0_3_3_4_3_0_1 = mu[2] - velocities.minus_velocity_base_wz;
-    let wrench_base_mx_4 = base_wrench[0]
-        + (base_wrench[4] * poses.com_z - base_wrench[5] * poses.com_y);
-    let wrench_base_my_4 = base_wrench[1]
-        + (base_wrench[5] * poses.com_x - base_wrench[3] * poses.com_z);
-    let wrench_base_mz_4 = base_wrench[2]
-        + (base_wrench[3] * poses.com_y - base_wrench[4] * poses.com_x);
-    let xi_dot_0_3_3_4_3_0 = xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_3_0_1
-        - xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_3_0_3
-        + (xi_dot_0_3_3_4_3_0_4 * velocities.minus_velocity_base_vy
-            - xi_dot_0_3_3_4_3_0_6 * velocities.minus_velocity_base_vz)
-        - (((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_3_0_9) * qd[0]
-            + common_d_mu_and_7_more.three_joint_2_x_0_0_0 * qd[1]
-            + common_d_mu_and_7_more.three_joint_3_x_0_0_0 * qd[2]
-            + common_d_mu_and_7_more.three_joint_4_x_0_0_0 * qd[3]
-            + common_d_mu_and_7_more.three_joint_5_x_0_0_0 * qd[4]
-            + common_d_mu_and_7_more.three_joint_6_x_0_0_0 * qd[5]
-            + common_d_mu_and_7_more.three_joint_7_x_0_0_0 * qd[6]) * mu[0]
-            + xi_dot_0_3_3_4_3_0_24 * mu[1] + xi_dot_0_3_3_4_3_0_26 * mu[2]
-            + (xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_3_0_4_0
-                - xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_3_0_6_0));
-    let xi_dot_0_3_3_4_0 = xi_dot_0_3_3_4_3_0_2 * xi_dot_0_3_3_4_0_1
-        - xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_1
-        + (xi_dot_0_3_3_4_3_0_4 * velocities.velocity_base_vx
-            + xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vz)
-        - (xi_dot_0_3_3_4_3_0_24 * mu[0]
-            + ((xi_dot_0_3_3_4_3_0_9 - xi_dot_0_3_3_4_0_11) * qd[0]
-                + common_d_mu_and_7_more.three_joint_2_y_0_0_0 * qd[1]
-                + common_d_mu_and_7_more.three_joint_3_y_0_1_0 * qd[2]
-                + common_d_mu_and_7_more.three_joint_4_y_0_1_0 * qd[3]
-                + common_d_mu_and_7_more.three_joint_5_y_0_1_0 * qd[4]
-                + common_d_mu_and_7_more.three_joint_6_y_0_1_0 * qd[5]
-                + common_d_mu_and_7_more.three_joint_7_y_0_1_0 * qd[6]) * mu[1]
-            + xi_dot_0_3_3_4_0_26 * mu[2]
-            + (xi_dot_0_3_3_4_3_0_30 * xi_dot_0_3_3_4_0_6_0
-                + xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_4_0));
-    let xi_dot_0_3_3_4_3 = xi_dot_0_3_3_4_3_0 + wrench_base_mx_4;
-    let xi_dot_0_3_3_0 = xi_dot_0_3_3_4_0_2 * xi_dot_0_3_3_4_3_0_3
-        - xi_dot_0_3_3_4_3_0_0 * xi_dot_0_3_3_4_0_1
-        - (xi_dot_0_3_3_4_0_6 * velocities.minus_velocity_base_vy
-            + xi_dot_0_3_3_4_3_0_6 * velocities.velocity_base_vx)
-        - (xi_dot_0_3_3_4_3_0_26 * mu[0] + xi_dot_0_3_3_4_0_26 * mu[1]
-            + ((xi_dot_0_3_3_4_3_0_8 - xi_dot_0_3_3_4_0_11) * qd[0]
-                + common_d_mu_and_7_more.three_joint_2_z_1_0 * qd[1]
-                + common_d_mu_and_7_more.three_joint_3_z_1_0 * qd[2]
-                - common_d_mu_and_7_more.three_joint_4_z_1_0 * qd[3]
-                + common_d_mu_and_7_more.three_joint_5_z_1_0 * qd[4]
-                + common_d_mu_and_7_more.three_joint_6_z_1_0 * qd[5]
-                + common_d_mu_and_7_more.three_joint_7_z_1_0 * qd[6]) * mu[2]
-            - (xi_dot_0_3_3_4_0_30 * xi_dot_0_3_3_4_3_0_6_0
-                + xi_dot_0_3_3_4_3_0_28 * xi_dot_0_3_3_4_0_6_0)) + wrench_base_mz_4;
-    let xi_dot_0_3_3_4 = xi_dot_0_3_3_4_0 + wrench_base_my_4
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_4_3;
-    let xi_dot_0_3_3 = (xi_dot_0_3_3_0
-        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_4_3
-        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_4)
-        * inertias.locked_inverse_pivot_z;
-    let xi_dot_0_3 = xi_dot_0_3_3_4 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
-    let xi_dot_0 = xi_dot_0_3_3_4_3 * inertias.locked_inverse_pivot_x
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
-        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
-    // ξ\u{307} = [μ\u{307}; q\u{308}]
-    xi_dot[0] = xi_dot_0 + 0.0;
-    xi_dot[1] = xi_dot_0_3 + 0.0;
-    xi_dot[2] = xi_dot_0_3_3 + 0.0;
-    xi_dot[3] = (xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_3_0_1
-        - xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_3_0_3
-        - (mu[1] * xi_dot_0_3_3_4_3_0_30 - mu[2] * xi_dot_0_3_3_4_3_0_28)
-        + base_wrench[3]) * 0.05714285714285714
-        + (xi_dot_0_3_3 * poses.com_y - xi_dot_0_3 * poses.com_z) + gravity[0] + 0.0;
-    xi_dot[4] = (xi_dot_0_3_3_4_3_0_4 * xi_dot_0_3_3_4_0_1
-        - xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_1
-        + (mu[2] * xi_dot_0_3_3_4_0_30 + mu[0] * xi_dot_0_3_3_4_3_0_30) + base_wrench[4])
-        * 0.05714285714285714 + (xi_dot_0 * poses.com_z - xi_dot_0_3_3 * poses.com_x)
-        + gravity[1] + 0.0;
-    xi_dot[5] = (xi_dot_0_3_3_4_0_6 * xi_dot_0_3_3_4_3_0_3
-        - xi_dot_0_3_3_4_3_0_6 * xi_dot_0_3_3_4_0_1
-        - (mu[0] * xi_dot_0_3_3_4_3_0_28 + mu[1] * xi_dot_0_3_3_4_0_30) + base_wrench[5])
-        * 0.05714285714285714 + (xi_dot_0_3 * poses.com_x - xi_dot_0 * poses.com_y)
-        + gravity[2] + 0.0;
-    let wrench_link_2_mx_1 = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_1;
-    let wrench_link_2_mx_3 = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1;
-    let wrench_link_2_my_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_0_1;
-    let wrench_link_2_mx_9 = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_0
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1;
-    let wrench_link_2_mx_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_0_1;
-    let wrench_link_3_mx_1 = wrench_link_2_mx_1
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_1;
-    let wrench_link_3_mx_3 = wrench_link_2_mx_3
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_0_1;
-    let wrench_link_3_mx_5 = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_mx_0_0_1_1_0_0_0_0_0
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1;
-    let wrench_link_3_my_7 = wrench_link_2_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_0_1;
-    let wrench_link_3_mx_9 = wrench_link_2_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_1;
-    let wrench_link_3_mx_7 = wrench_link_2_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_0_1;
-    let wrench_link_4_mx_1 = wrench_link_3_mx_1
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_1;
-    let wrench_link_4_mx_3 = wrench_link_3_mx_3
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_1;
-    let wrench_link_4_mx_5 = wrench_link_3_mx_5
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_1;
-    let wrench_link_4_my_7 = wrench_link_3_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_0_1;
-    let wrench_link_4_mx_9 = wrench_link_3_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_1;
-    let wrench_link_4_mx_7 = wrench_link_3_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_0_1;
-    let wrench_link_5_mx_1 = wrench_link_4_mx_1
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_1;
-    let wrench_link_5_mx_3 = wrench_link_4_mx_3
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_1;
-    let wrench_link_5_mx_5 = wrench_link_4_mx_5
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_1;
-    let wrench_link_5_my_7 = wrench_link_4_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_0_1;
-    let wrench_link_5_mx_9 = wrench_link_4_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_1;
-    let wrench_link_5_mx_7 = wrench_link_4_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_0_1;
-    let wrench_link_6_mx_1 = wrench_link_5_mx_1
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_1;
-    let wrench_link_6_mx_3 = wrench_link_5_mx_3
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_1;
-    let wrench_link_6_mx_5 = wrench_link_5_mx_5
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_1;
-    let wrench_link_6_my_7 = wrench_link_5_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_0_1;
-    let wrench_link_6_mx_9 = wrench_link_5_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_1;
-    let wrench_link_6_mx_7 = wrench_link_5_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_0_1;
-    let wrench_link_7_mx_1 = wrench_link_6_mx_1
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_1;
-    let wrench_link_7_mx_3 = wrench_link_6_mx_3
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_1;
-    let wrench_link_7_mx_5 = wrench_link_6_mx_5
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_1;
-    let wrench_link_7_my_7 = wrench_link_6_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_my_0_1_0_1_1;
-    let wrench_link_7_mx_9 = wrench_link_6_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_1;
-    let wrench_link_7_mx_7 = wrench_link_6_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_0_1_1;
-    let wrench_link_7_mx = inertias.inertia_link_7_xx * wrench_link_7_mx_1
-        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_3
-        + inertias.inertia_link_7_xz * wrench_link_7_mx_5
-        - (inertias.minus_inertia_link_7_hy * wrench_link_7_mx_7
-            + inertias.inertia_link_7_hz * wrench_link_7_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_1;
-    let wrench_link_7_my = inertias.inertia_link_7_yy * wrench_link_7_mx_3
-        - inertias.minus_inertia_link_7_xy * wrench_link_7_mx_1
-        + inertias.inertia_link_7_yz * wrench_link_7_mx_5
-        + (inertias.inertia_link_7_hz * wrench_link_7_my_7
-            + inertias.minus_inertia_link_7_hx * wrench_link_7_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_my_1;
-    let wrench_link_7_mz = inertias.inertia_link_7_xz * wrench_link_7_mx_1
-        + inertias.inertia_link_7_yz * wrench_link_7_mx_3
-        + inertias.inertia_link_7_zz * wrench_link_7_mx_5
-        + (inertias.minus_inertia_link_7_hy * wrench_link_7_my_7
-            - inertias.minus_inertia_link_7_hx * wrench_link_7_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mz_1;
-    let wrench_link_7_fx = wrench_link_7_my_7 * 2.0
-        + (wrench_link_7_mx_3 * inertias.inertia_link_7_hz
-            + wrench_link_7_mx_5 * inertias.minus_inertia_link_7_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fx_1;
-    let wrench_link_7_fy = wrench_link_7_mx_9 * 2.0
-        - (wrench_link_7_mx_5 * inertias.minus_inertia_link_7_hx
-            + wrench_link_7_mx_1 * inertias.inertia_link_7_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fy_1;
-    let wrench_link_7_fz = wrench_link_7_mx_7 * 2.0
-        + (wrench_link_7_mx_3 * inertias.minus_inertia_link_7_hx
-            - wrench_link_7_mx_1 * inertias.minus_inertia_link_7_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_fz_1;
-    let inverse_pivot_joint_7_d = 1.0
-        / (poses.rotation_link_6_zy * screws.inside_joint_7_mz
-            - (poses.minus_rotation_link_6_xy * screws.inside_joint_7_mx
-                + poses.minus_rotation_link_6_yy * screws.inside_joint_7_my)
-            + screws.screw_joint_7_vx * screws.inside_joint_7_fx
-            + screws.screw_joint_7_vy * screws.inside_joint_7_fy
-            + screws.screw_joint_7_vz * screws.inside_joint_7_fz);
-    let wrench_link_6_mx_13_0 = tau[6]
-        - (poses.rotation_link_6_zy * wrench_link_7_mz
-            - (poses.minus_rotation_link_6_xy * wrench_link_7_mx
-                + poses.minus_rotation_link_6_yy * wrench_link_7_my)
-            + screws.screw_joint_7_vx * wrench_link_7_fx
-            + screws.screw_joint_7_vy * wrench_link_7_fy
-            + screws.screw_joint_7_vz * wrench_link_7_fz);
-    let wrench_link_6_mx_13 = wrench_link_6_mx_13_0 * inverse_pivot_joint_7_d;
-    let wrench_link_6_mx = inertias.inertia_link_6_xx * wrench_link_6_mx_1
-        - inertias.minus_inertia_link_6_xy * wrench_link_6_mx_3
-        + inertias.inertia_link_6_xz * wrench_link_6_mx_5
-        - (inertias.minus_inertia_link_6_hy * wrench_link_6_mx_7
-            + inertias.inertia_link_6_hz * wrench_link_6_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mx_0_1
-        + (wrench_link_7_mx + screws.inside_joint_7_mx * wrench_link_6_mx_13);
-    let wrench_link_6_my = inertias.inertia_link_6_yy * wrench_link_6_mx_3
-        - inertias.minus_inertia_link_6_xy * wrench_link_6_mx_1
-        + inertias.inertia_link_6_yz * wrench_link_6_mx_5
-        + (inertias.inertia_link_6_hz * wrench_link_6_my_7
-            + inertias.minus_inertia_link_6_hx * wrench_link_6_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_my_0_1
-        + (wrench_link_7_my + screws.inside_joint_7_my * wrench_link_6_mx_13);
-    let wrench_link_6_mz = inertias.inertia_link_6_xz * wrench_link_6_mx_1
-        + inertias.inertia_link_6_yz * wrench_link_6_mx_3
-        + inertias.inertia_link_6_zz * wrench_link_6_mx_5
-        + (inertias.minus_inertia_link_6_hy * wrench_link_6_my_7
-            - inertias.minus_inertia_link_6_hx * wrench_link_6_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_mz_0_1
-        + (wrench_link_7_mz + screws.inside_joint_7_mz * wrench_link_6_mx_13);
-    let wrench_link_6_fx = wrench_link_6_my_7 * 2.0
-        + (wrench_link_6_mx_3 * inertias.inertia_link_6_hz
-            + wrench_link_6_mx_5 * inertias.minus_inertia_link_6_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fx_0_1
-        + (wrench_link_7_fx + screws.inside_joint_7_fx * wrench_link_6_mx_13);
-    let wrench_link_6_fy = wrench_link_6_mx_9 * 2.0
-        - (wrench_link_6_mx_5 * inertias.minus_inertia_link_6_hx
-            + wrench_link_6_mx_1 * inertias.inertia_link_6_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fy_0_1
-        + (wrench_link_7_fy + screws.inside_joint_7_fy * wrench_link_6_mx_13);
-    let wrench_link_6_fz = wrench_link_6_mx_7 * 2.0
-        + (wrench_link_6_mx_3 * inertias.minus_inertia_link_6_hx
-            - wrench_link_6_mx_1 * inertias.minus_inertia_link_6_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_6_fz_0_1
-        + (wrench_link_7_fz + screws.inside_joint_7_fz * wrench_link_6_mx_13);
-    let minus_articulated_link_6_hxx_0 = screws.inside_joint_7_mx
-        * inverse_pivot_joint_7_d;
-    let minus_articulated_link_6_hyy_0 = screws.inside_joint_7_my
-        * inverse_pivot_joint_7_d;
-    let minus_articulated_link_6_hzz_0 = screws.inside_joint_7_mz
-        * inverse_pivot_joint_7_d;
-    let minus_articulated_link_6_mxy_0 = screws.inside_joint_7_fx
-        * inverse_pivot_joint_7_d;
-    let minus_articulated_link_6_myz_0 = screws.inside_joint_7_fy
-        * inverse_pivot_joint_7_d;
-    let minus_articulated_link_6_hxx = minus_articulated_link_6_hxx_0
-        * screws.inside_joint_7_fx;
-    let minus_articulated_link_6_hyy = minus_articulated_link_6_hyy_0
-        * screws.inside_joint_7_fy;
-    let minus_articulated_link_6_hzz = minus_articulated_link_6_hzz_0
-        * screws.inside_joint_7_fz;
-    let minus_articulated_link_6_mxy = minus_articulated_link_6_mxy_0
-        * screws.inside_joint_7_fy;
-    let minus_articulated_link_6_mxz = minus_articulated_link_6_mxy_0
-        * screws.inside_joint_7_fz;
-    let minus_articulated_link_6_myz = minus_articulated_link_6_myz_0
-        * screws.inside_joint_7_fz;
-    let articulated_link_6_jxx = inertias.inertia_link_6_xx
-        + (inertias.inertia_link_7_xx
-            - minus_articulated_link_6_hxx_0 * screws.inside_joint_7_mx);
-    let minus_articulated_link_6_jxy = inertias.minus_inertia_link_6_xy
-        + (inertias.minus_inertia_link_7_xy
-            + minus_articulated_link_6_hxx_0 * screws.inside_joint_7_my);
-    let articulated_link_6_jxz = inertias.inertia_link_6_xz
-        + (inertias.inertia_link_7_xz
-            - minus_articulated_link_6_hxx_0 * screws.inside_joint_7_mz);
-    let articulated_link_6_jyy = inertias.inertia_link_6_yy
-        + (inertias.inertia_link_7_yy
-            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_my);
-    let articulated_link_6_jyz = inertias.inertia_link_6_yz
-        + (inertias.inertia_link_7_yz
-            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_mz);
-    let articulated_link_6_jzz = inertias.inertia_link_6_zz
-        + (inertias.inertia_link_7_zz
-            - minus_articulated_link_6_hzz_0 * screws.inside_joint_7_mz);
-    let articulated_link_6_hyx = inertias.inertia_link_6_hz
-        + (inertias.inertia_link_7_hz
-            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_fx);
-    let articulated_link_6_hzx = inertias.minus_inertia_link_6_hy
-        + (inertias.minus_inertia_link_7_hy
-            - minus_articulated_link_6_hzz_0 * screws.inside_joint_7_fx);
-    let minus_articulated_link_6_hxy = inertias.inertia_link_6_hz
-        + (inertias.inertia_link_7_hz
-            + minus_articulated_link_6_hxx_0 * screws.inside_joint_7_fy);
-    let minus_articulated_link_6_hzy = inertias.minus_inertia_link_6_hx
-        + (inertias.minus_inertia_link_7_hx
-            + minus_articulated_link_6_hzz_0 * screws.inside_joint_7_fy);
-    let minus_articulated_link_6_hxz = inertias.minus_inertia_link_6_hy
-        + (inertias.minus_inertia_link_7_hy
-            + minus_articulated_link_6_hxx_0 * screws.inside_joint_7_fz);
-    let articulated_link_6_hyz = inertias.minus_inertia_link_6_hx
-        + (inertias.minus_inertia_link_7_hx
-            - minus_articulated_link_6_hyy_0 * screws.inside_joint_7_fz);
-    let articulated_link_6_mxx = 2.0
-        + (2.0 - minus_articulated_link_6_mxy_0 * screws.inside_joint_7_fx);
-    let articulated_link_6_myy = 2.0
-        + (2.0 - minus_articulated_link_6_myz_0 * screws.inside_joint_7_fy);
-    let articulated_link_6_mzz = 2.0
-        + (2.0
-            - screws.inside_joint_7_fz * inverse_pivot_joint_7_d
-                * screws.inside_joint_7_fz);
-    let wrench_outside_link_6_mx = articulated_link_6_jxx * poses.rotation_link_6_xz
-        + minus_articulated_link_6_jxy * poses.rotation_link_5_yy
-        + articulated_link_6_jxz * poses.rotation_link_6_zz
-        - (minus_articulated_link_6_hxz * screws.screw_joint_6_vz
-            + (minus_articulated_link_6_hxy * screws.screw_joint_6_vy
-                + minus_articulated_link_6_hxx * screws.screw_joint_6_vx));
-    let wrench_outside_link_6_my = articulated_link_6_jyz * poses.rotation_link_6_zz
-        - (minus_articulated_link_6_jxy * poses.rotation_link_6_xz
-            + articulated_link_6_jyy * poses.rotation_link_5_yy)
-        + (articulated_link_6_hyz * screws.screw_joint_6_vz
-            + (articulated_link_6_hyx * screws.screw_joint_6_vx
-                - minus_articulated_link_6_hyy * screws.screw_joint_6_vy));
-    let wrench_outside_link_6_mz = articulated_link_6_jxz * poses.rotation_link_6_xz
-        - articulated_link_6_jyz * poses.rotation_link_5_yy
-        + articulated_link_6_jzz * poses.rotation_link_6_zz
-        + (articulated_link_6_hzx * screws.screw_joint_6_vx
-            - minus_articulated_link_6_hzy * screws.screw_joint_6_vy
-            - minus_articulated_link_6_hzz * screws.screw_joint_6_vz);
-    let wrench_outside_link_6_fx = articulated_link_6_hzx * poses.rotation_link_6_zz
-        - (minus_articulated_link_6_hxx * poses.rotation_link_6_xz
-            + articulated_link_6_hyx * poses.rotation_link_5_yy)
-        + (articulated_link_6_mxx * screws.screw_joint_6_vx
-            - minus_articulated_link_6_mxy * screws.screw_joint_6_vy
-            - minus_articulated_link_6_mxz * screws.screw_joint_6_vz);
-    let wrench_outside_link_6_fy = minus_articulated_link_6_hyy
-        * poses.rotation_link_5_yy
-        - minus_articulated_link_6_hxy * poses.rotation_link_6_xz
-        - minus_articulated_link_6_hzy * poses.rotation_link_6_zz
-        + (articulated_link_6_myy * screws.screw_joint_6_vy
-            - minus_articulated_link_6_mxy * screws.screw_joint_6_vx
-            - minus_articulated_link_6_myz * screws.screw_joint_6_vz);
-    let wrench_outside_link_6_fz = articulated_link_6_mzz * screws.screw_joint_6_vz
-        - (minus_articulated_link_6_mxz * screws.screw_joint_6_vx
-            + minus_articulated_link_6_myz * screws.screw_joint_6_vy)
-        - (minus_articulated_link_6_hxz * poses.rotation_link_6_xz
-            + articulated_link_6_hyz * poses.rotation_link_5_yy
-            + minus_articulated_link_6_hzz * poses.rotation_link_6_zz);
-    let inverse_pivot_joint_6_d = 1.0
-        / (poses.rotation_link_6_xz * wrench_outside_link_6_mx
-            - poses.rotation_link_5_yy * wrench_outside_link_6_my
-            + poses.rotation_link_6_zz * wrench_outside_link_6_mz
-            + screws.screw_joint_6_vx * wrench_outside_link_6_fx
-            + screws.screw_joint_6_vy * wrench_outside_link_6_fy
-            + screws.screw_joint_6_vz * wrench_outside_link_6_fz);
-    let wrench_link_5_mx_13_0 = tau[5]
-        - (poses.rotation_link_6_xz * wrench_link_6_mx
-            - poses.rotation_link_5_yy * wrench_link_6_my
-            + poses.rotation_link_6_zz * wrench_link_6_mz
-            + screws.screw_joint_6_vx * wrench_link_6_fx
-            + screws.screw_joint_6_vy * wrench_link_6_fy
-            + screws.screw_joint_6_vz * wrench_link_6_fz);
-    let wrench_link_5_mx_13 = wrench_link_5_mx_13_0 * inverse_pivot_joint_6_d;
-    let wrench_link_5_mx = inertias.inertia_link_5_xx * wrench_link_5_mx_1
-        + inertias.inertia_link_5_xy * wrench_link_5_mx_3
-        + inertias.inertia_link_5_xz * wrench_link_5_mx_5
-        + (inertias.inertia_link_5_hy * wrench_link_5_mx_7
-            - inertias.inertia_link_5_hz * wrench_link_5_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mx_0_1
-        + (wrench_link_6_mx + wrench_outside_link_6_mx * wrench_link_5_mx_13);
-    let wrench_link_5_my = inertias.inertia_link_5_xy * wrench_link_5_mx_1
-        + inertias.inertia_link_5_yy * wrench_link_5_mx_3
-        + inertias.inertia_link_5_yz * wrench_link_5_mx_5
-        + (inertias.inertia_link_5_hz * wrench_link_5_my_7
-            + inertias.minus_inertia_link_5_hx * wrench_link_5_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_my_0_1
-        + (wrench_link_6_my + wrench_outside_link_6_my * wrench_link_5_mx_13);
-    let wrench_link_5_mz = inertias.inertia_link_5_xz * wrench_link_5_mx_1
-        + inertias.inertia_link_5_yz * wrench_link_5_mx_3
-        + inertias.inertia_link_5_zz * wrench_link_5_mx_5
-        - (inertias.minus_inertia_link_5_hx * wrench_link_5_mx_9
-            + inertias.inertia_link_5_hy * wrench_link_5_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_mz_0_1
-        + (wrench_link_6_mz + wrench_outside_link_6_mz * wrench_link_5_mx_13);
-    let wrench_link_5_fx = wrench_link_5_my_7 * 2.0
-        + (wrench_link_5_mx_3 * inertias.inertia_link_5_hz
-            - wrench_link_5_mx_5 * inertias.inertia_link_5_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fx_0_1
-        + (wrench_link_6_fx + wrench_outside_link_6_fx * wrench_link_5_mx_13);
-    let wrench_link_5_fy = wrench_link_5_mx_9 * 2.0
-        - (wrench_link_5_mx_5 * inertias.minus_inertia_link_5_hx
-            + wrench_link_5_mx_1 * inertias.inertia_link_5_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fy_0_1
-        + (wrench_link_6_fy + wrench_outside_link_6_fy * wrench_link_5_mx_13);
-    let wrench_link_5_fz = wrench_link_5_mx_7 * 2.0
-        + (wrench_link_5_mx_1 * inertias.inertia_link_5_hy
-            + wrench_link_5_mx_3 * inertias.minus_inertia_link_5_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_5_fz_0_1
-        + (wrench_link_6_fz + wrench_outside_link_6_fz * wrench_link_5_mx_13);
-    let minus_articulated_link_5_hxx_1 = wrench_outside_link_6_mx
-        * inverse_pivot_joint_6_d;
-    let minus_articulated_link_5_hyy_1 = wrench_outside_link_6_my
-        * inverse_pivot_joint_6_d;
-    let minus_articulated_link_5_hzz_1 = wrench_outside_link_6_mz
-        * inverse_pivot_joint_6_d;
-    let minus_articulated_link_5_mxy_1 = wrench_outside_link_6_fx
-        * inverse_pivot_joint_6_d;
-    let minus_articulated_link_5_myz_1 = wrench_outside_link_6_fy
-        * inverse_pivot_joint_6_d;
-    let minus_articulated_link_5_hxx = minus_articulated_link_6_hxx
-        + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_fx;
-    let minus_articulated_link_5_hyy = minus_articulated_link_6_hyy
-        + minus_articulated_link_5_hyy_1 * wrench_outside_link_6_fy;
-    let minus_articulated_link_5_hzz = minus_articulated_link_6_hzz
-        + minus_articulated_link_5_hzz_1 * wrench_outside_link_6_fz;
-    let minus_articulated_link_5_mxy = minus_articulated_link_6_mxy
-        + minus_articulated_link_5_mxy_1 * wrench_outside_link_6_fy;
-    let minus_articulated_link_5_mxz = minus_articulated_link_6_mxz
-        + minus_articulated_link_5_mxy_1 * wrench_outside_link_6_fz;
-    let minus_articulated_link_5_myz = minus_articulated_link_6_myz
-        + minus_articulated_link_5_myz_1 * wrench_outside_link_6_fz;
-    let articulated_link_5_jxx = inertias.inertia_link_5_xx
-        + (articulated_link_6_jxx
-            - minus_articulated_link_5_hxx_1 * wrench_outside_link_6_mx);
-    let articulated_link_5_jxy = inertias.inertia_link_5_xy
-        - (minus_articulated_link_6_jxy
-            + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_my);
-    let articulated_link_5_jxz = inertias.inertia_link_5_xz
-        + (articulated_link_6_jxz
-            - minus_articulated_link_5_hxx_1 * wrench_outside_link_6_mz);
-    let articulated_link_5_jyy = inertias.inertia_link_5_yy
-        + (articulated_link_6_jyy
-            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_my);
-    let articulated_link_5_jyz = inertias.inertia_link_5_yz
-        + (articulated_link_6_jyz
-            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_mz);
-    let articulated_link_5_jzz = inertias.inertia_link_5_zz
-        + (articulated_link_6_jzz
-            - minus_articulated_link_5_hzz_1 * wrench_outside_link_6_mz);
-    let articulated_link_5_hyx = inertias.inertia_link_5_hz
-        + (articulated_link_6_hyx
-            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_fx);
-    let articulated_link_5_hzx = articulated_link_6_hzx
-        - minus_articulated_link_5_hzz_1 * wrench_outside_link_6_fx
-        - inertias.inertia_link_5_hy;
-    let minus_articulated_link_5_hxy = inertias.inertia_link_5_hz
-        + (minus_articulated_link_6_hxy
-            + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_fy);
-    let minus_articulated_link_5_hzy = inertias.minus_inertia_link_5_hx
-        + (minus_articulated_link_6_hzy
-            + minus_articulated_link_5_hzz_1 * wrench_outside_link_6_fy);
-    let articulated_link_5_hxz = inertias.inertia_link_5_hy
-        - (minus_articulated_link_6_hxz
-            + minus_articulated_link_5_hxx_1 * wrench_outside_link_6_fz);
-    let articulated_link_5_hyz = inertias.minus_inertia_link_5_hx
-        + (articulated_link_6_hyz
-            - minus_articulated_link_5_hyy_1 * wrench_outside_link_6_fz);
-    let articulated_link_5_mxx = 2.0
-        + (articulated_link_6_mxx
-            - minus_articulated_link_5_mxy_1 * wrench_outside_link_6_fx);
-    let articulated_link_5_myy = 2.0
-        + (articulated_link_6_myy
-            - minus_articulated_link_5_myz_1 * wrench_outside_link_6_fy);
-    let articulated_link_5_mzz = 2.0
-        + (articulated_link_6_mzz
-            - wrench_outside_link_6_fz * inverse_pivot_joint_6_d
-                * wrench_outside_link_6_fz);
-    let wrench_outside_link_5_mx = articulated_link_5_jxz * poses.rotation_link_5_zz
-        - (articulated_link_5_jxx * poses.rotation_link_4_xy
-            + articulated_link_5_jxy * poses.rotation_link_4_yy)
-        + (articulated_link_5_hxz * screws.screw_joint_5_vz
-            - (minus_articulated_link_5_hxy * screws.screw_joint_5_vy
-                + minus_articulated_link_5_hxx * screws.screw_joint_5_vx));
-    let wrench_outside_link_5_my = articulated_link_5_jyz * poses.rotation_link_5_zz
-        - (articulated_link_5_jxy * poses.rotation_link_4_xy
-            + articulated_link_5_jyy * poses.rotation_link_4_yy)
-        + (articulated_link_5_hyz * screws.screw_joint_5_vz
-            + (articulated_link_5_hyx * screws.screw_joint_5_vx
-                - minus_articulated_link_5_hyy * screws.screw_joint_5_vy));
-    let wrench_outside_link_5_mz = articulated_link_5_jzz * poses.rotation_link_5_zz
-        - (articulated_link_5_jxz * poses.rotation_link_4_xy
-            + articulated_link_5_jyz * poses.rotation_link_4_yy)
-        + (articulated_link_5_hzx * screws.screw_joint_5_vx
-            - minus_articulated_link_5_hzy * screws.screw_joint_5_vy
-            - minus_articulated_link_5_hzz * screws.screw_joint_5_vz);
-    let wrench_outside_link_5_fx = minus_articulated_link_5_hxx
-        * poses.rotation_link_4_xy - articulated_link_5_hyx * poses.rotation_link_4_yy
-        + articulated_link_5_hzx * poses.rotation_link_5_zz
-        + (articulated_link_5_mxx * screws.screw_joint_5_vx
-            - minus_articulated_link_5_mxy * screws.screw_joint_5_vy
-            - minus_articulated_link_5_mxz * screws.screw_joint_5_vz);
-    let wrench_outside_link_5_fy = minus_articulated_link_5_hxy
-        * poses.rotation_link_4_xy
-        + minus_articulated_link_5_hyy * poses.rotation_link_4_yy
-        - minus_articulated_link_5_hzy * poses.rotation_link_5_zz
-        + (articulated_link_5_myy * screws.screw_joint_5_vy
-            - minus_articulated_link_5_mxy * screws.screw_joint_5_vx
-            - minus_articulated_link_5_myz * screws.screw_joint_5_vz);
-    let wrench_outside_link_5_fz = articulated_link_5_mzz * screws.screw_joint_5_vz
-        - (minus_articulated_link_5_mxz * screws.screw_joint_5_vx
-            + minus_articulated_link_5_myz * screws.screw_joint_5_vy)
-        - (articulated_link_5_hxz * poses.rotation_link_4_xy
-            + articulated_link_5_hyz * poses.rotation_link_4_yy
-            + minus_articulated_link_5_hzz * poses.rotation_link_5_zz);
-    let inverse_pivot_joint_5_d = 1.0
-        / (poses.rotation_link_5_zz * wrench_outside_link_5_mz
-            - (poses.rotation_link_4_xy * wrench_outside_link_5_mx
-                + poses.rotation_link_4_yy * wrench_outside_link_5_my)
-            + screws.screw_joint_5_vx * wrench_outside_link_5_fx
-            + screws.screw_joint_5_vy * wrench_outside_link_5_fy
-            + screws.screw_joint_5_vz * wrench_outside_link_5_fz);
-    let wrench_link_4_mx_13_0 = tau[4]
-        - (poses.rotation_link_5_zz * wrench_link_5_mz
-            - (poses.rotation_link_4_xy * wrench_link_5_mx
-                + poses.rotation_link_4_yy * wrench_link_5_my)
-            + screws.screw_joint_5_vx * wrench_link_5_fx
-            + screws.screw_joint_5_vy * wrench_link_5_fy
-            + screws.screw_joint_5_vz * wrench_link_5_fz);
-    let wrench_link_4_mx_13 = wrench_link_4_mx_13_0 * inverse_pivot_joint_5_d;
-    let wrench_link_4_mx = inertias.inertia_link_4_xx * wrench_link_4_mx_1
-        + inertias.inertia_link_4_xy * wrench_link_4_mx_3
-        + inertias.inertia_link_4_xz * wrench_link_4_mx_5
-        + (inertias.inertia_link_4_hy * wrench_link_4_mx_7
-            - inertias.inertia_link_4_hz * wrench_link_4_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mx_0_1
-        + (wrench_link_5_mx + wrench_outside_link_5_mx * wrench_link_4_mx_13);
-    let wrench_link_4_my = inertias.inertia_link_4_xy * wrench_link_4_mx_1
-        + inertias.inertia_link_4_yy * wrench_link_4_mx_3
-        + inertias.inertia_link_4_yz * wrench_link_4_mx_5
-        + (inertias.inertia_link_4_hz * wrench_link_4_my_7
-            + inertias.minus_inertia_link_4_hx * wrench_link_4_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_my_0_1
-        + (wrench_link_5_my + wrench_outside_link_5_my * wrench_link_4_mx_13);
-    let wrench_link_4_mz = inertias.inertia_link_4_xz * wrench_link_4_mx_1
-        + inertias.inertia_link_4_yz * wrench_link_4_mx_3
-        + inertias.inertia_link_4_zz * wrench_link_4_mx_5
-        - (inertias.minus_inertia_link_4_hx * wrench_link_4_mx_9
-            + inertias.inertia_link_4_hy * wrench_link_4_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_mz_0_1
-        + (wrench_link_5_mz + wrench_outside_link_5_mz * wrench_link_4_mx_13);
-    let wrench_link_4_fx = wrench_link_4_my_7 * 2.0
-        + (wrench_link_4_mx_3 * inertias.inertia_link_4_hz
-            - wrench_link_4_mx_5 * inertias.inertia_link_4_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fx_0_1
-        + (wrench_link_5_fx + wrench_outside_link_5_fx * wrench_link_4_mx_13);
-    let wrench_link_4_fy = wrench_link_4_mx_9 * 2.0
-        - (wrench_link_4_mx_5 * inertias.minus_inertia_link_4_hx
-            + wrench_link_4_mx_1 * inertias.inertia_link_4_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fy_0_1
-        + (wrench_link_5_fy + wrench_outside_link_5_fy * wrench_link_4_mx_13);
-    let wrench_link_4_fz = wrench_link_4_mx_7 * 2.0
-        + (wrench_link_4_mx_1 * inertias.inertia_link_4_hy
-            + wrench_link_4_mx_3 * inertias.minus_inertia_link_4_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_4_fz_0_1
-        + (wrench_link_5_fz + wrench_outside_link_5_fz * wrench_link_4_mx_13);
-    let minus_articulated_link_4_hxx_1 = wrench_outside_link_5_mx
-        * inverse_pivot_joint_5_d;
-    let minus_articulated_link_4_hyy_1 = wrench_outside_link_5_my
-        * inverse_pivot_joint_5_d;
-    let minus_articulated_link_4_hzz_1 = wrench_outside_link_5_mz
-        * inverse_pivot_joint_5_d;
-    let minus_articulated_link_4_mxy_1 = wrench_outside_link_5_fx
-        * inverse_pivot_joint_5_d;
-    let minus_articulated_link_4_myz_1 = wrench_outside_link_5_fy
-        * inverse_pivot_joint_5_d;
-    let minus_articulated_link_4_hxx = minus_articulated_link_5_hxx
-        + minus_articulated_link_4_hxx_1 * wrench_outside_link_5_fx;
-    let minus_articulated_link_4_hyy = minus_articulated_link_5_hyy
-        + minus_articulated_link_4_hyy_1 * wrench_outside_link_5_fy;
-    let minus_articulated_link_4_hzz = minus_articulated_link_5_hzz
-        + minus_articulated_link_4_hzz_1 * wrench_outside_link_5_fz;
-    let minus_articulated_link_4_mxy = minus_articulated_link_5_mxy
-        + minus_articulated_link_4_mxy_1 * wrench_outside_link_5_fy;
-    let minus_articulated_link_4_mxz = minus_articulated_link_5_mxz
-        + minus_articulated_link_4_mxy_1 * wrench_outside_link_5_fz;
-    let minus_articulated_link_4_myz = minus_articulated_link_5_myz
-        + minus_articulated_link_4_myz_1 * wrench_outside_link_5_fz;
-    let articulated_link_4_jxx = inertias.inertia_link_4_xx
-        + (articulated_link_5_jxx
-            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_mx);
-    let articulated_link_4_jxy = inertias.inertia_link_4_xy
-        + (articulated_link_5_jxy
-            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_my);
-    let articulated_link_4_jxz = inertias.inertia_link_4_xz
-        + (articulated_link_5_jxz
-            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_mz);
-    let articulated_link_4_jyy = inertias.inertia_link_4_yy
-        + (articulated_link_5_jyy
-            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_my);
-    let articulated_link_4_jyz = inertias.inertia_link_4_yz
-        + (articulated_link_5_jyz
-            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_mz);
-    let articulated_link_4_jzz = inertias.inertia_link_4_zz
-        + (articulated_link_5_jzz
-            - minus_articulated_link_4_hzz_1 * wrench_outside_link_5_mz);
-    let articulated_link_4_hyx = inertias.inertia_link_4_hz
-        + (articulated_link_5_hyx
-            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_fx);
-    let articulated_link_4_hzx = articulated_link_5_hzx
-        - minus_articulated_link_4_hzz_1 * wrench_outside_link_5_fx
-        - inertias.inertia_link_4_hy;
-    let minus_articulated_link_4_hxy = inertias.inertia_link_4_hz
-        + (minus_articulated_link_5_hxy
-            + minus_articulated_link_4_hxx_1 * wrench_outside_link_5_fy);
-    let minus_articulated_link_4_hzy = inertias.minus_inertia_link_4_hx
-        + (minus_articulated_link_5_hzy
-            + minus_articulated_link_4_hzz_1 * wrench_outside_link_5_fy);
-    let articulated_link_4_hxz = inertias.inertia_link_4_hy
-        + (articulated_link_5_hxz
-            - minus_articulated_link_4_hxx_1 * wrench_outside_link_5_fz);
-    let articulated_link_4_hyz = inertias.minus_inertia_link_4_hx
-        + (articulated_link_5_hyz
-            - minus_articulated_link_4_hyy_1 * wrench_outside_link_5_fz);
-    let articulated_link_4_mxx = 2.0
-        + (articulated_link_5_mxx
-            - minus_articulated_link_4_mxy_1 * wrench_outside_link_5_fx);
-    let articulated_link_4_myy = 2.0
-        + (articulated_link_5_myy
-            - minus_articulated_link_4_myz_1 * wrench_outside_link_5_fy);
-    let articulated_link_4_mzz = 2.0
-        + (articulated_link_5_mzz
-            - wrench_outside_link_5_fz * inverse_pivot_joint_5_d
-                * wrench_outside_link_5_fz);
-    let wrench_outside_link_4_mx = articulated_link_4_jxy * poses.rotation_link_3_yy
-        - articulated_link_4_jxx * poses.minus_rotation_link_3_xy
-        - articulated_link_4_jxz * poses.minus_rotation_link_3_zy
-        + (minus_articulated_link_4_hxy * screws.minus_screw_joint_4_vy
-            - minus_articulated_link_4_hxx * screws.screw_joint_4_vx
-            - articulated_link_4_hxz * screws.minus_screw_joint_4_vz);
-    let wrench_outside_link_4_my = articulated_link_4_jyy * poses.rotation_link_3_yy
-        - articulated_link_4_jxy * poses.minus_rotation_link_3_xy
-        - articulated_link_4_jyz * poses.minus_rotation_link_3_zy
-        + (minus_articulated_link_4_hyy * screws.minus_screw_joint_4_vy
-            + articulated_link_4_hyx * screws.screw_joint_4_vx
-            - articulated_link_4_hyz * screws.minus_screw_joint_4_vz);
-    let wrench_outside_link_4_mz = articulated_link_4_jyz * poses.rotation_link_3_yy
-        - articulated_link_4_jxz * poses.minus_rotation_link_3_xy
-        - articulated_link_4_jzz * poses.minus_rotation_link_3_zy
-        + (minus_articulated_link_4_hzz * screws.minus_screw_joint_4_vz
-            + (minus_articulated_link_4_hzy * screws.minus_screw_joint_4_vy
-                + articulated_link_4_hzx * screws.screw_joint_4_vx));
-    let wrench_outside_link_4_fx = minus_articulated_link_4_hxx
-        * poses.minus_rotation_link_3_xy
-        + articulated_link_4_hyx * poses.rotation_link_3_yy
-        - articulated_link_4_hzx * poses.minus_rotation_link_3_zy
-        + (articulated_link_4_mxx * screws.screw_joint_4_vx
-            + minus_articulated_link_4_mxy * screws.minus_screw_joint_4_vy
-            + minus_articulated_link_4_mxz * screws.minus_screw_joint_4_vz);
-    let wrench_outside_link_4_fy = minus_articulated_link_4_hxy
-        * poses.minus_rotation_link_3_xy
-        - minus_articulated_link_4_hyy * poses.rotation_link_3_yy
-        + minus_articulated_link_4_hzy * poses.minus_rotation_link_3_zy
-        + (minus_articulated_link_4_myz * screws.minus_screw_joint_4_vz
-            - (minus_articulated_link_4_mxy * screws.screw_joint_4_vx
-                + articulated_link_4_myy * screws.minus_screw_joint_4_vy));
-    let wrench_outside_link_4_fz = articulated_link_4_hyz * poses.rotation_link_3_yy
-        - articulated_link_4_hxz * poses.minus_rotation_link_3_xy
-        + minus_articulated_link_4_hzz * poses.minus_rotation_link_3_zy
-        + (minus_articulated_link_4_myz * screws.minus_screw_joint_4_vy
-            - minus_articulated_link_4_mxz * screws.screw_joint_4_vx
-            - articulated_link_4_mzz * screws.minus_screw_joint_4_vz);
-    let inverse_pivot_joint_4_d = 1.0
-        / (poses.rotation_link_3_yy * wrench_outside_link_4_my
-            - poses.minus_rotation_link_3_xy * wrench_outside_link_4_mx
-            - poses.minus_rotation_link_3_zy * wrench_outside_link_4_mz
-            + screws.screw_joint_4_vx * wrench_outside_link_4_fx
-            - screws.minus_screw_joint_4_vy * wrench_outside_link_4_fy
-            - screws.minus_screw_joint_4_vz * wrench_outside_link_4_fz);
-    let wrench_link_3_mx_13_0 = tau[3]
-        - (poses.rotation_link_3_yy * wrench_link_4_my
-            - poses.minus_rotation_link_3_xy * wrench_link_4_mx
-            - poses.minus_rotation_link_3_zy * wrench_link_4_mz
-            + screws.screw_joint_4_vx * wrench_link_4_fx
-            - screws.minus_screw_joint_4_vy * wrench_link_4_fy
-            - screws.minus_screw_joint_4_vz * wrench_link_4_fz);
-    let wrench_link_3_mx_13 = wrench_link_3_mx_13_0 * inverse_pivot_joint_4_d;
-    let wrench_link_3_mx = inertias.inertia_link_3_xx * wrench_link_3_mx_1
-        + inertias.inertia_link_3_xy * wrench_link_3_mx_3
-        + inertias.inertia_link_3_xz * wrench_link_3_mx_5
-        - (inertias.minus_inertia_link_3_hy * wrench_link_3_mx_7
-            + inertias.inertia_link_3_hz * wrench_link_3_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mx_0_1
-        + (wrench_link_4_mx + wrench_outside_link_4_mx * wrench_link_3_mx_13);
-    let wrench_link_3_my = inertias.inertia_link_3_xy * wrench_link_3_mx_1
-        + inertias.inertia_link_3_yy * wrench_link_3_mx_3
-        + inertias.inertia_link_3_yz * wrench_link_3_mx_5
-        + (inertias.inertia_link_3_hz * wrench_link_3_my_7
-            - inertias.inertia_link_3_hx * wrench_link_3_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_my_0_1
-        + (wrench_link_4_my + wrench_outside_link_4_my * wrench_link_3_mx_13);
-    let wrench_link_3_mz = inertias.inertia_link_3_xz * wrench_link_3_mx_1
-        + inertias.inertia_link_3_yz * wrench_link_3_mx_3
-        + inertias.inertia_link_3_zz * wrench_link_3_mx_5
-        + (inertias.inertia_link_3_hx * wrench_link_3_mx_9
-            + inertias.minus_inertia_link_3_hy * wrench_link_3_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_mz_0_1
-        + (wrench_link_4_mz + wrench_outside_link_4_mz * wrench_link_3_mx_13);
-    let wrench_link_3_fx = wrench_link_3_my_7 * 2.0
-        + (wrench_link_3_mx_3 * inertias.inertia_link_3_hz
-            + wrench_link_3_mx_5 * inertias.minus_inertia_link_3_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fx_0_1
-        + (wrench_link_4_fx + wrench_outside_link_4_fx * wrench_link_3_mx_13);
-    let wrench_link_3_fy = wrench_link_3_mx_9 * 2.0
-        + (wrench_link_3_mx_5 * inertias.inertia_link_3_hx
-            - wrench_link_3_mx_1 * inertias.inertia_link_3_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fy_0_1
-        + (wrench_link_4_fy + wrench_outside_link_4_fy * wrench_link_3_mx_13);
-    let wrench_link_3_fz = wrench_link_3_mx_7 * 2.0
-        - (wrench_link_3_mx_1 * inertias.minus_inertia_link_3_hy
-            + wrench_link_3_mx_3 * inertias.inertia_link_3_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_3_fz_0_1
-        + (wrench_link_4_fz + wrench_outside_link_4_fz * wrench_link_3_mx_13);
-    let minus_articulated_link_3_hxx_1 = wrench_outside_link_4_mx
-        * inverse_pivot_joint_4_d;
-    let minus_articulated_link_3_hyy_1 = wrench_outside_link_4_my
-        * inverse_pivot_joint_4_d;
-    let minus_articulated_link_3_hzz_1 = wrench_outside_link_4_mz
-        * inverse_pivot_joint_4_d;
-    let minus_articulated_link_3_mxy_1 = wrench_outside_link_4_fx
-        * inverse_pivot_joint_4_d;
-    let minus_articulated_link_3_myz_1 = wrench_outside_link_4_fy
-        * inverse_pivot_joint_4_d;
-    let minus_articulated_link_3_hxx = minus_articulated_link_4_hxx
-        + minus_articulated_link_3_hxx_1 * wrench_outside_link_4_fx;
-    let minus_articulated_link_3_hyy = minus_articulated_link_4_hyy
-        + minus_articulated_link_3_hyy_1 * wrench_outside_link_4_fy;
-    let minus_articulated_link_3_hzz = minus_articulated_link_4_hzz
-        + minus_articulated_link_3_hzz_1 * wrench_outside_link_4_fz;
-    let minus_articulated_link_3_mxy = minus_articulated_link_4_mxy
-        + minus_articulated_link_3_mxy_1 * wrench_outside_link_4_fy;
-    let minus_articulated_link_3_mxz = minus_articulated_link_4_mxz
-        + minus_articulated_link_3_mxy_1 * wrench_outside_link_4_fz;
-    let minus_articulated_link_3_myz = minus_articulated_link_4_myz
-        + minus_articulated_link_3_myz_1 * wrench_outside_link_4_fz;
-    let articulated_link_3_jxx = inertias.inertia_link_3_xx
-        + (articulated_link_4_jxx
-            - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_mx);
-    let articulated_link_3_jxy = inertias.inertia_link_3_xy
-        + (articulated_link_4_jxy
-            - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_my);
-    let articulated_link_3_jxz = inertias.inertia_link_3_xz
-        + (articulated_link_4_jxz
-            - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_mz);
-    let articulated_link_3_jyy = inertias.inertia_link_3_yy
-        + (articulated_link_4_jyy
-            - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_my);
-    let articulated_link_3_jyz = inertias.inertia_link_3_yz
-        + (articulated_link_4_jyz
-            - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_mz);
-    let articulated_link_3_jzz = inertias.inertia_link_3_zz
-        + (articulated_link_4_jzz
-            - minus_articulated_link_3_hzz_1 * wrench_outside_link_4_mz);
-    let articulated_link_3_hyx = inertias.inertia_link_3_hz
-        + (articulated_link_4_hyx
-            - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_fx);
-    let articulated_link_3_hzx = inertias.minus_inertia_link_3_hy
-        + (articulated_link_4_hzx
-            - minus_articulated_link_3_hzz_1 * wrench_outside_link_4_fx);
-    let minus_articulated_link_3_hxy = inertias.inertia_link_3_hz
-        + (minus_articulated_link_4_hxy
-            + minus_articulated_link_3_hxx_1 * wrench_outside_link_4_fy);
-    let articulated_link_3_hzy = inertias.inertia_link_3_hx
-        - (minus_articulated_link_4_hzy
-            + minus_articulated_link_3_hzz_1 * wrench_outside_link_4_fy);
-    let articulated_link_3_hxz = articulated_link_4_hxz
-        - minus_articulated_link_3_hxx_1 * wrench_outside_link_4_fz
-        - inertias.minus_inertia_link_3_hy;
-    let articulated_link_3_hyz = articulated_link_4_hyz
-        - minus_articulated_link_3_hyy_1 * wrench_outside_link_4_fz
-        - inertias.inertia_link_3_hx;
-    let articulated_link_3_mxx = 2.0
-        + (articulated_link_4_mxx
-            - minus_articulated_link_3_mxy_1 * wrench_outside_link_4_fx);
-    let articulated_link_3_myy = 2.0
-        + (articulated_link_4_myy
-            - minus_articulated_link_3_myz_1 * wrench_outside_link_4_fy);
-    let articulated_link_3_mzz = 2.0
-        + (articulated_link_4_mzz
-            - wrench_outside_link_4_fz * inverse_pivot_joint_4_d
-                * wrench_outside_link_4_fz);
-    let wrench_outside_link_3_mx = articulated_link_3_jxz * poses.cos_joint_2
-        - (articulated_link_3_jxx * poses.minus_rotation_link_2_xy
-            + articulated_link_3_jxy * poses.minus_rotation_link_2_yy)
-        + (articulated_link_3_hxz * screws.screw_joint_3_vz
-            - (minus_articulated_link_3_hxy * screws.screw_joint_3_vy
-                + minus_articulated_link_3_hxx * screws.screw_joint_3_vx));
-    let wrench_outside_link_3_my = articulated_link_3_jyz * poses.cos_joint_2
-        - (articulated_link_3_jxy * poses.minus_rotation_link_2_xy
-            + articulated_link_3_jyy * poses.minus_rotation_link_2_yy)
-        + (articulated_link_3_hyz * screws.screw_joint_3_vz
-            + (articulated_link_3_hyx * screws.screw_joint_3_vx
-                - minus_articulated_link_3_hyy * screws.screw_joint_3_vy));
-    let wrench_outside_link_3_mz = articulated_link_3_jzz * poses.cos_joint_2
-        - (articulated_link_3_jxz * poses.minus_rotation_link_2_xy
-            + articulated_link_3_jyz * poses.minus_rotation_link_2_yy)
-        + (articulated_link_3_hzy * screws.screw_joint_3_vy
-            + articulated_link_3_hzx * screws.screw_joint_3_vx
-            - minus_articulated_link_3_hzz * screws.screw_joint_3_vz);
-    let wrench_outside_link_3_fx = minus_articulated_link_3_hxx
-        * poses.minus_rotation_link_2_xy
-        - articulated_link_3_hyx * poses.minus_rotation_link_2_yy
-        + articulated_link_3_hzx * poses.cos_joint_2
-        + (articulated_link_3_mxx * screws.screw_joint_3_vx
-            - minus_articulated_link_3_mxy * screws.screw_joint_3_vy
-            - minus_articulated_link_3_mxz * screws.screw_joint_3_vz);
-    let wrench_outside_link_3_fy = minus_articulated_link_3_hxy
-        * poses.minus_rotation_link_2_xy
-        + minus_articulated_link_3_hyy * poses.minus_rotation_link_2_yy
-        + articulated_link_3_hzy * poses.cos_joint_2
-        + (articulated_link_3_myy * screws.screw_joint_3_vy
-            - minus_articulated_link_3_mxy * screws.screw_joint_3_vx
-            - minus_articulated_link_3_myz * screws.screw_joint_3_vz);
-    let wrench_outside_link_3_fz = articulated_link_3_mzz * screws.screw_joint_3_vz
-        - (minus_articulated_link_3_mxz * screws.screw_joint_3_vx
-            + minus_articulated_link_3_myz * screws.screw_joint_3_vy)
-        - (articulated_link_3_hxz * poses.minus_rotation_link_2_xy
-            + articulated_link_3_hyz * poses.minus_rotation_link_2_yy
-            + minus_articulated_link_3_hzz * poses.cos_joint_2);
-    let inverse_pivot_joint_3_d = 1.0
-        / (poses.cos_joint_2 * wrench_outside_link_3_mz
-            - (poses.minus_rotation_link_2_xy * wrench_outside_link_3_mx
-                + poses.minus_rotation_link_2_yy * wrench_outside_link_3_my)
-            + screws.screw_joint_3_vx * wrench_outside_link_3_fx
-            + screws.screw_joint_3_vy * wrench_outside_link_3_fy
-            + screws.screw_joint_3_vz * wrench_outside_link_3_fz);
-    let wrench_link_2_mx_13_0 = tau[2]
-        - (poses.cos_joint_2 * wrench_link_3_mz
-            - (poses.minus_rotation_link_2_xy * wrench_link_3_mx
-                + poses.minus_rotation_link_2_yy * wrench_link_3_my)
-            + screws.screw_joint_3_vx * wrench_link_3_fx
-            + screws.screw_joint_3_vy * wrench_link_3_fy
-            + screws.screw_joint_3_vz * wrench_link_3_fz);
-    let wrench_link_2_mx_13 = wrench_link_2_mx_13_0 * inverse_pivot_joint_3_d;
-    let wrench_link_2_mx = inertias.inertia_link_2_xx * wrench_link_2_mx_1
-        + inertias.inertia_link_2_xy * wrench_link_2_mx_3
-        - inertias.inertia_link_2_xz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
-        - (inertias.minus_inertia_link_2_hy * wrench_link_2_mx_7
-            + inertias.inertia_link_2_hz * wrench_link_2_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mx_0_1
-        + (wrench_link_3_mx + wrench_outside_link_3_mx * wrench_link_2_mx_13);
-    let wrench_link_2_my = inertias.inertia_link_2_xy * wrench_link_2_mx_1
-        + inertias.inertia_link_2_yy * wrench_link_2_mx_3
-        - inertias.inertia_link_2_yz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
-        + (inertias.inertia_link_2_hz * wrench_link_2_my_7
-            - inertias.inertia_link_2_hx * wrench_link_2_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_my_0_1
-        + (wrench_link_3_my + wrench_outside_link_3_my * wrench_link_2_mx_13);
-    let wrench_link_2_mz = inertias.inertia_link_2_xz * wrench_link_2_mx_1
-        + inertias.inertia_link_2_yz * wrench_link_2_mx_3
-        - inertias.inertia_link_2_zz
-            * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
-        + (inertias.inertia_link_2_hx * wrench_link_2_mx_9
-            + inertias.minus_inertia_link_2_hy * wrench_link_2_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_mz_0_1
-        + (wrench_link_3_mz + wrench_outside_link_3_mz * wrench_link_2_mx_13);
-    let wrench_link_2_fx = wrench_link_2_my_7 * 2.0
-        + (wrench_link_2_mx_3 * inertias.inertia_link_2_hz
-            - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
-                * inertias.minus_inertia_link_2_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fx_0_1
-        + (wrench_link_3_fx + wrench_outside_link_3_fx * wrench_link_2_mx_13);
-    let wrench_link_2_fy = wrench_link_2_mx_9 * 2.0
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_1_1_0_0_0_0_1
-            * inertias.inertia_link_2_hx
-            + wrench_link_2_mx_1 * inertias.inertia_link_2_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fy_0_1
-        + (wrench_link_3_fy + wrench_outside_link_3_fy * wrench_link_2_mx_13);
-    let wrench_link_2_fz = wrench_link_2_mx_7 * 2.0
-        - (wrench_link_2_mx_1 * inertias.minus_inertia_link_2_hy
-            + wrench_link_2_mx_3 * inertias.inertia_link_2_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_2_fz_0_1
-        + (wrench_link_3_fz + wrench_outside_link_3_fz * wrench_link_2_mx_13);
-    let minus_articulated_link_2_hxx_1 = wrench_outside_link_3_mx
-        * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_hyy_1 = wrench_outside_link_3_my
-        * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_hzz_1 = wrench_outside_link_3_mz
-        * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_mxy_1 = wrench_outside_link_3_fx
-        * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_myz_1 = wrench_outside_link_3_fy
-        * inverse_pivot_joint_3_d;
-    let minus_articulated_link_2_hxx = minus_articulated_link_3_hxx
-        + minus_articulated_link_2_hxx_1 * wrench_outside_link_3_fx;
-    let minus_articulated_link_2_hyy = minus_articulated_link_3_hyy
-        + minus_articulated_link_2_hyy_1 * wrench_outside_link_3_fy;
-    let minus_articulated_link_2_hzz = minus_articulated_link_3_hzz
-        + minus_articulated_link_2_hzz_1 * wrench_outside_link_3_fz;
-    let minus_articulated_link_2_mxy = minus_articulated_link_3_mxy
-        + minus_articulated_link_2_mxy_1 * wrench_outside_link_3_fy;
-    let minus_articulated_link_2_mxz = minus_articulated_link_3_mxz
-        + minus_articulated_link_2_mxy_1 * wrench_outside_link_3_fz;
-    let minus_articulated_link_2_myz = minus_articulated_link_3_myz
-        + minus_articulated_link_2_myz_1 * wrench_outside_link_3_fz;
-    let articulated_link_2_jxx = inertias.inertia_link_2_xx
-        + (articulated_link_3_jxx
-            - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_mx);
-    let articulated_link_2_jxy = inertias.inertia_link_2_xy
-        + (articulated_link_3_jxy
-            - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_my);
-    let articulated_link_2_jxz = inertias.inertia_link_2_xz
-        + (articulated_link_3_jxz
-            - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_mz);
-    let articulated_link_2_jyy = inertias.inertia_link_2_yy
-        + (articulated_link_3_jyy
-            - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_my);
-    let articulated_link_2_jyz = inertias.inertia_link_2_yz
-        + (articulated_link_3_jyz
-            - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_mz);
-    let articulated_link_2_jzz = inertias.inertia_link_2_zz
-        + (articulated_link_3_jzz
-            - minus_articulated_link_2_hzz_1 * wrench_outside_link_3_mz);
-    let articulated_link_2_hyx = inertias.inertia_link_2_hz
-        + (articulated_link_3_hyx
-            - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_fx);
-    let articulated_link_2_hzx = inertias.minus_inertia_link_2_hy
-        + (articulated_link_3_hzx
-            - minus_articulated_link_2_hzz_1 * wrench_outside_link_3_fx);
-    let minus_articulated_link_2_hxy = inertias.inertia_link_2_hz
-        + (minus_articulated_link_3_hxy
-            + minus_articulated_link_2_hxx_1 * wrench_outside_link_3_fy);
-    let articulated_link_2_hzy = inertias.inertia_link_2_hx
-        + (articulated_link_3_hzy
-            - minus_articulated_link_2_hzz_1 * wrench_outside_link_3_fy);
-    let articulated_link_2_hxz = articulated_link_3_hxz
-        - minus_articulated_link_2_hxx_1 * wrench_outside_link_3_fz
-        - inertias.minus_inertia_link_2_hy;
-    let articulated_link_2_hyz = articulated_link_3_hyz
-        - minus_articulated_link_2_hyy_1 * wrench_outside_link_3_fz
-        - inertias.inertia_link_2_hx;
-    let articulated_link_2_mxx = 2.0
-        + (articulated_link_3_mxx
-            - minus_articulated_link_2_mxy_1 * wrench_outside_link_3_fx);
-    let articulated_link_2_myy = 2.0
-        + (articulated_link_3_myy
-            - minus_articulated_link_2_myz_1 * wrench_outside_link_3_fy);
-    let articulated_link_2_mzz = 2.0
-        + (articulated_link_3_mzz
-            - wrench_outside_link_3_fz * inverse_pivot_joint_3_d
-                * wrench_outside_link_3_fz);
-    let wrench_outside_link_2_mx = articulated_link_2_jxx * poses.sin_joint_1
-        - articulated_link_2_jxy * poses.cos_joint_1
-        + (articulated_link_2_hxz * screws.screw_joint_2_vz
-            - (minus_articulated_link_2_hxy * screws.screw_joint_2_vy
-                + minus_articulated_link_2_hxx * screws.screw_joint_2_vx));
-    let wrench_outside_link_2_my = articulated_link_2_jxy * poses.sin_joint_1
-        - articulated_link_2_jyy * poses.cos_joint_1
-        + (articulated_link_2_hyz * screws.screw_joint_2_vz
-            + (articulated_link_2_hyx * screws.screw_joint_2_vx
-                - minus_articulated_link_2_hyy * screws.screw_joint_2_vy));
-    let wrench_outside_link_2_mz = articulated_link_2_jxz * poses.sin_joint_1
-        - articulated_link_2_jyz * poses.cos_joint_1
-        + (articulated_link_2_hzy * screws.screw_joint_2_vy
-            + articulated_link_2_hzx * screws.screw_joint_2_vx
-            - minus_articulated_link_2_hzz * screws.screw_joint_2_vz);
-    let wrench_outside_link_2_fx = articulated_link_2_mxx * screws.screw_joint_2_vx
-        - minus_articulated_link_2_mxy * screws.screw_joint_2_vy
-        - minus_articulated_link_2_mxz * screws.screw_joint_2_vz
-        - (minus_articulated_link_2_hxx * poses.sin_joint_1
-            + articulated_link_2_hyx * poses.cos_joint_1);
-    let wrench_outside_link_2_fy = minus_articulated_link_2_hyy * poses.cos_joint_1
-        - minus_articulated_link_2_hxy * poses.sin_joint_1
-        + (articulated_link_2_myy * screws.screw_joint_2_vy
-            - minus_articulated_link_2_mxy * screws.screw_joint_2_vx
-            - minus_articulated_link_2_myz * screws.screw_joint_2_vz);
-    let wrench_outside_link_2_fz = articulated_link_2_hxz * poses.sin_joint_1
-        - articulated_link_2_hyz * poses.cos_joint_1
-        + (articulated_link_2_mzz * screws.screw_joint_2_vz
-            - (minus_articulated_link_2_mxz * screws.screw_joint_2_vx
-                + minus_articulated_link_2_myz * screws.screw_joint_2_vy));
-    let inverse_pivot_joint_2_d = 1.0
-        / (poses.sin_joint_1 * wrench_outside_link_2_mx
-            - poses.cos_joint_1 * wrench_outside_link_2_my
-            + screws.screw_joint_2_vx * wrench_outside_link_2_fx
-            + screws.screw_joint_2_vy * wrench_outside_link_2_fy
-            + screws.screw_joint_2_vz * wrench_outside_link_2_fz);
-    let wrench_link_1_mx_11_0 = tau[1]
-        - (poses.sin_joint_1 * wrench_link_2_mx - poses.cos_joint_1 * wrench_link_2_my
-            + screws.screw_joint_2_vx * wrench_link_2_fx
-            + screws.screw_joint_2_vy * wrench_link_2_fy
-            + screws.screw_joint_2_vz * wrench_link_2_fz);
-    let wrench_link_1_mx_11 = wrench_link_1_mx_11_0 * inverse_pivot_joint_2_d;
-    let wrench_link_1_mx = inertias.inertia_link_1_xx
-        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
-        - inertias.inertia_link_1_xy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
-        + (inertias.inertia_link_1_hy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0
-            + inertias.inertia_link_1_hz
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mx_0_1
-        + (wrench_link_2_mx + wrench_outside_link_2_mx * wrench_link_1_mx_11);
-    let wrench_link_1_my = inertias.inertia_link_1_xy
-        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
-        - inertias.inertia_link_1_yy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
-        + (inertias.inertia_link_1_hz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0
-            + inertias.minus_inertia_link_1_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_my_0_1
-        + (wrench_link_2_my + wrench_outside_link_2_my * wrench_link_1_mx_11);
-    let wrench_link_1_mz = inertias.inertia_link_1_xz
-        * common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0
-        + inertias.minus_inertia_link_1_yz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
-        + (inertias.minus_inertia_link_1_hx
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1
-            - inertias.inertia_link_1_hy
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_mz_0_1
-        + (wrench_link_2_mz + wrench_outside_link_2_mz * wrench_link_1_mx_11);
-    let wrench_link_1_fx = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_my_0_1_0_1_0_0_0_0_0_0 * 2.0
-        - common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
-            * inertias.inertia_link_1_hz
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fx_0_1
-        + (wrench_link_2_fx + wrench_outside_link_2_fx * wrench_link_1_mx_11);
-    let wrench_link_1_fy = wrench_link_2_fy
-        + wrench_outside_link_2_fy * wrench_link_1_mx_11
-        - (common_forward_dynamics_inverse_dynamics.wrench_link_7_mx_0_1_1_1_0_0_0_0_0_1
-            * 2.0
-            + common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 * inertias.inertia_link_1_hz
-            + common_forward_dynamics_inverse_dynamics.wrench_link_1_fy_1_1);
-    let wrench_link_1_fz = common_forward_dynamics_inverse_dynamics
-        .wrench_link_7_mx_0_1_0_1_0_0_0_0_0_0 * 2.0
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_link_7_mx_0_0_0_0_1_0_0_0_0_0_0 * inertias.inertia_link_1_hy
-            - common_forward_dynamics_inverse_dynamics
-                .wrench_link_7_mx_0_0_0_1_1_0_0_0_0_0_1
-                * inertias.minus_inertia_link_1_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_link_1_fz_0_1
-        + (wrench_link_2_fz + wrench_outside_link_2_fz * wrench_link_1_mx_11);
-    let minus_articulated_link_1_hxx_1 = wrench_outside_link_2_mx
-        * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_hyy_1 = wrench_outside_link_2_my
-        * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_hzz_1 = wrench_outside_link_2_mz
-        * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_mxy_1 = wrench_outside_link_2_fx
-        * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_myz_1 = wrench_outside_link_2_fy
-        * inverse_pivot_joint_2_d;
-    let minus_articulated_link_1_hxx = minus_articulated_link_2_hxx
-        + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fx;
-    let minus_articulated_link_1_hyy = minus_articulated_link_2_hyy
-        + minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fy;
-    let minus_articulated_link_1_hzz = minus_articulated_link_2_hzz
-        + minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fz;
-    let minus_articulated_link_1_mxy = minus_articulated_link_2_mxy
-        + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fy;
-    let minus_articulated_link_1_mxz = minus_articulated_link_2_mxz
-        + minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fz;
-    let minus_articulated_link_1_myz = minus_articulated_link_2_myz
-        + minus_articulated_link_1_myz_1 * wrench_outside_link_2_fz;
-    let articulated_link_1_jxx = inertias.inertia_link_1_xx
-        + (articulated_link_2_jxx
-            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mx);
-    let articulated_link_1_jxy = inertias.inertia_link_1_xy
-        + (articulated_link_2_jxy
-            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_my);
-    let articulated_link_1_jxz = inertias.inertia_link_1_xz
-        + (articulated_link_2_jxz
-            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_mz);
-    let articulated_link_1_jyy = inertias.inertia_link_1_yy
-        + (articulated_link_2_jyy
-            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_my);
-    let articulated_link_1_jyz = articulated_link_2_jyz
-        - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_mz
-        - inertias.minus_inertia_link_1_yz;
-    let articulated_link_1_jzz = inertias.inertia_link_1_zz
-        + (articulated_link_2_jzz
-            - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_mz);
-    let articulated_link_1_hyx = inertias.inertia_link_1_hz
-        + (articulated_link_2_hyx
-            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fx);
-    let articulated_link_1_hzx = articulated_link_2_hzx
-        - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fx
-        - inertias.inertia_link_1_hy;
-    let minus_articulated_link_1_hxy = inertias.inertia_link_1_hz
-        + (minus_articulated_link_2_hxy
-            + minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fy);
-    let articulated_link_1_hzy = articulated_link_2_hzy
-        - minus_articulated_link_1_hzz_1 * wrench_outside_link_2_fy
-        - inertias.minus_inertia_link_1_hx;
-    let articulated_link_1_hxz = inertias.inertia_link_1_hy
-        + (articulated_link_2_hxz
-            - minus_articulated_link_1_hxx_1 * wrench_outside_link_2_fz);
-    let articulated_link_1_hyz = inertias.minus_inertia_link_1_hx
-        + (articulated_link_2_hyz
-            - minus_articulated_link_1_hyy_1 * wrench_outside_link_2_fz);
-    let articulated_link_1_mxx = 2.0
-        + (articulated_link_2_mxx
-            - minus_articulated_link_1_mxy_1 * wrench_outside_link_2_fx);
-    let articulated_link_1_myy = 2.0
-        + (articulated_link_2_myy
-            - minus_articulated_link_1_myz_1 * wrench_outside_link_2_fy);
-    let articulated_link_1_mzz = 2.0
-        + (articulated_link_2_mzz
-            - wrench_outside_link_2_fz * inverse_pivot_joint_2_d
-                * wrench_outside_link_2_fz);
-    let wrench_outside_link_1_mx = articulated_link_1_jxz
-        + (minus_articulated_link_1_hxx * poses.minus_origin_base_y
-            - minus_articulated_link_1_hxy * poses.minus_origin_base_x);
-    let wrench_outside_link_1_my = articulated_link_1_jyz
-        - (minus_articulated_link_1_hyy * poses.minus_origin_base_x
-            + articulated_link_1_hyx * poses.minus_origin_base_y);
-    let wrench_outside_link_1_mz = articulated_link_1_jzz
-        + (articulated_link_1_hzy * poses.minus_origin_base_x
-            - articulated_link_1_hzx * poses.minus_origin_base_y);
-    let wrench_outside_link_1_fx = articulated_link_1_hzx
-        - (articulated_link_1_mxx * poses.minus_origin_base_y
-            + minus_articulated_link_1_mxy * poses.minus_origin_base_x);
-    let wrench_outside_link_1_fy = articulated_link_1_hzy
-        + (minus_articulated_link_1_mxy * poses.minus_origin_base_y
-            + articulated_link_1_myy * poses.minus_origin_base_x);
-    let wrench_outside_link_1_fz = minus_articulated_link_1_mxz
-        * poses.minus_origin_base_y
-        - minus_articulated_link_1_myz * poses.minus_origin_base_x
-        - minus_articulated_link_1_hzz;
-    let inverse_pivot_joint_1_d = 1.0
-        / (wrench_outside_link_1_mz
-            - poses.minus_origin_base_y * wrench_outside_link_1_fx
-            + poses.minus_origin_base_x * wrench_outside_link_1_fy);
-    let wrench_base_mx_2_0 = tau[0]
-        - (wrench_link_1_mz - poses.minus_origin_base_y * wrench_link_1_fx
-            + poses.minus_origin_base_x * wrench_link_1_fy);
-    let wrench_base_mx_2 = wrench_base_mx_2_0 * inverse_pivot_joint_1_d;
-    let wrench_base_mx = wrench_link_1_mx + wrench_outside_link_1_mx * wrench_base_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_mx_1_0
-            + wrench_base_mx_4);
-    let wrench_base_my = wrench_link_1_my + wrench_outside_link_1_my * wrench_base_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_my_1_0
-            + wrench_base_my_4);
-    let wrench_base_mz = wrench_link_1_mz + wrench_outside_link_1_mz * wrench_base_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_mz_1_0
-            + wrench_base_mz_4);
-    let wrench_base_fx = wrench_link_1_fx + wrench_outside_link_1_fx * wrench_base_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_fx_1_0 + base_wrench[3]);
-    let wrench_base_fy = wrench_link_1_fy + wrench_outside_link_1_fy * wrench_base_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_fy_1_0 + base_wrench[4]);
-    let wrench_base_fz = wrench_link_1_fz + wrench_outside_link_1_fz * wrench_base_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_base_fz_1_0 + base_wrench[5]);
-    let minus_articulated_base_hxx_1 = wrench_outside_link_1_mx
-        * inverse_pivot_joint_1_d;
-    let minus_articulated_base_hyy_1 = wrench_outside_link_1_my
-        * inverse_pivot_joint_1_d;
-    let minus_articulated_base_hzz_1 = wrench_outside_link_1_mz
-        * inverse_pivot_joint_1_d;
-    let minus_articulated_base_mxy_1 = wrench_outside_link_1_fx
-        * inverse_pivot_joint_1_d;
-    let minus_articulated_base_myz_1 = wrench_outside_link_1_fy
-        * inverse_pivot_joint_1_d;
-    let minus_articulated_base_hxx = minus_articulated_link_1_hxx
-        + minus_articulated_base_hxx_1 * wrench_outside_link_1_fx;
-    let minus_articulated_base_hyy = minus_articulated_link_1_hyy
-        + minus_articulated_base_hyy_1 * wrench_outside_link_1_fy;
-    let minus_articulated_base_hzz = minus_articulated_link_1_hzz
-        + minus_articulated_base_hzz_1 * wrench_outside_link_1_fz;
-    let minus_articulated_base_mxy = minus_articulated_link_1_mxy
-        + minus_articulated_base_mxy_1 * wrench_outside_link_1_fy;
-    let minus_articulated_base_mxz = minus_articulated_link_1_mxz
-        + minus_articulated_base_mxy_1 * wrench_outside_link_1_fz;
-    let minus_articulated_base_myz = minus_articulated_link_1_myz
-        + minus_articulated_base_myz_1 * wrench_outside_link_1_fz;
-    let articulated_base_jxx = inertias.inertia_base_xx
-        + (articulated_link_1_jxx
-            - minus_articulated_base_hxx_1 * wrench_outside_link_1_mx);
-    let articulated_base_jxy = articulated_link_1_jxy
-        - minus_articulated_base_hxx_1 * wrench_outside_link_1_my
-        - inertias.minus_inertia_base_xy;
-    let articulated_base_jxz = articulated_link_1_jxz
-        - minus_articulated_base_hxx_1 * wrench_outside_link_1_mz
-        - inertias.minus_inertia_base_xz;
-    let articulated_base_jyy = inertias.inertia_base_yy
-        + (articulated_link_1_jyy
-            - minus_articulated_base_hyy_1 * wrench_outside_link_1_my);
-    let articulated_base_jyz = articulated_link_1_jyz
-        - minus_articulated_base_hyy_1 * wrench_outside_link_1_mz
-        - inertias.minus_inertia_base_yz;
-    let articulated_base_jzz = inertias.inertia_base_zz
-        + (articulated_link_1_jzz
-            - minus_articulated_base_hzz_1 * wrench_outside_link_1_mz);
-    let articulated_base_hyx = articulated_link_1_hyx
-        - minus_articulated_base_hyy_1 * wrench_outside_link_1_fx
-        - inertias.minus_inertia_base_hz;
-    let articulated_base_hzx = inertias.minus_inertia_base_hy
-        + (articulated_link_1_hzx
-            - minus_articulated_base_hzz_1 * wrench_outside_link_1_fx);
-    let articulated_base_hxy = inertias.minus_inertia_base_hz
-        - (minus_articulated_link_1_hxy
-            + minus_articulated_base_hxx_1 * wrench_outside_link_1_fy);
-    let articulated_base_hzy = articulated_link_1_hzy
-        - minus_articulated_base_hzz_1 * wrench_outside_link_1_fy
-        - inertias.minus_inertia_base_hx;
-    let articulated_base_hxz = articulated_link_1_hxz
-        - minus_articulated_base_hxx_1 * wrench_outside_link_1_fz
-        - inertias.minus_inertia_base_hy;
-    let articulated_base_hyz = inertias.minus_inertia_base_hx
-        + (articulated_link_1_hyz
-            - minus_articulated_base_hyy_1 * wrench_outside_link_1_fz);
-    let articulated_base_mxx = 3.5
-        + (articulated_link_1_mxx
-            - minus_articulated_base_mxy_1 * wrench_outside_link_1_fx);
-    let articulated_base_myy = 3.5
-        + (articulated_link_1_myy
-            - minus_articulated_base_myz_1 * wrench_outside_link_1_fy);
-    let articulated_base_mzz = 3.5
-        + (articulated_link_1_mzz
-            - wrench_outside_link_1_fz * inverse_pivot_joint_1_d
-                * wrench_outside_link_1_fz);
-    let twist_base_wz_15 = 1.0 / articulated_base_mxx;
-    let twist_base_wz_16 = minus_articulated_base_mxy * twist_base_wz_15;
-    let twist_base_wz_18 = minus_articulated_base_mxz * twist_base_wz_15;
-    let minus_twist_base_vy_1 = 1.0
-        / (articulated_base_myy - twist_base_wz_16 * minus_articulated_base_mxy);
-    let minus_twist_base_vz_9_0 = minus_articulated_base_myz
-        + twist_base_wz_18 * minus_articulated_base_mxy;
-    let minus_twist_base_vz_9 = minus_twist_base_vz_9_0 * minus_twist_base_vy_1;
-    let minus_twist_base_vz_11 = 1.0
-        / (articulated_base_mzz - twist_base_wz_18 * minus_articulated_base_mxz
-            - minus_twist_base_vz_9 * minus_twist_base_vz_9_0);
-    let minus_twist_base_wx_2_0_2_1_3_4 = articulated_base_hxy
-        - twist_base_wz_16 * minus_articulated_base_hxx;
-    let minus_twist_base_wx_2_0_2_1_3 = (articulated_base_hxz
-        - twist_base_wz_18 * minus_articulated_base_hxx
-        + minus_twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3_4)
-        * minus_twist_base_vz_11;
-    let minus_twist_base_wx_2_0_2_1 = minus_twist_base_wx_2_0_2_1_3_4
-        * minus_twist_base_vy_1 + minus_twist_base_vz_9 * minus_twist_base_wx_2_0_2_1_3;
-    let minus_twist_base_wx_2_0_2 = twist_base_wz_16 * minus_twist_base_wx_2_0_2_1
-        - minus_articulated_base_hxx * twist_base_wz_15
-        + twist_base_wz_18 * minus_twist_base_wx_2_0_2_1_3;
-    let twist_base_wy_1_3_3_3_4 = twist_base_wz_16 * articulated_base_hyx
-        - minus_articulated_base_hyy;
-    let twist_base_wy_1_3_3_3 = (articulated_base_hyz
-        + twist_base_wz_18 * articulated_base_hyx
-        + minus_twist_base_vz_9 * twist_base_wy_1_3_3_3_4) * minus_twist_base_vz_11;
-    let twist_base_wy_1_3_3 = twist_base_wy_1_3_3_3_4 * minus_twist_base_vy_1
-        + minus_twist_base_vz_9 * twist_base_wy_1_3_3_3;
-    let twist_base_wy_1_3 = articulated_base_hyx * twist_base_wz_15
-        + twist_base_wz_16 * twist_base_wy_1_3_3
-        + twist_base_wz_18 * twist_base_wy_1_3_3_3;
-    let twist_base_wz_23_4 = articulated_base_hzy
-        + twist_base_wz_16 * articulated_base_hzx;
-    let twist_base_wz_23 = (twist_base_wz_18 * articulated_base_hzx
-        - minus_articulated_base_hzz + minus_twist_base_vz_9 * twist_base_wz_23_4)
-        * minus_twist_base_vz_11;
-    let twist_base_wz_21 = twist_base_wz_23_4 * minus_twist_base_vy_1
-        + minus_twist_base_vz_9 * twist_base_wz_23;
-    let minus_twist_base_wx_2_0 = articulated_base_jxy
-        - (articulated_base_hyx * minus_twist_base_wx_2_0_2
-            - minus_articulated_base_hyy * minus_twist_base_wx_2_0_2_1
-            + articulated_base_hyz * minus_twist_base_wx_2_0_2_1_3);
-    let twist_base_wz_25 = articulated_base_jxz
-        - (articulated_base_hzx * minus_twist_base_wx_2_0_2
-            + articulated_base_hzy * minus_twist_base_wx_2_0_2_1
-            - minus_articulated_base_hzz * minus_twist_base_wx_2_0_2_1_3);
-    let minus_twist_base_wx_1 = 1.0
-        / (articulated_base_jxx
-            - (articulated_base_hxy * minus_twist_base_wx_2_0_2_1
-                - minus_articulated_base_hxx * minus_twist_base_wx_2_0_2
-                + articulated_base_hxz * minus_twist_base_wx_2_0_2_1_3));
-    let minus_twist_base_wx_2 = minus_twist_base_wx_2_0 * minus_twist_base_wx_1;
-    let twist_base_wz_24 = twist_base_wz_25 * minus_twist_base_wx_1;
-    let twist_base_wy_1 = 1.0
-        / (articulated_base_jyy
-            - (articulated_base_hyx * twist_base_wy_1_3
-                - minus_articulated_base_hyy * twist_base_wy_1_3_3
-                + articulated_base_hyz * twist_base_wy_1_3_3_3)
-            - minus_twist_base_wx_2 * minus_twist_base_wx_2_0);
-    let twist_base_wz_27 = articulated_base_jyz
-        - (articulated_base_hzx * twist_base_wy_1_3
-            + articulated_base_hzy * twist_base_wy_1_3_3
-            - minus_articulated_base_hzz * twist_base_wy_1_3_3_3)
-        - twist_base_wz_24 * minus_twist_base_wx_2_0;
-    let twist_base_wz_26 = twist_base_wz_27 * twist_base_wy_1;
-    let twist_base_wz_4_4 = wrench_base_fy + twist_base_wz_16 * wrench_base_fx;
-    let twist_base_wz_4 = (wrench_base_fz + twist_base_wz_18 * wrench_base_fx
-        + minus_twist_base_vz_9 * twist_base_wz_4_4) * minus_twist_base_vz_11;
-    let twist_base_wz_6 = twist_base_wz_4_4 * minus_twist_base_vy_1
-        + minus_twist_base_vz_9 * twist_base_wz_4;
-    let twist_base_wz_8 = wrench_base_fx * twist_base_wz_15
-        + twist_base_wz_16 * twist_base_wz_6 + twist_base_wz_18 * twist_base_wz_4;
-    let twist_base_wz_1 = wrench_base_mx
-        + (minus_articulated_base_hxx * twist_base_wz_8
-            - articulated_base_hxy * twist_base_wz_6
-            - articulated_base_hxz * twist_base_wz_4);
-    let twist_base_wz_10 = minus_twist_base_wx_2 * twist_base_wz_1
-        - (wrench_base_my
-            + (minus_articulated_base_hyy * twist_base_wz_6
-                - articulated_base_hyx * twist_base_wz_8
-                - articulated_base_hyz * twist_base_wz_4));
-    let twist_base_wz = (twist_base_wz_24 * twist_base_wz_1
-        - (wrench_base_mz
-            + (minus_articulated_base_hzz * twist_base_wz_4
-                - (articulated_base_hzy * twist_base_wz_6
-                    + articulated_base_hzx * twist_base_wz_8)))
-        - twist_base_wz_26 * twist_base_wz_10)
-        * (1.0
-            / (articulated_base_jzz
-                - (articulated_base_hzx
-                    * (articulated_base_hzx * twist_base_wz_15
-                        + twist_base_wz_16 * twist_base_wz_21
-                        + twist_base_wz_18 * twist_base_wz_23)
-                    + articulated_base_hzy * twist_base_wz_21
-                    - minus_articulated_base_hzz * twist_base_wz_23)
-                - twist_base_wz_24 * twist_base_wz_25
-                - twist_base_wz_26 * twist_base_wz_27));
-    let twist_base_wy = twist_base_wz_10 * twist_base_wy_1
-        - twist_base_wz_26 * twist_base_wz;
-    let minus_twist_base_wx = twist_base_wz_1 * minus_twist_base_wx_1
-        + minus_twist_base_wx_2 * twist_base_wy + twist_base_wz_24 * twist_base_wz;
-    let minus_twist_base_vz_8 = wrench_base_fx
-        + (minus_articulated_base_hxx * minus_twist_base_wx
-            + articulated_base_hyx * twist_base_wy
-            + articulated_base_hzx * twist_base_wz);
-    let minus_twist_base_vz_10 = wrench_base_fy
-        + (articulated_base_hzy * twist_base_wz
-            - (articulated_base_hxy * minus_twist_base_wx
-                + minus_articulated_base_hyy * twist_base_wy))
-        + twist_base_wz_16 * minus_twist_base_vz_8;
-    let minus_twist_base_vz = (wrench_base_fz
-        + (articulated_base_hyz * twist_base_wy
-            - articulated_base_hxz * minus_twist_base_wx
-            - minus_articulated_base_hzz * twist_base_wz)
-        + twist_base_wz_18 * minus_twist_base_vz_8
-        + minus_twist_base_vz_9 * minus_twist_base_vz_10) * minus_twist_base_vz_11;
-    let minus_twist_base_vy = minus_twist_base_vz_10 * minus_twist_base_vy_1
-        + minus_twist_base_vz_9 * minus_twist_base_vz;
-    let minus_twist_base_vx = minus_twist_base_vz_8 * twist_base_wz_15
-        + twist_base_wz_16 * minus_twist_base_vy
-        + twist_base_wz_18 * minus_twist_base_vz;
-    let twist_link_1_wz_1 = (wrench_base_mx_2_0
-        - (twist_base_wy * wrench_outside_link_1_my
-            - minus_twist_base_wx * wrench_outside_link_1_mx
-            + twist_base_wz * wrench_outside_link_1_mz
-            - minus_twist_base_vx * wrench_outside_link_1_fx
-            - minus_twist_base_vy * wrench_outside_link_1_fy
-            - minus_twist_base_vz * wrench_outside_link_1_fz)) * inverse_pivot_joint_1_d;
-    xi_dot[6] = twist_link_1_wz_1 + 0.0;
-    let twist_link_1_wz = twist_base_wz + twist_link_1_wz_1;
-    let minus_twist_link_1_vx = minus_twist_base_vx
-        + poses.minus_origin_base_y * twist_link_1_wz_1;
-    let twist_link_1_vy = poses.minus_origin_base_x * twist_link_1_wz_1
-        - minus_twist_base_vy;
-    let twist_link_2_wx_1 = (wrench_link_1_mx_11_0
-        - (twist_base_wy * wrench_outside_link_2_my
-            - minus_twist_base_wx * wrench_outside_link_2_mx
-            + twist_link_1_wz * wrench_outside_link_2_mz
-            - minus_twist_link_1_vx * wrench_outside_link_2_fx
-            + twist_link_1_vy * wrench_outside_link_2_fy
-            - minus_twist_base_vz * wrench_outside_link_2_fz)) * inverse_pivot_joint_2_d;
-    xi_dot[7] = twist_link_2_wx_1 + 0.0;
-    let twist_link_2_wx = poses.sin_joint_1 * twist_link_2_wx_1 - minus_twist_base_wx;
-    let twist_link_2_wy = twist_base_wy - poses.cos_joint_1 * twist_link_2_wx_1;
-    let twist_link_2_vx = screws.screw_joint_2_vx * twist_link_2_wx_1
-        - minus_twist_link_1_vx;
-    let twist_link_2_vy = twist_link_1_vy + screws.screw_joint_2_vy * twist_link_2_wx_1;
-    let twist_link_2_vz = screws.screw_joint_2_vz * twist_link_2_wx_1
-        - minus_twist_base_vz;
-    let twist_link_3_wx_2 = (wrench_link_2_mx_13_0
-        - (twist_link_2_wx * wrench_outside_link_3_mx
-            + twist_link_2_wy * wrench_outside_link_3_my
-            + twist_link_1_wz * wrench_outside_link_3_mz
-            + twist_link_2_vx * wrench_outside_link_3_fx
-            + twist_link_2_vy * wrench_outside_link_3_fy
-            + twist_link_2_vz * wrench_outside_link_3_fz)) * inverse_pivot_joint_3_d;
-    xi_dot[8] = twist_link_3_wx_2 + 0.0;
-    let twist_link_3_wx = twist_link_2_wx
-        - poses.minus_rotation_link_2_xy * twist_link_3_wx_2;
-    let twist_link_3_wy = twist_link_2_wy
-        - poses.minus_rotation_link_2_yy * twist_link_3_wx_2;
-    let twist_link_3_wz = twist_link_1_wz + poses.cos_joint_2 * twist_link_3_wx_2;
-    let twist_link_3_vx = twist_link_2_vx + screws.screw_joint_3_vx * twist_link_3_wx_2;
-    let twist_link_3_vy = twist_link_2_vy + screws.screw_joint_3_vy * twist_link_3_wx_2;
-    let twist_link_3_vz = twist_link_2_vz + screws.screw_joint_3_vz * twist_link_3_wx_2;
-    let twist_link_4_wx_2 = (wrench_link_3_mx_13_0
-        - (twist_link_3_wx * wrench_outside_link_4_mx
-            + twist_link_3_wy * wrench_outside_link_4_my
-            + twist_link_3_wz * wrench_outside_link_4_mz
-            + twist_link_3_vx * wrench_outside_link_4_fx
-            + twist_link_3_vy * wrench_outside_link_4_fy
-            + twist_link_3_vz * wrench_outside_link_4_fz)) * inverse_pivot_joint_4_d;
-    xi_dot[9] = twist_link_4_wx_2 + 0.0;
-    let twist_link_4_wx = twist_link_3_wx
-        - poses.minus_rotation_link_3_xy * twist_link_4_wx_2;
-    let twist_link_4_wy = twist_link_3_wy + poses.rotation_link_3_yy * twist_link_4_wx_2;
-    let twist_link_4_wz = twist_link_3_wz
-        - poses.minus_rotation_link_3_zy * twist_link_4_wx_2;
-    let twist_link_4_vx = twist_link_3_vx + screws.screw_joint_4_vx * twist_link_4_wx_2;
-    let twist_link_4_vy = twist_link_3_vy
-        - screws.minus_screw_joint_4_vy * twist_link_4_wx_2;
-    let twist_link_4_vz = twist_link_3_vz
-        - screws.minus_screw_joint_4_vz * twist_link_4_wx_2;
-    let twist_link_5_wx_2 = (wrench_link_4_mx_13_0
-        - (twist_link_4_wx * wrench_outside_link_5_mx
-            + twist_link_4_wy * wrench_outside_link_5_my
-            + twist_link_4_wz * wrench_outside_link_5_mz
-            + twist_link_4_vx * wrench_outside_link_5_fx
-            + twist_link_4_vy * wrench_outside_link_5_fy
-            + twist_link_4_vz * wrench_outside_link_5_fz)) * inverse_pivot_joint_5_d;
-    xi_dot[10] = twist_link_5_wx_2 + 0.0;
-    let twist_link_5_wx = twist_link_4_wx - poses.rotation_link_4_xy * twist_link_5_wx_2;
-    let twist_link_5_wy = twist_link_4_wy - poses.rotation_link_4_yy * twist_link_5_wx_2;
-    let twist_link_5_wz = twist_link_4_wz + poses.rotation_link_5_zz * twist_link_5_wx_2;
-    let twist_link_5_vx = twist_link_4_vx + screws.screw_joint_5_vx * twist_link_5_wx_2;
-    let twist_link_5_vy = twist_link_4_vy + screws.screw_joint_5_vy * twist_link_5_wx_2;
-    let twist_link_5_vz = twist_link_4_vz + screws.screw_joint_5_vz * twist_link_5_wx_2;
-    let twist_link_6_wx_2 = (wrench_link_5_mx_13_0
-        - (twist_link_5_wx * wrench_outside_link_6_mx
-            + twist_link_5_wy * wrench_outside_link_6_my
-            + twist_link_5_wz * wrench_outside_link_6_mz
-            + twist_link_5_vx * wrench_outside_link_6_fx
-            + twist_link_5_vy * wrench_outside_link_6_fy
-            + twist_link_5_vz * wrench_outside_link_6_fz)) * inverse_pivot_joint_6_d;
-    xi_dot[11] = twist_link_6_wx_2 + 0.0;
-    let twist_link_6_wx = twist_link_5_wx + poses.rotation_link_6_xz * twist_link_6_wx_2;
-    let twist_link_6_wy = twist_link_5_wy - poses.rotation_link_5_yy * twist_link_6_wx_2;
-    let twist_link_6_wz = twist_link_5_wz + poses.rotation_link_6_zz * twist_link_6_wx_2;
-    let twist_link_6_vx = twist_link_5_vx + screws.screw_joint_6_vx * twist_link_6_wx_2;
-    let twist_link_6_vy = twist_link_5_vy + screws.screw_joint_6_vy * twist_link_6_wx_2;
-    let twist_link_6_vz = twist_link_5_vz + screws.screw_joint_6_vz * twist_link_6_wx_2;
-    xi_dot[12] = (wrench_link_6_mx_13_0
-        - (twist_link_6_wx * screws.inside_joint_7_mx
-            + twist_link_6_wy * screws.inside_joint_7_my
-            + twist_link_6_wz * screws.inside_joint_7_mz
-            + twist_link_6_vx * screws.inside_joint_7_fx
-            + twist_link_6_vy * screws.inside_joint_7_fy
-            + twist_link_6_vz * screws.inside_joint_7_fz)) * inverse_pivot_joint_7_d
-        + 0.0;
+    forward_dynamics_itself(
+        mu,
+        qd,
+        gravity,
+        base_wrench,
+        tau,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+        &common_d_mu_and_7_more,
+        &common_forward_dynamics_inverse_dynamics,
+        xi_dot,
+    );
+}
+/// V₁ = μ − A_l q̇ and ξ̇ at once: the rates of the pose, ġ₁ = g₁ V₁^, and of ξ.
+///
+/// - `q`: shape (7; rad, m)
+/// - `qd`: shape velocity (7; rad/s, m/s)
+/// - `mu`: locked velocity, base frame (6; rad/s, m/s)
+/// - `gravity`: acceleration of free fall, base axes (3; m/s²)
+/// - `base_wrench`: wrench on the base, base frame (6; N·m, N)
+/// - `tau`: joint torques (7; N·m, N)
+/// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
+/// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (13; rad/s², m/s²)
+///
+/// 4408 operations: 2174 + −, 2218 ×, 16 ÷; 7 sin cos; about 51.9 KiB of code.
+pub fn state_rate(
+    q: &[f64; 7],
+    qd: &[f64; 7],
+    mu: &[f64; 6],
+    gravity: &[f64; 3],
+    base_wrench: &[f64; 6],
+    tau: &[f64; 7],
+    base_twist: &mut [f64; 6],
+    xi_dot: &mut [f64; 13],
+) {
+    let poses = poses(q);
+    let inertias = inertias(&poses);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
+    let velocities = velocities(qd, &poses, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
+    let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
+        mu,
+        qd,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+    );
+    base_twist_itself(mu, &poses, &velocities, base_twist);
+    forward_dynamics_itself(
+        mu,
+        qd,
+        gravity,
+        base_wrench,
+        tau,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+        &common_d_mu_and_7_more,
+        &common_forward_dynamics_inverse_dynamics,
+        xi_dot,
+    );
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
 ///

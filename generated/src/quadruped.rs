@@ -41,8 +41,8 @@ impl FloatingBase<f64> for Quadruped {
             Quantity::DMuXi | Quantity::DQdotXi | Quantity::HamelBias |
             Quantity::Curvature | Quantity::Momentum | Quantity::VelocityOfMomentum |
             Quantity::BaseTwist | Quantity::KineticEnergy | Quantity::ForwardDynamics |
-            Quantity::InverseDynamics | Quantity::Kinematics(4) | Quantity::Kinematics(8)
-            | Quantity::Kinematics(12) | Quantity::Kinematics(16)
+            Quantity::StateRate | Quantity::InverseDynamics | Quantity::Kinematics(4) |
+            Quantity::Kinematics(8) | Quantity::Kinematics(12) | Quantity::Kinematics(16)
         )
     }
     fn answer(
@@ -152,6 +152,30 @@ impl FloatingBase<f64> for Quadruped {
                     array(gravity),
                     array(base_wrench),
                     array(tau),
+                    array_mut(xi_dot),
+                )
+            }
+            (
+                Quantity::StateRate,
+                [q,
+                qd,
+                mu,
+                gravity,
+                base_wrench,
+                tau,
+                ],
+                [base_twist,
+                xi_dot,
+                ],
+            ) => {
+                self::state_rate(
+                    array(q),
+                    array(qd),
+                    array(mu),
+                    array(gravity),
+                    array(base_wrench),
+                    array(tau),
+                    array_mut(base_twist),
                     array_mut(xi_dot),
                 )
             }
@@ -27995,6 +28019,2551 @@ mod curvature_itself {
         com[2] = poses.com_z + 0.004 + 0.0;
     }
 }
+/// What only `base_twist` computes.
+#[inline(never)]
+fn base_twist_itself(
+    mu: &[f64; 6],
+    poses: &Poses,
+    velocities: &Velocities,
+    base_twist: &mut [f64; 6],
+) {
+    // V₁
+    base_twist[0] = mu[0] - velocities.minus_velocity_trunk_wx + 0.0;
+    base_twist[1] = mu[1] - velocities.minus_velocity_trunk_wy + 0.0;
+    base_twist[2] = mu[2] - velocities.minus_velocity_trunk_wz + 0.0;
+    let base_twist_3_4 = poses.com_y - 0.003;
+    let base_twist_3_2 = poses.com_z + 0.004;
+    base_twist[3] = mu[3]
+        + (velocities.minus_velocity_trunk_wy * base_twist_3_2
+            - velocities.minus_velocity_trunk_wz * base_twist_3_4
+            - velocities.minus_velocity_trunk_vx) + 0.0;
+    let base_twist_4_3 = poses.com_x + 0.008;
+    base_twist[4] = mu[4]
+        + (velocities.velocity_trunk_vy
+            + (velocities.minus_velocity_trunk_wz * base_twist_4_3
+                - velocities.minus_velocity_trunk_wx * base_twist_3_2)) + 0.0;
+    base_twist[5] = mu[5]
+        + (velocities.velocity_trunk_vz
+            + (velocities.minus_velocity_trunk_wx * base_twist_3_4
+                - velocities.minus_velocity_trunk_wy * base_twist_4_3)) + 0.0;
+}
+/// What only `forward_dynamics` computes.
+#[inline(never)]
+fn forward_dynamics_itself(
+    mu: &[f64; 6],
+    qd: &[f64; 12],
+    gravity: &[f64; 3],
+    base_wrench: &[f64; 6],
+    tau: &[f64; 12],
+    poses: &Poses,
+    inertias: &Inertias,
+    screws: &Screws,
+    velocities: &Velocities,
+    common_d_mu_and_7_more: &CommonDMuAnd7More,
+    common_forward_dynamics_inverse_dynamics: &CommonForwardDynamicsInverseDynamics,
+    xi_dot: &mut [f64; 18],
+) {
+    let xi_dot_0_3_3_21_19_4_0_2 = poses.com_x + 0.008;
+    let xi_dot_0_3_3_21_6_0_4 = poses.com_y - 0.003;
+    let xi_dot_0_3_3_21_6_0_2 = poses.com_z + 0.004;
+    let xi_dot_0_3_3_21_2 = inertias.composite_trunk_xx * mu[0]
+        + inertias.composite_trunk_xy * mu[1] + inertias.composite_trunk_xz * mu[2];
+    let xi_dot_0_3_3_21_19_0 = inertias.composite_trunk_xy * mu[0]
+        + inertias.composite_trunk_yy * mu[1] + inertias.composite_trunk_yz * mu[2];
+    let xi_dot_0_3_3_21_19_2 = inertias.composite_trunk_xz * mu[0]
+        + inertias.composite_trunk_yz * mu[1] + inertias.composite_trunk_zz * mu[2];
+    let xi_dot_0_3_3_21_6_0 = mu[3]
+        + (mu[1] * xi_dot_0_3_3_21_6_0_2 - mu[2] * xi_dot_0_3_3_21_6_0_4);
+    let xi_dot_0_3_3_21_19_4_0 = mu[4]
+        + (mu[2] * xi_dot_0_3_3_21_19_4_0_2 - mu[0] * xi_dot_0_3_3_21_6_0_2);
+    let xi_dot_0_3_3_21_19_6_0 = mu[5]
+        + (mu[0] * xi_dot_0_3_3_21_6_0_4 - mu[1] * xi_dot_0_3_3_21_19_4_0_2);
+    let xi_dot_0_3_3_21_6 = xi_dot_0_3_3_21_6_0 * 20.519999999999996;
+    let xi_dot_0_3_3_21_19_4 = xi_dot_0_3_3_21_19_4_0 * 20.519999999999996;
+    let xi_dot_0_3_3_21_19_6 = xi_dot_0_3_3_21_19_6_0 * 20.519999999999996;
+    let xi_dot_0_3_3_21_19_9 = common_d_mu_and_7_more.three_front_left_hip_pitch_x_0_1_0
+        * qd[1] - screws.inside_front_left_hip_roll_mz * qd[0]
+        + common_d_mu_and_7_more.three_front_left_knee_x_0_1_0 * qd[2]
+        - screws.inside_front_right_hip_roll_mz * qd[3]
+        + common_d_mu_and_7_more.three_front_right_hip_pitch_x_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_front_right_knee_x_0_1_0 * qd[5]
+        - screws.inside_hind_left_hip_roll_mz * qd[6]
+        + common_d_mu_and_7_more.three_hind_left_hip_pitch_x_0_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_hind_left_knee_x_0_1_0 * qd[8]
+        - screws.inside_hind_right_hip_roll_mz * qd[9]
+        + common_d_mu_and_7_more.three_hind_right_hip_pitch_x_0_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_hind_right_knee_x_0_1_0 * qd[11];
+    let xi_dot_0_3_3_21_19_11 = screws.inside_front_left_hip_roll_my * qd[0]
+        + common_d_mu_and_7_more.three_front_left_hip_pitch_x_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_front_left_knee_x_1_0 * qd[2]
+        + screws.inside_front_right_hip_roll_my * qd[3]
+        + common_d_mu_and_7_more.three_front_right_hip_pitch_x_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_front_right_knee_x_1_0 * qd[5]
+        + screws.inside_hind_left_hip_roll_my * qd[6]
+        + common_d_mu_and_7_more.three_hind_left_hip_pitch_x_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_hind_left_knee_x_1_0 * qd[8]
+        + screws.inside_hind_right_hip_roll_my * qd[9]
+        + common_d_mu_and_7_more.three_hind_right_hip_pitch_x_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_hind_right_knee_x_1_0 * qd[11];
+    let xi_dot_0_3_3_21_11 = common_d_mu_and_7_more.three_front_left_hip_roll_y_0_0
+        * qd[0] + common_d_mu_and_7_more.three_front_left_hip_pitch_y_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_front_left_knee_y_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_front_right_hip_roll_y_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_front_right_hip_pitch_y_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_front_right_knee_y_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_hind_left_hip_roll_y_0_0 * qd[6]
+        + common_d_mu_and_7_more.three_hind_left_hip_pitch_y_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_hind_left_knee_y_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_hind_right_hip_roll_y_1_0 * qd[9]
+        + common_d_mu_and_7_more.three_hind_right_hip_pitch_y_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_hind_right_knee_y_1_0 * qd[11];
+    let xi_dot_0_3_3_21_15 = velocities.minus_velocity_trunk_vx * 20.519999999999996;
+    let xi_dot_0_3_3_21_19_15 = velocities.velocity_trunk_vy * 20.519999999999996;
+    let xi_dot_0_3_3_21_19_13 = velocities.velocity_trunk_vz * 20.519999999999996;
+    let xi_dot_0_3_3_21_1 = mu[0] - velocities.minus_velocity_trunk_wx;
+    let xi_dot_0_3_3_21_19_3 = mu[1] - velocities.minus_velocity_trunk_wy;
+    let xi_dot_0_3_3_21_19_1 = mu[2] - velocities.minus_velocity_trunk_wz;
+    let xi_dot_0_3_3_21_19_8 = (common_d_mu_and_7_more.three_front_left_hip_pitch_x_0_0_0
+        * qd[1] - common_d_mu_and_7_more.three_front_left_hip_roll_x_1_0_0 * qd[0]
+        + common_d_mu_and_7_more.three_front_left_knee_x_0_0_0 * qd[2]
+        + common_d_mu_and_7_more.three_front_right_hip_roll_x_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.three_front_right_hip_pitch_x_0_0_0 * qd[4]
+        + common_d_mu_and_7_more.three_front_right_knee_x_0_0_0 * qd[5]
+        - common_d_mu_and_7_more.three_hind_left_hip_roll_x_1_0_0 * qd[6]
+        + common_d_mu_and_7_more.three_hind_left_hip_pitch_x_0_0_0 * qd[7]
+        + common_d_mu_and_7_more.three_hind_left_knee_x_0_0_0 * qd[8]
+        + common_d_mu_and_7_more.three_hind_right_hip_roll_x_0_0_0 * qd[9]
+        + common_d_mu_and_7_more.three_hind_right_hip_pitch_x_0_0_0 * qd[10]
+        + common_d_mu_and_7_more.three_hind_right_knee_x_0_0_0 * qd[11]) * mu[0];
+    let xi_dot_0_3_3_21_10 = (common_d_mu_and_7_more.three_front_left_hip_pitch_y_0_1_0
+        * qd[1] - common_d_mu_and_7_more.three_front_left_hip_roll_y_1_1_0 * qd[0]
+        + common_d_mu_and_7_more.three_front_left_knee_y_0_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_front_right_hip_roll_y_0_0_0 * qd[3]
+        + common_d_mu_and_7_more.three_front_right_hip_pitch_y_0_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_front_right_knee_y_0_1_0 * qd[5]
+        - common_d_mu_and_7_more.three_hind_left_hip_roll_y_1_1_0 * qd[6]
+        + common_d_mu_and_7_more.three_hind_left_hip_pitch_y_0_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_hind_left_knee_y_0_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_hind_right_hip_roll_y_0_0_0 * qd[9]
+        + common_d_mu_and_7_more.three_hind_right_hip_pitch_y_0_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_hind_right_knee_y_0_1_0 * qd[11]) * mu[1];
+    let xi_dot_0_3_3_12 = (common_d_mu_and_7_more.three_front_left_hip_roll_z_1_0 * qd[0]
+        + common_d_mu_and_7_more.three_front_left_hip_pitch_z_1_0 * qd[1]
+        + common_d_mu_and_7_more.three_front_left_knee_z_1_0 * qd[2]
+        + common_d_mu_and_7_more.three_front_right_hip_roll_z_1_0 * qd[3]
+        + common_d_mu_and_7_more.three_front_right_hip_pitch_z_1_0 * qd[4]
+        + common_d_mu_and_7_more.three_front_right_knee_z_1_0 * qd[5]
+        + common_d_mu_and_7_more.three_hind_left_hip_roll_z_1_0 * qd[6]
+        + common_d_mu_and_7_more.three_hind_left_hip_pitch_z_1_0 * qd[7]
+        + common_d_mu_and_7_more.three_hind_left_knee_z_1_0 * qd[8]
+        + common_d_mu_and_7_more.three_hind_right_hip_roll_z_1_0 * qd[9]
+        + common_d_mu_and_7_more.three_hind_right_hip_pitch_z_1_0 * qd[10]
+        + common_d_mu_and_7_more.three_hind_right_knee_z_1_0 * qd[11]) * mu[2];
+    let wrench_trunk_mx_4 = base_wrench[0]
+        + (base_wrench[4] * xi_dot_0_3_3_21_6_0_2
+            - base_wrench[5] * xi_dot_0_3_3_21_6_0_4);
+    let wrench_trunk_my_4 = base_wrench[1]
+        + (base_wrench[5] * xi_dot_0_3_3_21_19_4_0_2
+            - base_wrench[3] * xi_dot_0_3_3_21_6_0_2);
+    let wrench_trunk_mz_4 = base_wrench[2]
+        + (base_wrench[3] * xi_dot_0_3_3_21_6_0_4
+            - base_wrench[4] * xi_dot_0_3_3_21_19_4_0_2);
+    let xi_dot_0_3_3_21_19 = xi_dot_0_3_3_21_19_0 * xi_dot_0_3_3_21_19_1
+        - xi_dot_0_3_3_21_19_2 * xi_dot_0_3_3_21_19_3
+        + (xi_dot_0_3_3_21_19_4 * velocities.velocity_trunk_vz
+            - xi_dot_0_3_3_21_19_6 * velocities.velocity_trunk_vy)
+        - (xi_dot_0_3_3_21_19_8 + xi_dot_0_3_3_21_19_9 * mu[1]
+            + xi_dot_0_3_3_21_19_11 * mu[2]
+            + (xi_dot_0_3_3_21_19_13 * xi_dot_0_3_3_21_19_4_0
+                - xi_dot_0_3_3_21_19_15 * xi_dot_0_3_3_21_19_6_0)) + wrench_trunk_mx_4;
+    let xi_dot_0_3_3_21 = xi_dot_0_3_3_21_19_2 * xi_dot_0_3_3_21_1
+        - xi_dot_0_3_3_21_2 * xi_dot_0_3_3_21_19_1
+        - (xi_dot_0_3_3_21_19_6 * velocities.minus_velocity_trunk_vx
+            + xi_dot_0_3_3_21_6 * velocities.velocity_trunk_vz)
+        - (xi_dot_0_3_3_21_19_9 * mu[0] + xi_dot_0_3_3_21_10 + xi_dot_0_3_3_21_11 * mu[2]
+            - (xi_dot_0_3_3_21_19_13 * xi_dot_0_3_3_21_6_0
+                + xi_dot_0_3_3_21_15 * xi_dot_0_3_3_21_19_6_0)) + wrench_trunk_my_4
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_21_19;
+    let xi_dot_0_3_3 = (xi_dot_0_3_3_21_2 * xi_dot_0_3_3_21_19_3
+        - xi_dot_0_3_3_21_19_0 * xi_dot_0_3_3_21_1
+        + (xi_dot_0_3_3_21_6 * velocities.velocity_trunk_vy
+            + xi_dot_0_3_3_21_19_4 * velocities.minus_velocity_trunk_vx)
+        - (xi_dot_0_3_3_21_19_11 * mu[0] + xi_dot_0_3_3_21_11 * mu[1] + xi_dot_0_3_3_12
+            + (xi_dot_0_3_3_21_15 * xi_dot_0_3_3_21_19_4_0
+                + xi_dot_0_3_3_21_19_15 * xi_dot_0_3_3_21_6_0)) + wrench_trunk_mz_4
+        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_21_19
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_21)
+        * inertias.locked_inverse_pivot_z;
+    let xi_dot_0_3 = xi_dot_0_3_3_21 * inertias.locked_inverse_pivot_y
+        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
+    let xi_dot_0 = xi_dot_0_3_3_21_19 * inertias.locked_inverse_pivot_x
+        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
+        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
+    // ξ\u{307} = [μ\u{307}; q\u{308}]
+    xi_dot[0] = xi_dot_0 + 0.0;
+    xi_dot[1] = xi_dot_0_3 + 0.0;
+    xi_dot[2] = xi_dot_0_3_3 + 0.0;
+    xi_dot[3] = (xi_dot_0_3_3_21_19_4 * xi_dot_0_3_3_21_19_1
+        - xi_dot_0_3_3_21_19_6 * xi_dot_0_3_3_21_19_3
+        - (mu[2] * xi_dot_0_3_3_21_19_15 - mu[1] * xi_dot_0_3_3_21_19_13)
+        + base_wrench[3]) * 0.048732943469785565
+        + (xi_dot_0_3_3 * xi_dot_0_3_3_21_6_0_4 - xi_dot_0_3 * xi_dot_0_3_3_21_6_0_2)
+        + gravity[0] + 0.0;
+    xi_dot[4] = (xi_dot_0_3_3_21_19_6 * xi_dot_0_3_3_21_1
+        - xi_dot_0_3_3_21_6 * xi_dot_0_3_3_21_19_1
+        - (mu[2] * xi_dot_0_3_3_21_15 + mu[0] * xi_dot_0_3_3_21_19_13) + base_wrench[4])
+        * 0.048732943469785565
+        + (xi_dot_0 * xi_dot_0_3_3_21_6_0_2 - xi_dot_0_3_3 * xi_dot_0_3_3_21_19_4_0_2)
+        + gravity[1] + 0.0;
+    xi_dot[5] = (xi_dot_0_3_3_21_6 * xi_dot_0_3_3_21_19_3
+        - xi_dot_0_3_3_21_19_4 * xi_dot_0_3_3_21_1
+        + (mu[0] * xi_dot_0_3_3_21_19_15 + mu[1] * xi_dot_0_3_3_21_15) + base_wrench[5])
+        * 0.048732943469785565
+        + (xi_dot_0_3 * xi_dot_0_3_3_21_19_4_0_2 - xi_dot_0 * xi_dot_0_3_3_21_6_0_4)
+        + gravity[2] + 0.0;
+    let wrench_front_left_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_mx_0_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_0_1_1_0_1;
+    let wrench_front_left_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_mx_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_1_1_0_1;
+    let wrench_front_left_thigh_my_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_my_0_1_0_1_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_my_0_1_0_1_0_1;
+    let wrench_front_left_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_mx_0_1_1_1_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_1_1_1_0_1;
+    let wrench_front_left_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_mx_0_1_0_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_1_0_1_0_1;
+    let wrench_front_left_shank_mx_1 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_mx_0_0_0_0_1_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_0_0_1_1;
+    let wrench_front_left_shank_mx_3 = wrench_front_left_thigh_mx_3
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_0_1_1_1;
+    let wrench_front_left_shank_mx_5 = wrench_front_left_thigh_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_1_1_1;
+    let wrench_front_left_shank_my_7 = wrench_front_left_thigh_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_my_0_1_0_1_1;
+    let wrench_front_left_shank_mx_9 = wrench_front_left_thigh_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_1_1_1_1;
+    let wrench_front_left_shank_mx_7 = wrench_front_left_thigh_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_1_0_1_1;
+    let wrench_front_right_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_mx_0_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_1_1_0_1;
+    let wrench_front_right_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_mx_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_1_1_0_1;
+    let wrench_front_right_thigh_my_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_my_0_1_0_1_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_my_0_1_0_1_0_1;
+    let wrench_front_right_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_mx_0_1_1_1_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_1_1_1_0_1;
+    let wrench_front_right_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_mx_0_1_0_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_1_0_1_0_1;
+    let wrench_front_right_shank_mx_1 = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_mx_0_0_0_0_1_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_0_1_1;
+    let wrench_front_right_shank_mx_3 = wrench_front_right_thigh_mx_3
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_1_1_1;
+    let wrench_front_right_shank_mx_5 = wrench_front_right_thigh_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_0_0_1_1_1;
+    let wrench_front_right_shank_my_7 = wrench_front_right_thigh_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_my_0_1_0_1_1;
+    let wrench_front_right_shank_mx_9 = wrench_front_right_thigh_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_0_1_1_1_1;
+    let wrench_front_right_shank_mx_7 = wrench_front_right_thigh_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_0_1_0_1_1;
+    let wrench_hind_left_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_hind_left_shank_mx_0_0_0_1_1_0_1;
+    let wrench_hind_left_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_mx_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_1_1_0_1;
+    let wrench_hind_left_thigh_my_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_my_0_1_0_1_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_my_0_1_0_1_0_1;
+    let wrench_hind_left_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_mx_0_1_1_1_0_0
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_1_1_0_1;
+    let wrench_hind_left_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_mx_0_1_0_1_0_0
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_0_1_0_1;
+    let wrench_hind_left_shank_mx_1 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_mx_0_0_0_0_1_0
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_1;
+    let wrench_hind_left_shank_mx_3 = wrench_hind_left_thigh_mx_3
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_1_1_1;
+    let wrench_hind_left_shank_mx_5 = wrench_hind_left_thigh_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_1_1_1;
+    let wrench_hind_left_shank_my_7 = wrench_hind_left_thigh_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_my_0_1_0_1_1;
+    let wrench_hind_left_shank_mx_9 = wrench_hind_left_thigh_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_1_1_1;
+    let wrench_hind_left_shank_mx_7 = wrench_hind_left_thigh_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_0_1_1;
+    let wrench_hind_right_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_0_1_1_0_1;
+    let wrench_hind_right_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_mx_0_0_1_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_1_1_0_1;
+    let wrench_hind_right_thigh_my_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_my_0_1_0_1_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_my_0_1_0_1_0_1;
+    let wrench_hind_right_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_mx_0_1_1_1_0_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_1_1_1_0_1;
+    let wrench_hind_right_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_mx_0_1_0_1_0_0
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_1_0_1_0_1;
+    let wrench_hind_right_shank_mx_1 = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_mx_0_0_0_0_1_0
+        + common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_0_0_1_1;
+    let wrench_hind_right_shank_mx_3 = wrench_hind_right_thigh_mx_3
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_0_1_1_1;
+    let wrench_hind_right_shank_mx_5 = wrench_hind_right_thigh_mx_5
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_1_1_1;
+    let wrench_hind_right_shank_my_7 = wrench_hind_right_thigh_my_7
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_my_0_1_0_1_1;
+    let wrench_hind_right_shank_mx_9 = wrench_hind_right_thigh_mx_9
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_1_1_1;
+    let wrench_hind_right_shank_mx_7 = wrench_hind_right_thigh_mx_7
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_0_1_1;
+    let wrench_front_left_shank_mx = inertias.inertia_front_left_shank_xx
+        * wrench_front_left_shank_mx_1
+        + inertias.inertia_front_left_shank_xy * wrench_front_left_shank_mx_3
+        + inertias.inertia_front_left_shank_xz * wrench_front_left_shank_mx_5
+        + (inertias.inertia_front_left_shank_hy * wrench_front_left_shank_mx_7
+            - inertias.inertia_front_left_shank_hz * wrench_front_left_shank_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_1;
+    let wrench_front_left_shank_my = inertias.inertia_front_left_shank_xy
+        * wrench_front_left_shank_mx_1
+        + inertias.inertia_front_left_shank_yy * wrench_front_left_shank_mx_3
+        + inertias.inertia_front_left_shank_yz * wrench_front_left_shank_mx_5
+        + (inertias.inertia_front_left_shank_hz * wrench_front_left_shank_my_7
+            - inertias.inertia_front_left_shank_hx * wrench_front_left_shank_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_my_1;
+    let wrench_front_left_shank_mz = inertias.inertia_front_left_shank_xz
+        * wrench_front_left_shank_mx_1
+        + inertias.inertia_front_left_shank_yz * wrench_front_left_shank_mx_3
+        + inertias.inertia_front_left_shank_zz * wrench_front_left_shank_mx_5
+        + (inertias.inertia_front_left_shank_hx * wrench_front_left_shank_mx_9
+            - inertias.inertia_front_left_shank_hy * wrench_front_left_shank_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mz_1;
+    let wrench_front_left_shank_fx = wrench_front_left_shank_my_7 * 0.28
+        + (wrench_front_left_shank_mx_3 * inertias.inertia_front_left_shank_hz
+            - wrench_front_left_shank_mx_5 * inertias.inertia_front_left_shank_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_fx_1;
+    let wrench_front_left_shank_fy = wrench_front_left_shank_mx_9 * 0.28
+        + (wrench_front_left_shank_mx_5 * inertias.inertia_front_left_shank_hx
+            - wrench_front_left_shank_mx_1 * inertias.inertia_front_left_shank_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_fy_1;
+    let wrench_front_left_shank_fz = wrench_front_left_shank_mx_7 * 0.28
+        + (wrench_front_left_shank_mx_1 * inertias.inertia_front_left_shank_hy
+            - wrench_front_left_shank_mx_3 * inertias.inertia_front_left_shank_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_fz_1;
+    let wrench_front_right_shank_mx = inertias.inertia_front_right_shank_xx
+        * wrench_front_right_shank_mx_1
+        + inertias.inertia_front_right_shank_xy * wrench_front_right_shank_mx_3
+        + inertias.inertia_front_right_shank_xz * wrench_front_right_shank_mx_5
+        + (inertias.inertia_front_right_shank_hy * wrench_front_right_shank_mx_7
+            - inertias.inertia_front_right_shank_hz * wrench_front_right_shank_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_1;
+    let wrench_front_right_shank_my = inertias.inertia_front_right_shank_xy
+        * wrench_front_right_shank_mx_1
+        + inertias.inertia_front_right_shank_yy * wrench_front_right_shank_mx_3
+        + inertias.inertia_front_right_shank_yz * wrench_front_right_shank_mx_5
+        + (inertias.inertia_front_right_shank_hz * wrench_front_right_shank_my_7
+            - inertias.inertia_front_right_shank_hx * wrench_front_right_shank_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_my_1;
+    let wrench_front_right_shank_mz = inertias.inertia_front_right_shank_xz
+        * wrench_front_right_shank_mx_1
+        + inertias.inertia_front_right_shank_yz * wrench_front_right_shank_mx_3
+        + inertias.inertia_front_right_shank_zz * wrench_front_right_shank_mx_5
+        + (inertias.inertia_front_right_shank_hx * wrench_front_right_shank_mx_9
+            - inertias.inertia_front_right_shank_hy * wrench_front_right_shank_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mz_1;
+    let wrench_front_right_shank_fx = wrench_front_right_shank_my_7 * 0.28
+        + (wrench_front_right_shank_mx_3 * inertias.inertia_front_right_shank_hz
+            - wrench_front_right_shank_mx_5 * inertias.inertia_front_right_shank_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_fx_1;
+    let wrench_front_right_shank_fy = wrench_front_right_shank_mx_9 * 0.28
+        + (wrench_front_right_shank_mx_5 * inertias.inertia_front_right_shank_hx
+            - wrench_front_right_shank_mx_1 * inertias.inertia_front_right_shank_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_fy_1;
+    let wrench_front_right_shank_fz = wrench_front_right_shank_mx_7 * 0.28
+        + (wrench_front_right_shank_mx_1 * inertias.inertia_front_right_shank_hy
+            - wrench_front_right_shank_mx_3 * inertias.inertia_front_right_shank_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_fz_1;
+    let wrench_hind_left_shank_mx = inertias.inertia_hind_left_shank_xx
+        * wrench_hind_left_shank_mx_1
+        + inertias.inertia_hind_left_shank_xy * wrench_hind_left_shank_mx_3
+        + inertias.inertia_hind_left_shank_xz * wrench_hind_left_shank_mx_5
+        + (inertias.inertia_hind_left_shank_hy * wrench_hind_left_shank_mx_7
+            - inertias.inertia_hind_left_shank_hz * wrench_hind_left_shank_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_1;
+    let wrench_hind_left_shank_my = inertias.inertia_hind_left_shank_xy
+        * wrench_hind_left_shank_mx_1
+        + inertias.inertia_hind_left_shank_yy * wrench_hind_left_shank_mx_3
+        + inertias.inertia_hind_left_shank_yz * wrench_hind_left_shank_mx_5
+        + (inertias.inertia_hind_left_shank_hz * wrench_hind_left_shank_my_7
+            - inertias.inertia_hind_left_shank_hx * wrench_hind_left_shank_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_my_1;
+    let wrench_hind_left_shank_mz = inertias.inertia_hind_left_shank_xz
+        * wrench_hind_left_shank_mx_1
+        + inertias.inertia_hind_left_shank_yz * wrench_hind_left_shank_mx_3
+        + inertias.inertia_hind_left_shank_zz * wrench_hind_left_shank_mx_5
+        + (inertias.inertia_hind_left_shank_hx * wrench_hind_left_shank_mx_9
+            - inertias.inertia_hind_left_shank_hy * wrench_hind_left_shank_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mz_1;
+    let wrench_hind_left_shank_fx = wrench_hind_left_shank_my_7 * 0.28
+        + (wrench_hind_left_shank_mx_3 * inertias.inertia_hind_left_shank_hz
+            - wrench_hind_left_shank_mx_5 * inertias.inertia_hind_left_shank_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_fx_1;
+    let wrench_hind_left_shank_fy = wrench_hind_left_shank_mx_9 * 0.28
+        + (wrench_hind_left_shank_mx_5 * inertias.inertia_hind_left_shank_hx
+            - wrench_hind_left_shank_mx_1 * inertias.inertia_hind_left_shank_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_fy_1;
+    let wrench_hind_left_shank_fz = wrench_hind_left_shank_mx_7 * 0.28
+        + (wrench_hind_left_shank_mx_1 * inertias.inertia_hind_left_shank_hy
+            - wrench_hind_left_shank_mx_3 * inertias.inertia_hind_left_shank_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_fz_1;
+    let wrench_hind_right_shank_mx = inertias.inertia_hind_right_shank_xx
+        * wrench_hind_right_shank_mx_1
+        + inertias.inertia_hind_right_shank_xy * wrench_hind_right_shank_mx_3
+        + inertias.inertia_hind_right_shank_xz * wrench_hind_right_shank_mx_5
+        + (inertias.inertia_hind_right_shank_hy * wrench_hind_right_shank_mx_7
+            - inertias.inertia_hind_right_shank_hz * wrench_hind_right_shank_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_1;
+    let wrench_hind_right_shank_my = inertias.inertia_hind_right_shank_xy
+        * wrench_hind_right_shank_mx_1
+        + inertias.inertia_hind_right_shank_yy * wrench_hind_right_shank_mx_3
+        + inertias.inertia_hind_right_shank_yz * wrench_hind_right_shank_mx_5
+        + (inertias.inertia_hind_right_shank_hz * wrench_hind_right_shank_my_7
+            - inertias.inertia_hind_right_shank_hx * wrench_hind_right_shank_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_my_1;
+    let wrench_hind_right_shank_mz = inertias.inertia_hind_right_shank_xz
+        * wrench_hind_right_shank_mx_1
+        + inertias.inertia_hind_right_shank_yz * wrench_hind_right_shank_mx_3
+        + inertias.inertia_hind_right_shank_zz * wrench_hind_right_shank_mx_5
+        + (inertias.inertia_hind_right_shank_hx * wrench_hind_right_shank_mx_9
+            - inertias.inertia_hind_right_shank_hy * wrench_hind_right_shank_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mz_1;
+    let wrench_hind_right_shank_fx = wrench_hind_right_shank_my_7 * 0.28
+        + (wrench_hind_right_shank_mx_3 * inertias.inertia_hind_right_shank_hz
+            - wrench_hind_right_shank_mx_5 * inertias.inertia_hind_right_shank_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_fx_1;
+    let wrench_hind_right_shank_fy = wrench_hind_right_shank_mx_9 * 0.28
+        + (wrench_hind_right_shank_mx_5 * inertias.inertia_hind_right_shank_hx
+            - wrench_hind_right_shank_mx_1 * inertias.inertia_hind_right_shank_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_fy_1;
+    let wrench_hind_right_shank_fz = wrench_hind_right_shank_mx_7 * 0.28
+        + (wrench_hind_right_shank_mx_1 * inertias.inertia_hind_right_shank_hy
+            - wrench_hind_right_shank_mx_3 * inertias.inertia_hind_right_shank_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_fz_1;
+    let inverse_pivot_hind_right_knee_d = 1.0
+        / (poses.cos_hind_right_hip_roll * screws.inside_hind_right_knee_my
+            + poses.sin_hind_right_hip_roll * screws.inside_hind_right_knee_mz
+            + screws.screw_hind_right_knee_vx * screws.inside_hind_right_knee_fx
+            + screws.screw_hind_right_knee_vy * screws.inside_hind_right_knee_fy
+            + screws.minus_screw_hind_right_knee_vz
+                * screws.minus_inside_hind_right_knee_fz);
+    let wrench_hind_right_thigh_mx_13_0 = tau[11]
+        - (poses.cos_hind_right_hip_roll * wrench_hind_right_shank_my
+            + poses.sin_hind_right_hip_roll * wrench_hind_right_shank_mz
+            + screws.screw_hind_right_knee_vx * wrench_hind_right_shank_fx
+            + screws.screw_hind_right_knee_vy * wrench_hind_right_shank_fy
+            - screws.minus_screw_hind_right_knee_vz * wrench_hind_right_shank_fz);
+    let wrench_hind_right_thigh_mx_13 = wrench_hind_right_thigh_mx_13_0
+        * inverse_pivot_hind_right_knee_d;
+    let wrench_hind_right_thigh_mx = inertias.inertia_hind_right_thigh_xx
+        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_hind_right_thigh_xy * wrench_hind_right_thigh_mx_3
+        + inertias.inertia_hind_right_thigh_xz * wrench_hind_right_thigh_mx_5
+        + (inertias.inertia_hind_right_thigh_hy * wrench_hind_right_thigh_mx_7
+            + inertias.minus_inertia_hind_right_thigh_hz * wrench_hind_right_thigh_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_mx_0_1
+        + (wrench_hind_right_shank_mx
+            + screws.inside_hind_right_knee_mx * wrench_hind_right_thigh_mx_13);
+    let wrench_hind_right_thigh_my = inertias.inertia_hind_right_thigh_xy
+        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_hind_right_thigh_yy * wrench_hind_right_thigh_mx_3
+        + inertias.inertia_hind_right_thigh_yz * wrench_hind_right_thigh_mx_5
+        - (inertias.minus_inertia_hind_right_thigh_hz * wrench_hind_right_thigh_my_7
+            + inertias.inertia_hind_right_thigh_hx * wrench_hind_right_thigh_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_my_0_1
+        + (wrench_hind_right_shank_my
+            + screws.inside_hind_right_knee_my * wrench_hind_right_thigh_mx_13);
+    let wrench_hind_right_thigh_mz = inertias.inertia_hind_right_thigh_xz
+        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_hind_right_thigh_yz * wrench_hind_right_thigh_mx_3
+        + inertias.inertia_hind_right_thigh_zz * wrench_hind_right_thigh_mx_5
+        + (inertias.inertia_hind_right_thigh_hx * wrench_hind_right_thigh_mx_9
+            - inertias.inertia_hind_right_thigh_hy * wrench_hind_right_thigh_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_mz_0_1
+        + (wrench_hind_right_shank_mz
+            + screws.inside_hind_right_knee_mz * wrench_hind_right_thigh_mx_13);
+    let wrench_hind_right_thigh_fx = wrench_hind_right_thigh_my_7 * 1.1
+        - (wrench_hind_right_thigh_mx_3 * inertias.minus_inertia_hind_right_thigh_hz
+            + wrench_hind_right_thigh_mx_5 * inertias.inertia_hind_right_thigh_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_fx_0_1
+        + (wrench_hind_right_shank_fx
+            + screws.inside_hind_right_knee_fx * wrench_hind_right_thigh_mx_13);
+    let wrench_hind_right_thigh_fy = wrench_hind_right_thigh_mx_9 * 1.1
+        + (wrench_hind_right_thigh_mx_5 * inertias.inertia_hind_right_thigh_hx
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_mx_0_0_0_0_1_0
+                * inertias.minus_inertia_hind_right_thigh_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_fy_0_1
+        + (wrench_hind_right_shank_fy
+            + screws.inside_hind_right_knee_fy * wrench_hind_right_thigh_mx_13);
+    let wrench_hind_right_thigh_fz = wrench_hind_right_thigh_mx_7 * 1.1
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_0_0_1_0
+            * inertias.inertia_hind_right_thigh_hy
+            - wrench_hind_right_thigh_mx_3 * inertias.inertia_hind_right_thigh_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_fz_0_1
+        + (wrench_hind_right_shank_fz
+            - screws.minus_inside_hind_right_knee_fz * wrench_hind_right_thigh_mx_13);
+    let minus_articulated_hind_right_thigh_hxx_0 = screws.inside_hind_right_knee_mx
+        * inverse_pivot_hind_right_knee_d;
+    let minus_articulated_hind_right_thigh_hyy_0 = screws.inside_hind_right_knee_my
+        * inverse_pivot_hind_right_knee_d;
+    let articulated_hind_right_thigh_hzz_0 = screws.inside_hind_right_knee_mz
+        * inverse_pivot_hind_right_knee_d;
+    let minus_articulated_hind_right_thigh_mxy_0 = screws.inside_hind_right_knee_fx
+        * inverse_pivot_hind_right_knee_d;
+    let articulated_hind_right_thigh_myz_0 = screws.inside_hind_right_knee_fy
+        * inverse_pivot_hind_right_knee_d;
+    let minus_articulated_hind_right_thigh_hxx = minus_articulated_hind_right_thigh_hxx_0
+        * screws.inside_hind_right_knee_fx;
+    let minus_articulated_hind_right_thigh_hyy = minus_articulated_hind_right_thigh_hyy_0
+        * screws.inside_hind_right_knee_fy;
+    let articulated_hind_right_thigh_hzz = articulated_hind_right_thigh_hzz_0
+        * screws.minus_inside_hind_right_knee_fz;
+    let minus_articulated_hind_right_thigh_mxy = minus_articulated_hind_right_thigh_mxy_0
+        * screws.inside_hind_right_knee_fy;
+    let articulated_hind_right_thigh_mxz = minus_articulated_hind_right_thigh_mxy_0
+        * screws.minus_inside_hind_right_knee_fz;
+    let articulated_hind_right_thigh_myz = articulated_hind_right_thigh_myz_0
+        * screws.minus_inside_hind_right_knee_fz;
+    let articulated_hind_right_thigh_jxx = inertias.inertia_hind_right_thigh_xx
+        + (inertias.inertia_hind_right_shank_xx
+            - minus_articulated_hind_right_thigh_hxx_0
+                * screws.inside_hind_right_knee_mx);
+    let articulated_hind_right_thigh_jxy = inertias.inertia_hind_right_thigh_xy
+        + (inertias.inertia_hind_right_shank_xy
+            - minus_articulated_hind_right_thigh_hxx_0
+                * screws.inside_hind_right_knee_my);
+    let articulated_hind_right_thigh_jxz = inertias.inertia_hind_right_thigh_xz
+        + (inertias.inertia_hind_right_shank_xz
+            - minus_articulated_hind_right_thigh_hxx_0
+                * screws.inside_hind_right_knee_mz);
+    let articulated_hind_right_thigh_jyy = inertias.inertia_hind_right_thigh_yy
+        + (inertias.inertia_hind_right_shank_yy
+            - minus_articulated_hind_right_thigh_hyy_0
+                * screws.inside_hind_right_knee_my);
+    let articulated_hind_right_thigh_jyz = inertias.inertia_hind_right_thigh_yz
+        + (inertias.inertia_hind_right_shank_yz
+            - minus_articulated_hind_right_thigh_hyy_0
+                * screws.inside_hind_right_knee_mz);
+    let articulated_hind_right_thigh_jzz = inertias.inertia_hind_right_thigh_zz
+        + (inertias.inertia_hind_right_shank_zz
+            - articulated_hind_right_thigh_hzz_0 * screws.inside_hind_right_knee_mz);
+    let articulated_hind_right_thigh_hyx = inertias.inertia_hind_right_shank_hz
+        - minus_articulated_hind_right_thigh_hyy_0 * screws.inside_hind_right_knee_fx
+        - inertias.minus_inertia_hind_right_thigh_hz;
+    let minus_articulated_hind_right_thigh_hzx = inertias.inertia_hind_right_thigh_hy
+        + (inertias.inertia_hind_right_shank_hy
+            + articulated_hind_right_thigh_hzz_0 * screws.inside_hind_right_knee_fx);
+    let articulated_hind_right_thigh_hxy = inertias.minus_inertia_hind_right_thigh_hz
+        - (inertias.inertia_hind_right_shank_hz
+            + minus_articulated_hind_right_thigh_hxx_0
+                * screws.inside_hind_right_knee_fy);
+    let articulated_hind_right_thigh_hzy = inertias.inertia_hind_right_thigh_hx
+        + (inertias.inertia_hind_right_shank_hx
+            - articulated_hind_right_thigh_hzz_0 * screws.inside_hind_right_knee_fy);
+    let articulated_hind_right_thigh_hxz = inertias.inertia_hind_right_thigh_hy
+        + (inertias.inertia_hind_right_shank_hy
+            + minus_articulated_hind_right_thigh_hxx_0
+                * screws.minus_inside_hind_right_knee_fz);
+    let articulated_hind_right_thigh_hyz = minus_articulated_hind_right_thigh_hyy_0
+        * screws.minus_inside_hind_right_knee_fz - inertias.inertia_hind_right_shank_hx
+        - inertias.inertia_hind_right_thigh_hx;
+    let articulated_hind_right_thigh_mxx = 1.1
+        + (0.28
+            - minus_articulated_hind_right_thigh_mxy_0
+                * screws.inside_hind_right_knee_fx);
+    let articulated_hind_right_thigh_myy = 1.1
+        + (0.28 - articulated_hind_right_thigh_myz_0 * screws.inside_hind_right_knee_fy);
+    let articulated_hind_right_thigh_mzz = 1.1
+        + (0.28
+            - screws.minus_inside_hind_right_knee_fz * inverse_pivot_hind_right_knee_d
+                * screws.minus_inside_hind_right_knee_fz);
+    let wrench_outside_hind_right_thigh_mx = articulated_hind_right_thigh_jxy
+        * poses.cos_hind_right_hip_roll
+        + articulated_hind_right_thigh_jxz * poses.sin_hind_right_hip_roll
+        + (articulated_hind_right_thigh_hxy * screws.screw_hind_right_hip_pitch_vy
+            - minus_articulated_hind_right_thigh_hxx
+                * screws.screw_hind_right_hip_pitch_vx
+            - articulated_hind_right_thigh_hxz
+                * screws.minus_screw_hind_right_hip_pitch_vz);
+    let wrench_outside_hind_right_thigh_my = articulated_hind_right_thigh_jyy
+        * poses.cos_hind_right_hip_roll
+        + articulated_hind_right_thigh_jyz * poses.sin_hind_right_hip_roll
+        + (articulated_hind_right_thigh_hyx * screws.screw_hind_right_hip_pitch_vx
+            - minus_articulated_hind_right_thigh_hyy
+                * screws.screw_hind_right_hip_pitch_vy
+            - articulated_hind_right_thigh_hyz
+                * screws.minus_screw_hind_right_hip_pitch_vz);
+    let wrench_outside_hind_right_thigh_mz = articulated_hind_right_thigh_jyz
+        * poses.cos_hind_right_hip_roll
+        + articulated_hind_right_thigh_jzz * poses.sin_hind_right_hip_roll
+        + (articulated_hind_right_thigh_hzy * screws.screw_hind_right_hip_pitch_vy
+            - minus_articulated_hind_right_thigh_hzx
+                * screws.screw_hind_right_hip_pitch_vx
+            - articulated_hind_right_thigh_hzz
+                * screws.minus_screw_hind_right_hip_pitch_vz);
+    let wrench_outside_hind_right_thigh_fx = articulated_hind_right_thigh_hyx
+        * poses.cos_hind_right_hip_roll
+        - minus_articulated_hind_right_thigh_hzx * poses.sin_hind_right_hip_roll
+        + (articulated_hind_right_thigh_mxx * screws.screw_hind_right_hip_pitch_vx
+            - minus_articulated_hind_right_thigh_mxy
+                * screws.screw_hind_right_hip_pitch_vy
+            - articulated_hind_right_thigh_mxz
+                * screws.minus_screw_hind_right_hip_pitch_vz);
+    let wrench_outside_hind_right_thigh_fy = articulated_hind_right_thigh_hzy
+        * poses.sin_hind_right_hip_roll
+        - minus_articulated_hind_right_thigh_hyy * poses.cos_hind_right_hip_roll
+        + (articulated_hind_right_thigh_myy * screws.screw_hind_right_hip_pitch_vy
+            - minus_articulated_hind_right_thigh_mxy
+                * screws.screw_hind_right_hip_pitch_vx
+            - articulated_hind_right_thigh_myz
+                * screws.minus_screw_hind_right_hip_pitch_vz);
+    let wrench_outside_hind_right_thigh_fz = articulated_hind_right_thigh_hyz
+        * poses.cos_hind_right_hip_roll
+        + articulated_hind_right_thigh_hzz * poses.sin_hind_right_hip_roll
+        + (articulated_hind_right_thigh_mxz * screws.screw_hind_right_hip_pitch_vx
+            + articulated_hind_right_thigh_myz * screws.screw_hind_right_hip_pitch_vy
+            - articulated_hind_right_thigh_mzz
+                * screws.minus_screw_hind_right_hip_pitch_vz);
+    let inverse_pivot_hind_right_hip_pitch_d = 1.0
+        / (poses.cos_hind_right_hip_roll * wrench_outside_hind_right_thigh_my
+            + poses.sin_hind_right_hip_roll * wrench_outside_hind_right_thigh_mz
+            + screws.screw_hind_right_hip_pitch_vx * wrench_outside_hind_right_thigh_fx
+            + screws.screw_hind_right_hip_pitch_vy * wrench_outside_hind_right_thigh_fy
+            - screws.minus_screw_hind_right_hip_pitch_vz
+                * wrench_outside_hind_right_thigh_fz);
+    let wrench_hind_right_hip_mx_11_0 = tau[10]
+        - (poses.cos_hind_right_hip_roll * wrench_hind_right_thigh_my
+            + poses.sin_hind_right_hip_roll * wrench_hind_right_thigh_mz
+            + screws.screw_hind_right_hip_pitch_vx * wrench_hind_right_thigh_fx
+            + screws.screw_hind_right_hip_pitch_vy * wrench_hind_right_thigh_fy
+            - screws.minus_screw_hind_right_hip_pitch_vz * wrench_hind_right_thigh_fz);
+    let wrench_hind_right_hip_mx_11 = wrench_hind_right_hip_mx_11_0
+        * inverse_pivot_hind_right_hip_pitch_d;
+    let wrench_hind_right_hip_mx = inertias.minus_inertia_hind_right_hip_hy
+        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_0_1_0_1
+        - inertias.inertia_hind_right_hip_hz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_mx_0_1_1_1_0_0
+        - (inertias.minus_inertia_hind_right_hip_xy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
+            + inertias.inertia_hind_right_hip_xz
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_hind_right_shank_mx_0_0_1_1_0_1)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_mx_0_1
+        + (wrench_hind_right_thigh_mx
+            + wrench_outside_hind_right_thigh_mx * wrench_hind_right_hip_mx_11);
+    let wrench_hind_right_hip_my = inertias.inertia_hind_right_hip_yy
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_hind_right_hip_yz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_mx_0_0_1_1_0_1
+        + (inertias.inertia_hind_right_hip_hz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_my_0_1_0_1_0_0
+            - inertias.minus_inertia_hind_left_hip_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_hind_right_shank_mx_0_1_0_1_0_1)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_my_0_1
+        + (wrench_hind_right_thigh_my
+            + wrench_outside_hind_right_thigh_my * wrench_hind_right_hip_mx_11);
+    let wrench_hind_right_hip_mz = inertias.inertia_hind_right_hip_yz
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_hind_right_hip_zz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_mx_0_0_1_1_0_1
+        + (inertias.minus_inertia_hind_right_hip_hy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_my_0_1_0_1_0_0
+            - inertias.minus_inertia_hind_left_hip_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_hind_right_shank_mx_0_1_1_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_mz_0_1
+        + (wrench_hind_right_thigh_mz
+            + wrench_outside_hind_right_thigh_mz * wrench_hind_right_hip_mx_11);
+    let wrench_hind_right_hip_fx = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_my_0_1_0_1_0_0 * 0.75
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
+            * inertias.inertia_hind_right_hip_hz
+            - common_forward_dynamics_inverse_dynamics
+                .wrench_hind_right_shank_mx_0_0_1_1_0_1
+                * inertias.minus_inertia_hind_right_hip_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_fx_0_1
+        + (wrench_hind_right_thigh_fx
+            + wrench_outside_hind_right_thigh_fx * wrench_hind_right_hip_mx_11);
+    let wrench_hind_right_hip_fy = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_mx_0_1_1_1_0_0 * 0.75
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_1_1_0_1
+            * inertias.minus_inertia_hind_left_hip_hx
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_fy_0_1
+        + (wrench_hind_right_thigh_fy
+            + wrench_outside_hind_right_thigh_fy * wrench_hind_right_hip_mx_11);
+    let wrench_hind_right_hip_fz = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
+        * inertias.minus_inertia_hind_left_hip_hx
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_0_1_0_1
+            * 0.75
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_fz_0_1
+        + (wrench_hind_right_thigh_fz
+            + wrench_outside_hind_right_thigh_fz * wrench_hind_right_hip_mx_11);
+    let minus_articulated_hind_right_hip_hxx_1 = wrench_outside_hind_right_thigh_mx
+        * inverse_pivot_hind_right_hip_pitch_d;
+    let minus_articulated_hind_right_hip_hyy_1 = wrench_outside_hind_right_thigh_my
+        * inverse_pivot_hind_right_hip_pitch_d;
+    let articulated_hind_right_hip_hzz_1 = wrench_outside_hind_right_thigh_mz
+        * inverse_pivot_hind_right_hip_pitch_d;
+    let minus_articulated_hind_right_hip_mxy_1 = wrench_outside_hind_right_thigh_fx
+        * inverse_pivot_hind_right_hip_pitch_d;
+    let articulated_hind_right_hip_myz_1 = wrench_outside_hind_right_thigh_fy
+        * inverse_pivot_hind_right_hip_pitch_d;
+    let minus_articulated_hind_right_hip_hxx = minus_articulated_hind_right_thigh_hxx
+        + minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_fx;
+    let minus_articulated_hind_right_hip_hyy = minus_articulated_hind_right_thigh_hyy
+        + minus_articulated_hind_right_hip_hyy_1 * wrench_outside_hind_right_thigh_fy;
+    let articulated_hind_right_hip_hzz = articulated_hind_right_thigh_hzz
+        - articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_fz;
+    let minus_articulated_hind_right_hip_mxy = minus_articulated_hind_right_thigh_mxy
+        + minus_articulated_hind_right_hip_mxy_1 * wrench_outside_hind_right_thigh_fy;
+    let articulated_hind_right_hip_mxz = articulated_hind_right_thigh_mxz
+        - minus_articulated_hind_right_hip_mxy_1 * wrench_outside_hind_right_thigh_fz;
+    let articulated_hind_right_hip_myz = articulated_hind_right_thigh_myz
+        - articulated_hind_right_hip_myz_1 * wrench_outside_hind_right_thigh_fz;
+    let articulated_hind_right_hip_jxx = inertias.inertia_hind_right_hip_xx
+        + (articulated_hind_right_thigh_jxx
+            - minus_articulated_hind_right_hip_hxx_1
+                * wrench_outside_hind_right_thigh_mx);
+    let articulated_hind_right_hip_jxy = articulated_hind_right_thigh_jxy
+        - minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_my
+        - inertias.minus_inertia_hind_right_hip_xy;
+    let articulated_hind_right_hip_jxz = inertias.inertia_hind_right_hip_xz
+        + (articulated_hind_right_thigh_jxz
+            - minus_articulated_hind_right_hip_hxx_1
+                * wrench_outside_hind_right_thigh_mz);
+    let articulated_hind_right_hip_jyy = inertias.inertia_hind_right_hip_yy
+        + (articulated_hind_right_thigh_jyy
+            - minus_articulated_hind_right_hip_hyy_1
+                * wrench_outside_hind_right_thigh_my);
+    let articulated_hind_right_hip_jyz = inertias.inertia_hind_right_hip_yz
+        + (articulated_hind_right_thigh_jyz
+            - minus_articulated_hind_right_hip_hyy_1
+                * wrench_outside_hind_right_thigh_mz);
+    let articulated_hind_right_hip_jzz = inertias.inertia_hind_right_hip_zz
+        + (articulated_hind_right_thigh_jzz
+            - articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_mz);
+    let articulated_hind_right_hip_hyx = inertias.inertia_hind_right_hip_hz
+        + (articulated_hind_right_thigh_hyx
+            - minus_articulated_hind_right_hip_hyy_1
+                * wrench_outside_hind_right_thigh_fx);
+    let articulated_hind_right_hip_hzx = inertias.minus_inertia_hind_right_hip_hy
+        - (minus_articulated_hind_right_thigh_hzx
+            + articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_fx);
+    let articulated_hind_right_hip_hxy = articulated_hind_right_thigh_hxy
+        - minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_fy
+        - inertias.inertia_hind_right_hip_hz;
+    let articulated_hind_right_hip_hzy = articulated_hind_right_thigh_hzy
+        - articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_fy
+        - inertias.minus_inertia_hind_left_hip_hx;
+    let articulated_hind_right_hip_hxz = articulated_hind_right_thigh_hxz
+        - minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_fz
+        - inertias.minus_inertia_hind_right_hip_hy;
+    let articulated_hind_right_hip_hyz = inertias.minus_inertia_hind_left_hip_hx
+        + (articulated_hind_right_thigh_hyz
+            - minus_articulated_hind_right_hip_hyy_1
+                * wrench_outside_hind_right_thigh_fz);
+    let articulated_hind_right_hip_mxx = 0.75
+        + (articulated_hind_right_thigh_mxx
+            - minus_articulated_hind_right_hip_mxy_1
+                * wrench_outside_hind_right_thigh_fx);
+    let articulated_hind_right_hip_myy = 0.75
+        + (articulated_hind_right_thigh_myy
+            - articulated_hind_right_hip_myz_1 * wrench_outside_hind_right_thigh_fy);
+    let articulated_hind_right_hip_mzz = 0.75
+        + (articulated_hind_right_thigh_mzz
+            - wrench_outside_hind_right_thigh_fz * inverse_pivot_hind_right_hip_pitch_d
+                * wrench_outside_hind_right_thigh_fz);
+    let wrench_outside_hind_right_hip_mx = articulated_hind_right_hip_jxx
+        + (articulated_hind_right_hip_hxz * poses.minus_origin_front_right_hip_y
+            - articulated_hind_right_hip_hxy * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_hind_right_hip_my = articulated_hind_right_hip_jxy
+        + (articulated_hind_right_hip_hyz * poses.minus_origin_front_right_hip_y
+            + minus_articulated_hind_right_hip_hyy
+                * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_hind_right_hip_mz = articulated_hind_right_hip_jxz
+        + (articulated_hind_right_hip_hzz * poses.minus_origin_front_right_hip_y
+            - articulated_hind_right_hip_hzy * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_hind_right_hip_fx = minus_articulated_hind_right_hip_mxy
+        * poses.minus_origin_front_left_hip_z
+        + articulated_hind_right_hip_mxz * poses.minus_origin_front_right_hip_y
+        - minus_articulated_hind_right_hip_hxx;
+    let wrench_outside_hind_right_hip_fy = articulated_hind_right_hip_hxy
+        + (articulated_hind_right_hip_myz * poses.minus_origin_front_right_hip_y
+            - articulated_hind_right_hip_myy * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_hind_right_hip_fz = articulated_hind_right_hip_hxz
+        + (articulated_hind_right_hip_mzz * poses.minus_origin_front_right_hip_y
+            - articulated_hind_right_hip_myz * poses.minus_origin_front_left_hip_z);
+    let inverse_pivot_hind_right_hip_roll_d = 1.0
+        / (wrench_outside_hind_right_hip_mx
+            - poses.minus_origin_front_left_hip_z * wrench_outside_hind_right_hip_fy
+            + poses.minus_origin_front_right_hip_y * wrench_outside_hind_right_hip_fz);
+    let wrench_trunk_mx_2_0 = tau[9]
+        - (wrench_hind_right_hip_mx
+            - poses.minus_origin_front_left_hip_z * wrench_hind_right_hip_fy
+            + poses.minus_origin_front_right_hip_y * wrench_hind_right_hip_fz);
+    let wrench_trunk_mx_2 = wrench_trunk_mx_2_0 * inverse_pivot_hind_right_hip_roll_d;
+    let articulated_trunk_jxx_2 = wrench_outside_hind_right_hip_mx
+        * inverse_pivot_hind_right_hip_roll_d;
+    let articulated_trunk_jyy_2 = wrench_outside_hind_right_hip_my
+        * inverse_pivot_hind_right_hip_roll_d;
+    let articulated_trunk_jzz_2 = wrench_outside_hind_right_hip_mz
+        * inverse_pivot_hind_right_hip_roll_d;
+    let articulated_trunk_mxx_2 = wrench_outside_hind_right_hip_fx
+        * inverse_pivot_hind_right_hip_roll_d;
+    let articulated_trunk_myy_2 = wrench_outside_hind_right_hip_fy
+        * inverse_pivot_hind_right_hip_roll_d;
+    let inverse_pivot_hind_left_knee_d = 1.0
+        / (poses.cos_hind_left_hip_roll * screws.inside_hind_left_knee_my
+            + poses.sin_hind_left_hip_roll * screws.inside_hind_left_knee_mz
+            + screws.screw_hind_left_knee_vx * screws.inside_hind_left_knee_fx
+            + screws.screw_hind_left_knee_vy * screws.inside_hind_left_knee_fy
+            + screws.minus_screw_hind_left_knee_vz
+                * screws.minus_inside_hind_left_knee_fz);
+    let wrench_hind_left_thigh_mx_13_0 = tau[8]
+        - (poses.cos_hind_left_hip_roll * wrench_hind_left_shank_my
+            + poses.sin_hind_left_hip_roll * wrench_hind_left_shank_mz
+            + screws.screw_hind_left_knee_vx * wrench_hind_left_shank_fx
+            + screws.screw_hind_left_knee_vy * wrench_hind_left_shank_fy
+            - screws.minus_screw_hind_left_knee_vz * wrench_hind_left_shank_fz);
+    let wrench_hind_left_thigh_mx_13 = wrench_hind_left_thigh_mx_13_0
+        * inverse_pivot_hind_left_knee_d;
+    let wrench_hind_left_thigh_mx = inertias.inertia_hind_left_thigh_xx
+        * common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_hind_left_thigh_xy * wrench_hind_left_thigh_mx_3
+        - inertias.minus_inertia_hind_left_thigh_xz * wrench_hind_left_thigh_mx_5
+        + (inertias.inertia_hind_left_thigh_hy * wrench_hind_left_thigh_mx_7
+            - inertias.inertia_hind_left_thigh_hz * wrench_hind_left_thigh_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_mx_0_1
+        + (wrench_hind_left_shank_mx
+            + screws.inside_hind_left_knee_mx * wrench_hind_left_thigh_mx_13);
+    let wrench_hind_left_thigh_my = inertias.inertia_hind_left_thigh_xy
+        * common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_hind_left_thigh_yy * wrench_hind_left_thigh_mx_3
+        + inertias.inertia_hind_left_thigh_yz * wrench_hind_left_thigh_mx_5
+        + (inertias.inertia_hind_left_thigh_hz * wrench_hind_left_thigh_my_7
+            - inertias.inertia_hind_left_thigh_hx * wrench_hind_left_thigh_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_my_0_1
+        + (wrench_hind_left_shank_my
+            + screws.inside_hind_left_knee_my * wrench_hind_left_thigh_mx_13);
+    let wrench_hind_left_thigh_mz = inertias.inertia_hind_left_thigh_yz
+        * wrench_hind_left_thigh_mx_3
+        - inertias.minus_inertia_hind_left_thigh_xz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_hind_left_thigh_zz * wrench_hind_left_thigh_mx_5
+        + (inertias.inertia_hind_left_thigh_hx * wrench_hind_left_thigh_mx_9
+            - inertias.inertia_hind_left_thigh_hy * wrench_hind_left_thigh_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_mz_0_1
+        + (wrench_hind_left_shank_mz
+            + screws.inside_hind_left_knee_mz * wrench_hind_left_thigh_mx_13);
+    let wrench_hind_left_thigh_fx = wrench_hind_left_thigh_my_7 * 1.1
+        + (wrench_hind_left_thigh_mx_3 * inertias.inertia_hind_left_thigh_hz
+            - wrench_hind_left_thigh_mx_5 * inertias.inertia_hind_left_thigh_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_fx_0_1
+        + (wrench_hind_left_shank_fx
+            + screws.inside_hind_left_knee_fx * wrench_hind_left_thigh_mx_13);
+    let wrench_hind_left_thigh_fy = wrench_hind_left_thigh_mx_9 * 1.1
+        + (wrench_hind_left_thigh_mx_5 * inertias.inertia_hind_left_thigh_hx
+            - common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_0_0_0_1_0
+                * inertias.inertia_hind_left_thigh_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_fy_0_1
+        + (wrench_hind_left_shank_fy
+            + screws.inside_hind_left_knee_fy * wrench_hind_left_thigh_mx_13);
+    let wrench_hind_left_thigh_fz = wrench_hind_left_thigh_mx_7 * 1.1
+        + (common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_0
+            * inertias.inertia_hind_left_thigh_hy
+            - wrench_hind_left_thigh_mx_3 * inertias.inertia_hind_left_thigh_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_fz_0_1
+        + (wrench_hind_left_shank_fz
+            - screws.minus_inside_hind_left_knee_fz * wrench_hind_left_thigh_mx_13);
+    let minus_articulated_hind_left_thigh_hxx_0 = screws.inside_hind_left_knee_mx
+        * inverse_pivot_hind_left_knee_d;
+    let minus_articulated_hind_left_thigh_hyy_0 = screws.inside_hind_left_knee_my
+        * inverse_pivot_hind_left_knee_d;
+    let articulated_hind_left_thigh_hzz_0 = screws.inside_hind_left_knee_mz
+        * inverse_pivot_hind_left_knee_d;
+    let minus_articulated_hind_left_thigh_mxy_0 = screws.inside_hind_left_knee_fx
+        * inverse_pivot_hind_left_knee_d;
+    let articulated_hind_left_thigh_myz_0 = screws.inside_hind_left_knee_fy
+        * inverse_pivot_hind_left_knee_d;
+    let minus_articulated_hind_left_thigh_hxx = minus_articulated_hind_left_thigh_hxx_0
+        * screws.inside_hind_left_knee_fx;
+    let minus_articulated_hind_left_thigh_hyy = minus_articulated_hind_left_thigh_hyy_0
+        * screws.inside_hind_left_knee_fy;
+    let articulated_hind_left_thigh_hzz = articulated_hind_left_thigh_hzz_0
+        * screws.minus_inside_hind_left_knee_fz;
+    let minus_articulated_hind_left_thigh_mxy = minus_articulated_hind_left_thigh_mxy_0
+        * screws.inside_hind_left_knee_fy;
+    let articulated_hind_left_thigh_mxz = minus_articulated_hind_left_thigh_mxy_0
+        * screws.minus_inside_hind_left_knee_fz;
+    let articulated_hind_left_thigh_myz = articulated_hind_left_thigh_myz_0
+        * screws.minus_inside_hind_left_knee_fz;
+    let articulated_hind_left_thigh_jxx = inertias.inertia_hind_left_thigh_xx
+        + (inertias.inertia_hind_left_shank_xx
+            - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_mx);
+    let articulated_hind_left_thigh_jxy = inertias.inertia_hind_left_thigh_xy
+        + (inertias.inertia_hind_left_shank_xy
+            - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_my);
+    let articulated_hind_left_thigh_jxz = inertias.inertia_hind_left_shank_xz
+        - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_mz
+        - inertias.minus_inertia_hind_left_thigh_xz;
+    let articulated_hind_left_thigh_jyy = inertias.inertia_hind_left_thigh_yy
+        + (inertias.inertia_hind_left_shank_yy
+            - minus_articulated_hind_left_thigh_hyy_0 * screws.inside_hind_left_knee_my);
+    let articulated_hind_left_thigh_jyz = inertias.inertia_hind_left_thigh_yz
+        + (inertias.inertia_hind_left_shank_yz
+            - minus_articulated_hind_left_thigh_hyy_0 * screws.inside_hind_left_knee_mz);
+    let articulated_hind_left_thigh_jzz = inertias.inertia_hind_left_thigh_zz
+        + (inertias.inertia_hind_left_shank_zz
+            - articulated_hind_left_thigh_hzz_0 * screws.inside_hind_left_knee_mz);
+    let articulated_hind_left_thigh_hyx = inertias.inertia_hind_left_thigh_hz
+        + (inertias.inertia_hind_left_shank_hz
+            - minus_articulated_hind_left_thigh_hyy_0 * screws.inside_hind_left_knee_fx);
+    let minus_articulated_hind_left_thigh_hzx = inertias.inertia_hind_left_thigh_hy
+        + (inertias.inertia_hind_left_shank_hy
+            + articulated_hind_left_thigh_hzz_0 * screws.inside_hind_left_knee_fx);
+    let minus_articulated_hind_left_thigh_hxy = inertias.inertia_hind_left_thigh_hz
+        + (inertias.inertia_hind_left_shank_hz
+            + minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_fy);
+    let articulated_hind_left_thigh_hzy = inertias.inertia_hind_left_thigh_hx
+        + (inertias.inertia_hind_left_shank_hx
+            - articulated_hind_left_thigh_hzz_0 * screws.inside_hind_left_knee_fy);
+    let articulated_hind_left_thigh_hxz = inertias.inertia_hind_left_thigh_hy
+        + (inertias.inertia_hind_left_shank_hy
+            + minus_articulated_hind_left_thigh_hxx_0
+                * screws.minus_inside_hind_left_knee_fz);
+    let articulated_hind_left_thigh_hyz = minus_articulated_hind_left_thigh_hyy_0
+        * screws.minus_inside_hind_left_knee_fz - inertias.inertia_hind_left_shank_hx
+        - inertias.inertia_hind_left_thigh_hx;
+    let articulated_hind_left_thigh_mxx = 1.1
+        + (0.28
+            - minus_articulated_hind_left_thigh_mxy_0 * screws.inside_hind_left_knee_fx);
+    let articulated_hind_left_thigh_myy = 1.1
+        + (0.28 - articulated_hind_left_thigh_myz_0 * screws.inside_hind_left_knee_fy);
+    let articulated_hind_left_thigh_mzz = 1.1
+        + (0.28
+            - screws.minus_inside_hind_left_knee_fz * inverse_pivot_hind_left_knee_d
+                * screws.minus_inside_hind_left_knee_fz);
+    let wrench_outside_hind_left_thigh_mx = articulated_hind_left_thigh_jxy
+        * poses.cos_hind_left_hip_roll
+        + articulated_hind_left_thigh_jxz * poses.sin_hind_left_hip_roll
+        - (articulated_hind_left_thigh_hxz * screws.minus_screw_hind_left_hip_pitch_vz
+            + (minus_articulated_hind_left_thigh_hxy
+                * screws.screw_hind_left_hip_pitch_vy
+                + minus_articulated_hind_left_thigh_hxx
+                    * screws.screw_hind_left_hip_pitch_vx));
+    let wrench_outside_hind_left_thigh_my = articulated_hind_left_thigh_jyy
+        * poses.cos_hind_left_hip_roll
+        + articulated_hind_left_thigh_jyz * poses.sin_hind_left_hip_roll
+        + (articulated_hind_left_thigh_hyx * screws.screw_hind_left_hip_pitch_vx
+            - minus_articulated_hind_left_thigh_hyy * screws.screw_hind_left_hip_pitch_vy
+            - articulated_hind_left_thigh_hyz
+                * screws.minus_screw_hind_left_hip_pitch_vz);
+    let wrench_outside_hind_left_thigh_mz = articulated_hind_left_thigh_jyz
+        * poses.cos_hind_left_hip_roll
+        + articulated_hind_left_thigh_jzz * poses.sin_hind_left_hip_roll
+        + (articulated_hind_left_thigh_hzy * screws.screw_hind_left_hip_pitch_vy
+            - minus_articulated_hind_left_thigh_hzx * screws.screw_hind_left_hip_pitch_vx
+            - articulated_hind_left_thigh_hzz
+                * screws.minus_screw_hind_left_hip_pitch_vz);
+    let wrench_outside_hind_left_thigh_fx = articulated_hind_left_thigh_hyx
+        * poses.cos_hind_left_hip_roll
+        - minus_articulated_hind_left_thigh_hzx * poses.sin_hind_left_hip_roll
+        + (articulated_hind_left_thigh_mxx * screws.screw_hind_left_hip_pitch_vx
+            - minus_articulated_hind_left_thigh_mxy * screws.screw_hind_left_hip_pitch_vy
+            - articulated_hind_left_thigh_mxz
+                * screws.minus_screw_hind_left_hip_pitch_vz);
+    let wrench_outside_hind_left_thigh_fy = articulated_hind_left_thigh_hzy
+        * poses.sin_hind_left_hip_roll
+        - minus_articulated_hind_left_thigh_hyy * poses.cos_hind_left_hip_roll
+        + (articulated_hind_left_thigh_myy * screws.screw_hind_left_hip_pitch_vy
+            - minus_articulated_hind_left_thigh_mxy * screws.screw_hind_left_hip_pitch_vx
+            - articulated_hind_left_thigh_myz
+                * screws.minus_screw_hind_left_hip_pitch_vz);
+    let wrench_outside_hind_left_thigh_fz = articulated_hind_left_thigh_hyz
+        * poses.cos_hind_left_hip_roll
+        + articulated_hind_left_thigh_hzz * poses.sin_hind_left_hip_roll
+        + (articulated_hind_left_thigh_mxz * screws.screw_hind_left_hip_pitch_vx
+            + articulated_hind_left_thigh_myz * screws.screw_hind_left_hip_pitch_vy
+            - articulated_hind_left_thigh_mzz
+                * screws.minus_screw_hind_left_hip_pitch_vz);
+    let inverse_pivot_hind_left_hip_pitch_d = 1.0
+        / (poses.cos_hind_left_hip_roll * wrench_outside_hind_left_thigh_my
+            + poses.sin_hind_left_hip_roll * wrench_outside_hind_left_thigh_mz
+            + screws.screw_hind_left_hip_pitch_vx * wrench_outside_hind_left_thigh_fx
+            + screws.screw_hind_left_hip_pitch_vy * wrench_outside_hind_left_thigh_fy
+            - screws.minus_screw_hind_left_hip_pitch_vz
+                * wrench_outside_hind_left_thigh_fz);
+    let wrench_hind_left_hip_mx_11_0 = tau[7]
+        - (poses.cos_hind_left_hip_roll * wrench_hind_left_thigh_my
+            + poses.sin_hind_left_hip_roll * wrench_hind_left_thigh_mz
+            + screws.screw_hind_left_hip_pitch_vx * wrench_hind_left_thigh_fx
+            + screws.screw_hind_left_hip_pitch_vy * wrench_hind_left_thigh_fy
+            - screws.minus_screw_hind_left_hip_pitch_vz * wrench_hind_left_thigh_fz);
+    let wrench_hind_left_hip_mx_11 = wrench_hind_left_hip_mx_11_0
+        * inverse_pivot_hind_left_hip_pitch_d;
+    let wrench_hind_left_hip_mx = inertias.inertia_hind_left_hip_xy
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_hind_left_hip_xz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_0_1_1_0_1
+        - (inertias.inertia_hind_left_hip_hy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_1_0_1_0_1
+            + inertias.inertia_hind_left_hip_hz
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_hind_left_shank_mx_0_1_1_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_mx_0_1
+        + (wrench_hind_left_thigh_mx
+            + wrench_outside_hind_left_thigh_mx * wrench_hind_left_hip_mx_11);
+    let wrench_hind_left_hip_my = inertias.inertia_hind_left_hip_yy
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_hind_left_hip_yz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_0_1_1_0_1
+        + (inertias.inertia_hind_left_hip_hz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_my_0_1_0_1_0_0
+            - inertias.minus_inertia_hind_left_hip_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_hind_left_shank_mx_0_1_0_1_0_1)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_my_0_1
+        + (wrench_hind_left_thigh_my
+            + wrench_outside_hind_left_thigh_my * wrench_hind_left_hip_mx_11);
+    let wrench_hind_left_hip_mz = inertias.inertia_hind_left_hip_yz
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_hind_left_hip_zz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_0_1_1_0_1
+        - (inertias.minus_inertia_hind_left_hip_hx
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_1_1_1_0_0
+            + inertias.inertia_hind_left_hip_hy
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_hind_left_shank_my_0_1_0_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_mz_0_1
+        + (wrench_hind_left_thigh_mz
+            + wrench_outside_hind_left_thigh_mz * wrench_hind_left_hip_mx_11);
+    let wrench_hind_left_hip_fx = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_my_0_1_0_1_0_0 * 0.75
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0 * inertias.inertia_hind_left_hip_hz
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_hind_left_shank_mx_0_0_1_1_0_1
+                * inertias.inertia_hind_left_hip_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_fx_0_1
+        + (wrench_hind_left_thigh_fx
+            + wrench_outside_hind_left_thigh_fx * wrench_hind_left_hip_mx_11);
+    let wrench_hind_left_hip_fy = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_mx_0_1_1_1_0_0 * 0.75
+        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_1_1_0_1
+            * inertias.minus_inertia_hind_left_hip_hx
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_fy_0_1
+        + (wrench_hind_left_thigh_fy
+            + wrench_outside_hind_left_thigh_fy * wrench_hind_left_hip_mx_11);
+    let wrench_hind_left_hip_fz = common_forward_dynamics_inverse_dynamics
+        .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
+        * inertias.minus_inertia_hind_left_hip_hx
+        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_0_1_0_1
+            * 0.75 - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_fz_0_1
+        + (wrench_hind_left_thigh_fz
+            + wrench_outside_hind_left_thigh_fz * wrench_hind_left_hip_mx_11);
+    let minus_articulated_hind_left_hip_hxx_1 = wrench_outside_hind_left_thigh_mx
+        * inverse_pivot_hind_left_hip_pitch_d;
+    let minus_articulated_hind_left_hip_hyy_1 = wrench_outside_hind_left_thigh_my
+        * inverse_pivot_hind_left_hip_pitch_d;
+    let articulated_hind_left_hip_hzz_1 = wrench_outside_hind_left_thigh_mz
+        * inverse_pivot_hind_left_hip_pitch_d;
+    let minus_articulated_hind_left_hip_mxy_1 = wrench_outside_hind_left_thigh_fx
+        * inverse_pivot_hind_left_hip_pitch_d;
+    let articulated_hind_left_hip_myz_1 = wrench_outside_hind_left_thigh_fy
+        * inverse_pivot_hind_left_hip_pitch_d;
+    let minus_articulated_hind_left_hip_hxx = minus_articulated_hind_left_thigh_hxx
+        + minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_fx;
+    let minus_articulated_hind_left_hip_hyy = minus_articulated_hind_left_thigh_hyy
+        + minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_fy;
+    let articulated_hind_left_hip_hzz = articulated_hind_left_thigh_hzz
+        - articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_fz;
+    let minus_articulated_hind_left_hip_mxy = minus_articulated_hind_left_thigh_mxy
+        + minus_articulated_hind_left_hip_mxy_1 * wrench_outside_hind_left_thigh_fy;
+    let articulated_hind_left_hip_mxz = articulated_hind_left_thigh_mxz
+        - minus_articulated_hind_left_hip_mxy_1 * wrench_outside_hind_left_thigh_fz;
+    let articulated_hind_left_hip_myz = articulated_hind_left_thigh_myz
+        - articulated_hind_left_hip_myz_1 * wrench_outside_hind_left_thigh_fz;
+    let articulated_hind_left_hip_jxx = inertias.inertia_hind_left_hip_xx
+        + (articulated_hind_left_thigh_jxx
+            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_mx);
+    let articulated_hind_left_hip_jxy = inertias.inertia_hind_left_hip_xy
+        + (articulated_hind_left_thigh_jxy
+            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_my);
+    let articulated_hind_left_hip_jxz = inertias.inertia_hind_left_hip_xz
+        + (articulated_hind_left_thigh_jxz
+            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_mz);
+    let articulated_hind_left_hip_jyy = inertias.inertia_hind_left_hip_yy
+        + (articulated_hind_left_thigh_jyy
+            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_my);
+    let articulated_hind_left_hip_jyz = inertias.inertia_hind_left_hip_yz
+        + (articulated_hind_left_thigh_jyz
+            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_mz);
+    let articulated_hind_left_hip_jzz = inertias.inertia_hind_left_hip_zz
+        + (articulated_hind_left_thigh_jzz
+            - articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_mz);
+    let articulated_hind_left_hip_hyx = inertias.inertia_hind_left_hip_hz
+        + (articulated_hind_left_thigh_hyx
+            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_fx);
+    let minus_articulated_hind_left_hip_hzx = inertias.inertia_hind_left_hip_hy
+        + (minus_articulated_hind_left_thigh_hzx
+            + articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_fx);
+    let minus_articulated_hind_left_hip_hxy = inertias.inertia_hind_left_hip_hz
+        + (minus_articulated_hind_left_thigh_hxy
+            + minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_fy);
+    let articulated_hind_left_hip_hzy = articulated_hind_left_thigh_hzy
+        - articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_fy
+        - inertias.minus_inertia_hind_left_hip_hx;
+    let articulated_hind_left_hip_hxz = inertias.inertia_hind_left_hip_hy
+        + (articulated_hind_left_thigh_hxz
+            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_fz);
+    let articulated_hind_left_hip_hyz = inertias.minus_inertia_hind_left_hip_hx
+        + (articulated_hind_left_thigh_hyz
+            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_fz);
+    let articulated_hind_left_hip_mxx = 0.75
+        + (articulated_hind_left_thigh_mxx
+            - minus_articulated_hind_left_hip_mxy_1 * wrench_outside_hind_left_thigh_fx);
+    let articulated_hind_left_hip_myy = 0.75
+        + (articulated_hind_left_thigh_myy
+            - articulated_hind_left_hip_myz_1 * wrench_outside_hind_left_thigh_fy);
+    let articulated_hind_left_hip_mzz = 0.75
+        + (articulated_hind_left_thigh_mzz
+            - wrench_outside_hind_left_thigh_fz * inverse_pivot_hind_left_hip_pitch_d
+                * wrench_outside_hind_left_thigh_fz);
+    let wrench_outside_hind_left_hip_mx = articulated_hind_left_hip_jxx
+        + (minus_articulated_hind_left_hip_hxy * poses.minus_origin_front_left_hip_z
+            - articulated_hind_left_hip_hxz * poses.origin_front_left_hip_y);
+    let wrench_outside_hind_left_hip_my = articulated_hind_left_hip_jxy
+        + (minus_articulated_hind_left_hip_hyy * poses.minus_origin_front_left_hip_z
+            - articulated_hind_left_hip_hyz * poses.origin_front_left_hip_y);
+    let wrench_outside_hind_left_hip_mz = articulated_hind_left_hip_jxz
+        - (articulated_hind_left_hip_hzz * poses.origin_front_left_hip_y
+            + articulated_hind_left_hip_hzy * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_hind_left_hip_fx = minus_articulated_hind_left_hip_mxy
+        * poses.minus_origin_front_left_hip_z
+        - articulated_hind_left_hip_mxz * poses.origin_front_left_hip_y
+        - minus_articulated_hind_left_hip_hxx;
+    let minus_wrench_outside_hind_left_hip_fy = minus_articulated_hind_left_hip_hxy
+        + (articulated_hind_left_hip_myy * poses.minus_origin_front_left_hip_z
+            + articulated_hind_left_hip_myz * poses.origin_front_left_hip_y);
+    let wrench_outside_hind_left_hip_fz = articulated_hind_left_hip_hxz
+        - (articulated_hind_left_hip_myz * poses.minus_origin_front_left_hip_z
+            + articulated_hind_left_hip_mzz * poses.origin_front_left_hip_y);
+    let inverse_pivot_hind_left_hip_roll_d = 1.0
+        / (wrench_outside_hind_left_hip_mx
+            + poses.minus_origin_front_left_hip_z * minus_wrench_outside_hind_left_hip_fy
+            - poses.origin_front_left_hip_y * wrench_outside_hind_left_hip_fz);
+    let wrench_trunk_mx_7_0 = tau[6]
+        - (wrench_hind_left_hip_mx
+            - poses.minus_origin_front_left_hip_z * wrench_hind_left_hip_fy
+            - poses.origin_front_left_hip_y * wrench_hind_left_hip_fz);
+    let wrench_trunk_mx_7 = wrench_trunk_mx_7_0 * inverse_pivot_hind_left_hip_roll_d;
+    let articulated_trunk_jxx_5 = wrench_outside_hind_left_hip_mx
+        * inverse_pivot_hind_left_hip_roll_d;
+    let articulated_trunk_jyy_5 = wrench_outside_hind_left_hip_my
+        * inverse_pivot_hind_left_hip_roll_d;
+    let articulated_trunk_jzz_5 = wrench_outside_hind_left_hip_mz
+        * inverse_pivot_hind_left_hip_roll_d;
+    let articulated_trunk_mxx_5 = wrench_outside_hind_left_hip_fx
+        * inverse_pivot_hind_left_hip_roll_d;
+    let articulated_trunk_myy_5 = minus_wrench_outside_hind_left_hip_fy
+        * inverse_pivot_hind_left_hip_roll_d;
+    let inverse_pivot_front_right_knee_d = 1.0
+        / (poses.cos_front_right_hip_roll * screws.inside_front_right_knee_my
+            + poses.sin_front_right_hip_roll * screws.inside_front_right_knee_mz
+            + screws.screw_front_right_knee_vx * screws.inside_front_right_knee_fx
+            - screws.minus_screw_front_right_knee_vy * screws.inside_front_right_knee_fy
+            + screws.screw_front_right_knee_vz * screws.inside_front_right_knee_fz);
+    let wrench_front_right_thigh_mx_13_0 = tau[5]
+        - (poses.cos_front_right_hip_roll * wrench_front_right_shank_my
+            + poses.sin_front_right_hip_roll * wrench_front_right_shank_mz
+            + screws.screw_front_right_knee_vx * wrench_front_right_shank_fx
+            - screws.minus_screw_front_right_knee_vy * wrench_front_right_shank_fy
+            + screws.screw_front_right_knee_vz * wrench_front_right_shank_fz);
+    let wrench_front_right_thigh_mx_13 = wrench_front_right_thigh_mx_13_0
+        * inverse_pivot_front_right_knee_d;
+    let wrench_front_right_thigh_mx = inertias.inertia_front_right_thigh_xx
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_front_right_thigh_xy * wrench_front_right_thigh_mx_3
+        + inertias.inertia_front_right_thigh_xz * wrench_front_right_thigh_mx_5
+        + (inertias.inertia_front_right_thigh_hy * wrench_front_right_thigh_mx_7
+            + inertias.minus_inertia_front_right_thigh_hz
+                * wrench_front_right_thigh_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_mx_0_1
+        + (wrench_front_right_shank_mx
+            + screws.inside_front_right_knee_mx * wrench_front_right_thigh_mx_13);
+    let wrench_front_right_thigh_my = inertias.inertia_front_right_thigh_xy
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_front_right_thigh_yy * wrench_front_right_thigh_mx_3
+        + inertias.inertia_front_right_thigh_yz * wrench_front_right_thigh_mx_5
+        - (inertias.minus_inertia_front_right_thigh_hz * wrench_front_right_thigh_my_7
+            + inertias.inertia_front_right_thigh_hx * wrench_front_right_thigh_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_my_0_1
+        + (wrench_front_right_shank_my
+            + screws.inside_front_right_knee_my * wrench_front_right_thigh_mx_13);
+    let wrench_front_right_thigh_mz = inertias.inertia_front_right_thigh_xz
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_front_right_thigh_yz * wrench_front_right_thigh_mx_3
+        + inertias.inertia_front_right_thigh_zz * wrench_front_right_thigh_mx_5
+        + (inertias.inertia_front_right_thigh_hx * wrench_front_right_thigh_mx_9
+            - inertias.inertia_front_right_thigh_hy * wrench_front_right_thigh_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_mz_0_1
+        + (wrench_front_right_shank_mz
+            + screws.inside_front_right_knee_mz * wrench_front_right_thigh_mx_13);
+    let wrench_front_right_thigh_fx = wrench_front_right_thigh_my_7 * 1.1
+        - (wrench_front_right_thigh_mx_3 * inertias.minus_inertia_front_right_thigh_hz
+            + wrench_front_right_thigh_mx_5 * inertias.inertia_front_right_thigh_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_fx_0_1
+        + (wrench_front_right_shank_fx
+            + screws.inside_front_right_knee_fx * wrench_front_right_thigh_mx_13);
+    let wrench_front_right_thigh_fy = wrench_front_right_thigh_mx_9 * 1.1
+        + (wrench_front_right_thigh_mx_5 * inertias.inertia_front_right_thigh_hx
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_0_0_0_1_0
+                * inertias.minus_inertia_front_right_thigh_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_fy_0_1
+        + (wrench_front_right_shank_fy
+            + screws.inside_front_right_knee_fy * wrench_front_right_thigh_mx_13);
+    let wrench_front_right_thigh_fz = wrench_front_right_thigh_mx_7 * 1.1
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_0_1_0
+            * inertias.inertia_front_right_thigh_hy
+            - wrench_front_right_thigh_mx_3 * inertias.inertia_front_right_thigh_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_fz_0_1
+        + (wrench_front_right_shank_fz
+            + screws.inside_front_right_knee_fz * wrench_front_right_thigh_mx_13);
+    let minus_articulated_front_right_thigh_hxx_0 = screws.inside_front_right_knee_mx
+        * inverse_pivot_front_right_knee_d;
+    let minus_articulated_front_right_thigh_hyy_0 = screws.inside_front_right_knee_my
+        * inverse_pivot_front_right_knee_d;
+    let minus_articulated_front_right_thigh_hzz_0 = screws.inside_front_right_knee_mz
+        * inverse_pivot_front_right_knee_d;
+    let minus_articulated_front_right_thigh_mxy_0 = screws.inside_front_right_knee_fx
+        * inverse_pivot_front_right_knee_d;
+    let minus_articulated_front_right_thigh_myz_0 = screws.inside_front_right_knee_fy
+        * inverse_pivot_front_right_knee_d;
+    let minus_articulated_front_right_thigh_hxx = minus_articulated_front_right_thigh_hxx_0
+        * screws.inside_front_right_knee_fx;
+    let minus_articulated_front_right_thigh_hyy = minus_articulated_front_right_thigh_hyy_0
+        * screws.inside_front_right_knee_fy;
+    let minus_articulated_front_right_thigh_hzz = minus_articulated_front_right_thigh_hzz_0
+        * screws.inside_front_right_knee_fz;
+    let minus_articulated_front_right_thigh_mxy = minus_articulated_front_right_thigh_mxy_0
+        * screws.inside_front_right_knee_fy;
+    let minus_articulated_front_right_thigh_mxz = minus_articulated_front_right_thigh_mxy_0
+        * screws.inside_front_right_knee_fz;
+    let minus_articulated_front_right_thigh_myz = minus_articulated_front_right_thigh_myz_0
+        * screws.inside_front_right_knee_fz;
+    let articulated_front_right_thigh_jxx = inertias.inertia_front_right_thigh_xx
+        + (inertias.inertia_front_right_shank_xx
+            - minus_articulated_front_right_thigh_hxx_0
+                * screws.inside_front_right_knee_mx);
+    let articulated_front_right_thigh_jxy = inertias.inertia_front_right_thigh_xy
+        + (inertias.inertia_front_right_shank_xy
+            - minus_articulated_front_right_thigh_hxx_0
+                * screws.inside_front_right_knee_my);
+    let articulated_front_right_thigh_jxz = inertias.inertia_front_right_thigh_xz
+        + (inertias.inertia_front_right_shank_xz
+            - minus_articulated_front_right_thigh_hxx_0
+                * screws.inside_front_right_knee_mz);
+    let articulated_front_right_thigh_jyy = inertias.inertia_front_right_thigh_yy
+        + (inertias.inertia_front_right_shank_yy
+            - minus_articulated_front_right_thigh_hyy_0
+                * screws.inside_front_right_knee_my);
+    let articulated_front_right_thigh_jyz = inertias.inertia_front_right_thigh_yz
+        + (inertias.inertia_front_right_shank_yz
+            - minus_articulated_front_right_thigh_hyy_0
+                * screws.inside_front_right_knee_mz);
+    let articulated_front_right_thigh_jzz = inertias.inertia_front_right_thigh_zz
+        + (inertias.inertia_front_right_shank_zz
+            - minus_articulated_front_right_thigh_hzz_0
+                * screws.inside_front_right_knee_mz);
+    let articulated_front_right_thigh_hyx = inertias.inertia_front_right_shank_hz
+        - minus_articulated_front_right_thigh_hyy_0 * screws.inside_front_right_knee_fx
+        - inertias.minus_inertia_front_right_thigh_hz;
+    let minus_articulated_front_right_thigh_hzx = inertias.inertia_front_right_thigh_hy
+        + (inertias.inertia_front_right_shank_hy
+            + minus_articulated_front_right_thigh_hzz_0
+                * screws.inside_front_right_knee_fx);
+    let articulated_front_right_thigh_hxy = inertias.minus_inertia_front_right_thigh_hz
+        - (inertias.inertia_front_right_shank_hz
+            + minus_articulated_front_right_thigh_hxx_0
+                * screws.inside_front_right_knee_fy);
+    let articulated_front_right_thigh_hzy = inertias.inertia_front_right_thigh_hx
+        + (inertias.inertia_front_right_shank_hx
+            - minus_articulated_front_right_thigh_hzz_0
+                * screws.inside_front_right_knee_fy);
+    let articulated_front_right_thigh_hxz = inertias.inertia_front_right_thigh_hy
+        + (inertias.inertia_front_right_shank_hy
+            - minus_articulated_front_right_thigh_hxx_0
+                * screws.inside_front_right_knee_fz);
+    let minus_articulated_front_right_thigh_hyz = inertias.inertia_front_right_thigh_hx
+        + (inertias.inertia_front_right_shank_hx
+            + minus_articulated_front_right_thigh_hyy_0
+                * screws.inside_front_right_knee_fz);
+    let articulated_front_right_thigh_mxx = 1.1
+        + (0.28
+            - minus_articulated_front_right_thigh_mxy_0
+                * screws.inside_front_right_knee_fx);
+    let articulated_front_right_thigh_myy = 1.1
+        + (0.28
+            - minus_articulated_front_right_thigh_myz_0
+                * screws.inside_front_right_knee_fy);
+    let articulated_front_right_thigh_mzz = 1.1
+        + (0.28
+            - screws.inside_front_right_knee_fz * inverse_pivot_front_right_knee_d
+                * screws.inside_front_right_knee_fz);
+    let wrench_outside_front_right_thigh_mx = articulated_front_right_thigh_jxy
+        * poses.cos_front_right_hip_roll
+        + articulated_front_right_thigh_jxz * poses.sin_front_right_hip_roll
+        + (articulated_front_right_thigh_hxz * screws.screw_front_right_hip_pitch_vz
+            - (articulated_front_right_thigh_hxy
+                * screws.minus_screw_front_right_hip_pitch_vy
+                + minus_articulated_front_right_thigh_hxx
+                    * screws.screw_front_right_hip_pitch_vx));
+    let wrench_outside_front_right_thigh_my = articulated_front_right_thigh_jyy
+        * poses.cos_front_right_hip_roll
+        + articulated_front_right_thigh_jyz * poses.sin_front_right_hip_roll
+        + (minus_articulated_front_right_thigh_hyy
+            * screws.minus_screw_front_right_hip_pitch_vy
+            + articulated_front_right_thigh_hyx * screws.screw_front_right_hip_pitch_vx
+            - minus_articulated_front_right_thigh_hyz
+                * screws.screw_front_right_hip_pitch_vz);
+    let wrench_outside_front_right_thigh_mz = articulated_front_right_thigh_jyz
+        * poses.cos_front_right_hip_roll
+        + articulated_front_right_thigh_jzz * poses.sin_front_right_hip_roll
+        - (minus_articulated_front_right_thigh_hzz
+            * screws.screw_front_right_hip_pitch_vz
+            + (articulated_front_right_thigh_hzy
+                * screws.minus_screw_front_right_hip_pitch_vy
+                + minus_articulated_front_right_thigh_hzx
+                    * screws.screw_front_right_hip_pitch_vx));
+    let wrench_outside_front_right_thigh_fx = articulated_front_right_thigh_hyx
+        * poses.cos_front_right_hip_roll
+        - minus_articulated_front_right_thigh_hzx * poses.sin_front_right_hip_roll
+        + (articulated_front_right_thigh_mxx * screws.screw_front_right_hip_pitch_vx
+            + minus_articulated_front_right_thigh_mxy
+                * screws.minus_screw_front_right_hip_pitch_vy
+            - minus_articulated_front_right_thigh_mxz
+                * screws.screw_front_right_hip_pitch_vz);
+    let wrench_outside_front_right_thigh_fy = articulated_front_right_thigh_hzy
+        * poses.sin_front_right_hip_roll
+        - minus_articulated_front_right_thigh_hyy * poses.cos_front_right_hip_roll
+        - (minus_articulated_front_right_thigh_mxy
+            * screws.screw_front_right_hip_pitch_vx
+            + articulated_front_right_thigh_myy
+                * screws.minus_screw_front_right_hip_pitch_vy
+            + minus_articulated_front_right_thigh_myz
+                * screws.screw_front_right_hip_pitch_vz);
+    let wrench_outside_front_right_thigh_fz = minus_articulated_front_right_thigh_myz
+        * screws.minus_screw_front_right_hip_pitch_vy
+        - minus_articulated_front_right_thigh_mxz * screws.screw_front_right_hip_pitch_vx
+        + articulated_front_right_thigh_mzz * screws.screw_front_right_hip_pitch_vz
+        - (minus_articulated_front_right_thigh_hyz * poses.cos_front_right_hip_roll
+            + minus_articulated_front_right_thigh_hzz * poses.sin_front_right_hip_roll);
+    let inverse_pivot_front_right_hip_pitch_d = 1.0
+        / (poses.cos_front_right_hip_roll * wrench_outside_front_right_thigh_my
+            + poses.sin_front_right_hip_roll * wrench_outside_front_right_thigh_mz
+            + screws.screw_front_right_hip_pitch_vx * wrench_outside_front_right_thigh_fx
+            - screws.minus_screw_front_right_hip_pitch_vy
+                * wrench_outside_front_right_thigh_fy
+            + screws.screw_front_right_hip_pitch_vz
+                * wrench_outside_front_right_thigh_fz);
+    let wrench_front_right_hip_mx_11_0 = tau[4]
+        - (poses.cos_front_right_hip_roll * wrench_front_right_thigh_my
+            + poses.sin_front_right_hip_roll * wrench_front_right_thigh_mz
+            + screws.screw_front_right_hip_pitch_vx * wrench_front_right_thigh_fx
+            - screws.minus_screw_front_right_hip_pitch_vy * wrench_front_right_thigh_fy
+            + screws.screw_front_right_hip_pitch_vz * wrench_front_right_thigh_fz);
+    let wrench_front_right_hip_mx_11 = wrench_front_right_hip_mx_11_0
+        * inverse_pivot_front_right_hip_pitch_d;
+    let wrench_front_right_hip_mx = inertias.inertia_front_right_hip_xy
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
+        + inertias.minus_inertia_front_right_hip_xz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_0_1_1_0_1
+        + (inertias.minus_inertia_front_right_hip_hy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_1_0_1_0_1
+            - inertias.inertia_front_right_hip_hz
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_front_right_shank_mx_0_1_1_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_mx_0_1
+        + (wrench_front_right_thigh_mx
+            + wrench_outside_front_right_thigh_mx * wrench_front_right_hip_mx_11);
+    let wrench_front_right_hip_my = inertias.inertia_front_right_hip_yy
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_front_right_hip_yz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_0_1_1_0_1
+        + (inertias.inertia_front_right_hip_hz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_my_0_1_0_1_0_0
+            + inertias.inertia_front_left_hip_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_front_right_shank_mx_0_1_0_1_0_1)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_my_0_1
+        + (wrench_front_right_thigh_my
+            + wrench_outside_front_right_thigh_my * wrench_front_right_hip_mx_11);
+    let wrench_front_right_hip_mz = inertias.inertia_front_right_hip_yz
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_front_right_hip_zz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_0_1_1_0_1
+        + (inertias.inertia_front_left_hip_hx
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_1_1_1_0_0
+            + inertias.minus_inertia_front_right_hip_hy
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_front_right_shank_my_0_1_0_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_mz_0_1
+        + (wrench_front_right_thigh_mz
+            + wrench_outside_front_right_thigh_mz * wrench_front_right_hip_mx_11);
+    let wrench_front_right_hip_fx = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_my_0_1_0_1_0_0 * 0.75
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
+            * inertias.inertia_front_right_hip_hz
+            - common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_0_1_1_0_1
+                * inertias.minus_inertia_front_right_hip_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_fx_0_1
+        + (wrench_front_right_thigh_fx
+            + wrench_outside_front_right_thigh_fx * wrench_front_right_hip_mx_11);
+    let wrench_front_right_hip_fy = common_forward_dynamics_inverse_dynamics
+        .wrench_front_right_shank_mx_0_1_1_1_0_0 * 0.75
+        - common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_0_1_1_0_1 * inertias.inertia_front_left_hip_hx
+        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_fy_0_1
+        + (wrench_front_right_thigh_fy
+            + wrench_outside_front_right_thigh_fy * wrench_front_right_hip_mx_11);
+    let wrench_front_right_hip_fz = wrench_front_right_thigh_fz
+        + wrench_outside_front_right_thigh_fz * wrench_front_right_hip_mx_11
+        - (common_forward_dynamics_inverse_dynamics
+            .wrench_front_right_shank_mx_0_1_0_1_0_1 * 0.75
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_front_right_shank_mx_0_0_0_1_1_0_0
+                * inertias.inertia_front_left_hip_hx
+            + common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_fz_1_1);
+    let minus_articulated_front_right_hip_hxx_1 = wrench_outside_front_right_thigh_mx
+        * inverse_pivot_front_right_hip_pitch_d;
+    let minus_articulated_front_right_hip_hyy_1 = wrench_outside_front_right_thigh_my
+        * inverse_pivot_front_right_hip_pitch_d;
+    let minus_articulated_front_right_hip_hzz_1 = wrench_outside_front_right_thigh_mz
+        * inverse_pivot_front_right_hip_pitch_d;
+    let minus_articulated_front_right_hip_mxy_1 = wrench_outside_front_right_thigh_fx
+        * inverse_pivot_front_right_hip_pitch_d;
+    let minus_articulated_front_right_hip_myz_1 = wrench_outside_front_right_thigh_fy
+        * inverse_pivot_front_right_hip_pitch_d;
+    let minus_articulated_front_right_hip_hxx = minus_articulated_front_right_thigh_hxx
+        + minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_fx;
+    let minus_articulated_front_right_hip_hyy = minus_articulated_front_right_thigh_hyy
+        + minus_articulated_front_right_hip_hyy_1 * wrench_outside_front_right_thigh_fy;
+    let minus_articulated_front_right_hip_hzz = minus_articulated_front_right_thigh_hzz
+        + minus_articulated_front_right_hip_hzz_1 * wrench_outside_front_right_thigh_fz;
+    let minus_articulated_front_right_hip_mxy = minus_articulated_front_right_thigh_mxy
+        + minus_articulated_front_right_hip_mxy_1 * wrench_outside_front_right_thigh_fy;
+    let minus_articulated_front_right_hip_mxz = minus_articulated_front_right_thigh_mxz
+        + minus_articulated_front_right_hip_mxy_1 * wrench_outside_front_right_thigh_fz;
+    let minus_articulated_front_right_hip_myz = minus_articulated_front_right_thigh_myz
+        + minus_articulated_front_right_hip_myz_1 * wrench_outside_front_right_thigh_fz;
+    let articulated_front_right_hip_jxx = inertias.inertia_front_right_hip_xx
+        + (articulated_front_right_thigh_jxx
+            - minus_articulated_front_right_hip_hxx_1
+                * wrench_outside_front_right_thigh_mx);
+    let articulated_front_right_hip_jxy = inertias.inertia_front_right_hip_xy
+        + (articulated_front_right_thigh_jxy
+            - minus_articulated_front_right_hip_hxx_1
+                * wrench_outside_front_right_thigh_my);
+    let articulated_front_right_hip_jxz = articulated_front_right_thigh_jxz
+        - minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_mz
+        - inertias.minus_inertia_front_right_hip_xz;
+    let articulated_front_right_hip_jyy = inertias.inertia_front_right_hip_yy
+        + (articulated_front_right_thigh_jyy
+            - minus_articulated_front_right_hip_hyy_1
+                * wrench_outside_front_right_thigh_my);
+    let articulated_front_right_hip_jyz = inertias.inertia_front_right_hip_yz
+        + (articulated_front_right_thigh_jyz
+            - minus_articulated_front_right_hip_hyy_1
+                * wrench_outside_front_right_thigh_mz);
+    let articulated_front_right_hip_jzz = inertias.inertia_front_right_hip_zz
+        + (articulated_front_right_thigh_jzz
+            - minus_articulated_front_right_hip_hzz_1
+                * wrench_outside_front_right_thigh_mz);
+    let articulated_front_right_hip_hyx = inertias.inertia_front_right_hip_hz
+        + (articulated_front_right_thigh_hyx
+            - minus_articulated_front_right_hip_hyy_1
+                * wrench_outside_front_right_thigh_fx);
+    let articulated_front_right_hip_hzx = inertias.minus_inertia_front_right_hip_hy
+        - (minus_articulated_front_right_thigh_hzx
+            + minus_articulated_front_right_hip_hzz_1
+                * wrench_outside_front_right_thigh_fx);
+    let articulated_front_right_hip_hxy = articulated_front_right_thigh_hxy
+        - minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_fy
+        - inertias.inertia_front_right_hip_hz;
+    let articulated_front_right_hip_hzy = inertias.inertia_front_left_hip_hx
+        + (articulated_front_right_thigh_hzy
+            - minus_articulated_front_right_hip_hzz_1
+                * wrench_outside_front_right_thigh_fy);
+    let articulated_front_right_hip_hxz = articulated_front_right_thigh_hxz
+        - minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_fz
+        - inertias.minus_inertia_front_right_hip_hy;
+    let minus_articulated_front_right_hip_hyz = inertias.inertia_front_left_hip_hx
+        + (minus_articulated_front_right_thigh_hyz
+            + minus_articulated_front_right_hip_hyy_1
+                * wrench_outside_front_right_thigh_fz);
+    let articulated_front_right_hip_mxx = 0.75
+        + (articulated_front_right_thigh_mxx
+            - minus_articulated_front_right_hip_mxy_1
+                * wrench_outside_front_right_thigh_fx);
+    let articulated_front_right_hip_myy = 0.75
+        + (articulated_front_right_thigh_myy
+            - minus_articulated_front_right_hip_myz_1
+                * wrench_outside_front_right_thigh_fy);
+    let articulated_front_right_hip_mzz = 0.75
+        + (articulated_front_right_thigh_mzz
+            - wrench_outside_front_right_thigh_fz * inverse_pivot_front_right_hip_pitch_d
+                * wrench_outside_front_right_thigh_fz);
+    let wrench_outside_front_right_hip_mx = articulated_front_right_hip_jxx
+        + (articulated_front_right_hip_hxz * poses.minus_origin_front_right_hip_y
+            - articulated_front_right_hip_hxy * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_front_right_hip_my = articulated_front_right_hip_jxy
+        + (minus_articulated_front_right_hip_hyy * poses.minus_origin_front_left_hip_z
+            - minus_articulated_front_right_hip_hyz
+                * poses.minus_origin_front_right_hip_y);
+    let wrench_outside_front_right_hip_mz = articulated_front_right_hip_jxz
+        - (minus_articulated_front_right_hip_hzz * poses.minus_origin_front_right_hip_y
+            + articulated_front_right_hip_hzy * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_front_right_hip_fx = minus_articulated_front_right_hip_mxy
+        * poses.minus_origin_front_left_hip_z
+        - minus_articulated_front_right_hip_mxz * poses.minus_origin_front_right_hip_y
+        - minus_articulated_front_right_hip_hxx;
+    let wrench_outside_front_right_hip_fy = articulated_front_right_hip_hxy
+        - (articulated_front_right_hip_myy * poses.minus_origin_front_left_hip_z
+            + minus_articulated_front_right_hip_myz
+                * poses.minus_origin_front_right_hip_y);
+    let wrench_outside_front_right_hip_fz = articulated_front_right_hip_hxz
+        + (minus_articulated_front_right_hip_myz * poses.minus_origin_front_left_hip_z
+            + articulated_front_right_hip_mzz * poses.minus_origin_front_right_hip_y);
+    let inverse_pivot_front_right_hip_roll_d = 1.0
+        / (wrench_outside_front_right_hip_mx
+            - poses.minus_origin_front_left_hip_z * wrench_outside_front_right_hip_fy
+            + poses.minus_origin_front_right_hip_y * wrench_outside_front_right_hip_fz);
+    let wrench_trunk_mx_10_0 = tau[3]
+        - (wrench_front_right_hip_mx
+            - poses.minus_origin_front_left_hip_z * wrench_front_right_hip_fy
+            + poses.minus_origin_front_right_hip_y * wrench_front_right_hip_fz);
+    let wrench_trunk_mx_10 = wrench_trunk_mx_10_0 * inverse_pivot_front_right_hip_roll_d;
+    let articulated_trunk_jxx_8 = wrench_outside_front_right_hip_mx
+        * inverse_pivot_front_right_hip_roll_d;
+    let articulated_trunk_jyy_8 = wrench_outside_front_right_hip_my
+        * inverse_pivot_front_right_hip_roll_d;
+    let articulated_trunk_jzz_8 = wrench_outside_front_right_hip_mz
+        * inverse_pivot_front_right_hip_roll_d;
+    let articulated_trunk_mxx_8 = wrench_outside_front_right_hip_fx
+        * inverse_pivot_front_right_hip_roll_d;
+    let articulated_trunk_myy_8 = wrench_outside_front_right_hip_fy
+        * inverse_pivot_front_right_hip_roll_d;
+    let inverse_pivot_front_left_knee_d = 1.0
+        / (poses.cos_front_left_hip_roll * screws.inside_front_left_knee_my
+            + poses.sin_front_left_hip_roll * screws.inside_front_left_knee_mz
+            + screws.screw_front_left_knee_vx * screws.inside_front_left_knee_fx
+            - screws.minus_screw_front_left_knee_vy * screws.inside_front_left_knee_fy
+            + screws.screw_front_left_knee_vz * screws.inside_front_left_knee_fz);
+    let wrench_front_left_thigh_mx_13_0 = tau[2]
+        - (poses.cos_front_left_hip_roll * wrench_front_left_shank_my
+            + poses.sin_front_left_hip_roll * wrench_front_left_shank_mz
+            + screws.screw_front_left_knee_vx * wrench_front_left_shank_fx
+            - screws.minus_screw_front_left_knee_vy * wrench_front_left_shank_fy
+            + screws.screw_front_left_knee_vz * wrench_front_left_shank_fz);
+    let wrench_front_left_thigh_mx_13 = wrench_front_left_thigh_mx_13_0
+        * inverse_pivot_front_left_knee_d;
+    let wrench_front_left_thigh_mx = inertias.inertia_front_left_thigh_xx
+        * common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_front_left_thigh_xy * wrench_front_left_thigh_mx_3
+        - inertias.minus_inertia_front_left_thigh_xz * wrench_front_left_thigh_mx_5
+        + (inertias.inertia_front_left_thigh_hy * wrench_front_left_thigh_mx_7
+            - inertias.inertia_front_left_thigh_hz * wrench_front_left_thigh_mx_9)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_mx_0_1
+        + (wrench_front_left_shank_mx
+            + screws.inside_front_left_knee_mx * wrench_front_left_thigh_mx_13);
+    let wrench_front_left_thigh_my = inertias.inertia_front_left_thigh_xy
+        * common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_front_left_thigh_yy * wrench_front_left_thigh_mx_3
+        + inertias.inertia_front_left_thigh_yz * wrench_front_left_thigh_mx_5
+        + (inertias.inertia_front_left_thigh_hz * wrench_front_left_thigh_my_7
+            - inertias.inertia_front_left_thigh_hx * wrench_front_left_thigh_mx_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_my_0_1
+        + (wrench_front_left_shank_my
+            + screws.inside_front_left_knee_my * wrench_front_left_thigh_mx_13);
+    let wrench_front_left_thigh_mz = inertias.inertia_front_left_thigh_yz
+        * wrench_front_left_thigh_mx_3
+        - inertias.minus_inertia_front_left_thigh_xz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_0_0_0_1_0
+        + inertias.inertia_front_left_thigh_zz * wrench_front_left_thigh_mx_5
+        + (inertias.inertia_front_left_thigh_hx * wrench_front_left_thigh_mx_9
+            - inertias.inertia_front_left_thigh_hy * wrench_front_left_thigh_my_7)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_mz_0_1
+        + (wrench_front_left_shank_mz
+            + screws.inside_front_left_knee_mz * wrench_front_left_thigh_mx_13);
+    let wrench_front_left_thigh_fx = wrench_front_left_thigh_my_7 * 1.1
+        + (wrench_front_left_thigh_mx_3 * inertias.inertia_front_left_thigh_hz
+            - wrench_front_left_thigh_mx_5 * inertias.inertia_front_left_thigh_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_fx_0_1
+        + (wrench_front_left_shank_fx
+            + screws.inside_front_left_knee_fx * wrench_front_left_thigh_mx_13);
+    let wrench_front_left_thigh_fy = wrench_front_left_thigh_mx_9 * 1.1
+        + (wrench_front_left_thigh_mx_5 * inertias.inertia_front_left_thigh_hx
+            - common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_0_0_0_1_0
+                * inertias.inertia_front_left_thigh_hz)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_fy_0_1
+        + (wrench_front_left_shank_fy
+            + screws.inside_front_left_knee_fy * wrench_front_left_thigh_mx_13);
+    let wrench_front_left_thigh_fz = wrench_front_left_thigh_mx_7 * 1.1
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_0_0_1_0
+            * inertias.inertia_front_left_thigh_hy
+            - wrench_front_left_thigh_mx_3 * inertias.inertia_front_left_thigh_hx)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_fz_0_1
+        + (wrench_front_left_shank_fz
+            + screws.inside_front_left_knee_fz * wrench_front_left_thigh_mx_13);
+    let minus_articulated_front_left_thigh_hxx_0 = screws.inside_front_left_knee_mx
+        * inverse_pivot_front_left_knee_d;
+    let minus_articulated_front_left_thigh_hyy_0 = screws.inside_front_left_knee_my
+        * inverse_pivot_front_left_knee_d;
+    let minus_articulated_front_left_thigh_hzz_0 = screws.inside_front_left_knee_mz
+        * inverse_pivot_front_left_knee_d;
+    let minus_articulated_front_left_thigh_mxy_0 = screws.inside_front_left_knee_fx
+        * inverse_pivot_front_left_knee_d;
+    let minus_articulated_front_left_thigh_myz_0 = screws.inside_front_left_knee_fy
+        * inverse_pivot_front_left_knee_d;
+    let minus_articulated_front_left_thigh_hxx = minus_articulated_front_left_thigh_hxx_0
+        * screws.inside_front_left_knee_fx;
+    let minus_articulated_front_left_thigh_hyy = minus_articulated_front_left_thigh_hyy_0
+        * screws.inside_front_left_knee_fy;
+    let minus_articulated_front_left_thigh_hzz = minus_articulated_front_left_thigh_hzz_0
+        * screws.inside_front_left_knee_fz;
+    let minus_articulated_front_left_thigh_mxy = minus_articulated_front_left_thigh_mxy_0
+        * screws.inside_front_left_knee_fy;
+    let minus_articulated_front_left_thigh_mxz = minus_articulated_front_left_thigh_mxy_0
+        * screws.inside_front_left_knee_fz;
+    let minus_articulated_front_left_thigh_myz = minus_articulated_front_left_thigh_myz_0
+        * screws.inside_front_left_knee_fz;
+    let articulated_front_left_thigh_jxx = inertias.inertia_front_left_thigh_xx
+        + (inertias.inertia_front_left_shank_xx
+            - minus_articulated_front_left_thigh_hxx_0
+                * screws.inside_front_left_knee_mx);
+    let articulated_front_left_thigh_jxy = inertias.inertia_front_left_thigh_xy
+        + (inertias.inertia_front_left_shank_xy
+            - minus_articulated_front_left_thigh_hxx_0
+                * screws.inside_front_left_knee_my);
+    let articulated_front_left_thigh_jxz = inertias.inertia_front_left_shank_xz
+        - minus_articulated_front_left_thigh_hxx_0 * screws.inside_front_left_knee_mz
+        - inertias.minus_inertia_front_left_thigh_xz;
+    let articulated_front_left_thigh_jyy = inertias.inertia_front_left_thigh_yy
+        + (inertias.inertia_front_left_shank_yy
+            - minus_articulated_front_left_thigh_hyy_0
+                * screws.inside_front_left_knee_my);
+    let articulated_front_left_thigh_jyz = inertias.inertia_front_left_thigh_yz
+        + (inertias.inertia_front_left_shank_yz
+            - minus_articulated_front_left_thigh_hyy_0
+                * screws.inside_front_left_knee_mz);
+    let articulated_front_left_thigh_jzz = inertias.inertia_front_left_thigh_zz
+        + (inertias.inertia_front_left_shank_zz
+            - minus_articulated_front_left_thigh_hzz_0
+                * screws.inside_front_left_knee_mz);
+    let articulated_front_left_thigh_hyx = inertias.inertia_front_left_thigh_hz
+        + (inertias.inertia_front_left_shank_hz
+            - minus_articulated_front_left_thigh_hyy_0
+                * screws.inside_front_left_knee_fx);
+    let minus_articulated_front_left_thigh_hzx = inertias.inertia_front_left_thigh_hy
+        + (inertias.inertia_front_left_shank_hy
+            + minus_articulated_front_left_thigh_hzz_0
+                * screws.inside_front_left_knee_fx);
+    let minus_articulated_front_left_thigh_hxy = inertias.inertia_front_left_thigh_hz
+        + (inertias.inertia_front_left_shank_hz
+            + minus_articulated_front_left_thigh_hxx_0
+                * screws.inside_front_left_knee_fy);
+    let articulated_front_left_thigh_hzy = inertias.inertia_front_left_thigh_hx
+        + (inertias.inertia_front_left_shank_hx
+            - minus_articulated_front_left_thigh_hzz_0
+                * screws.inside_front_left_knee_fy);
+    let articulated_front_left_thigh_hxz = inertias.inertia_front_left_thigh_hy
+        + (inertias.inertia_front_left_shank_hy
+            - minus_articulated_front_left_thigh_hxx_0
+                * screws.inside_front_left_knee_fz);
+    let minus_articulated_front_left_thigh_hyz = inertias.inertia_front_left_thigh_hx
+        + (inertias.inertia_front_left_shank_hx
+            + minus_articulated_front_left_thigh_hyy_0
+                * screws.inside_front_left_knee_fz);
+    let articulated_front_left_thigh_mxx = 1.1
+        + (0.28
+            - minus_articulated_front_left_thigh_mxy_0
+                * screws.inside_front_left_knee_fx);
+    let articulated_front_left_thigh_myy = 1.1
+        + (0.28
+            - minus_articulated_front_left_thigh_myz_0
+                * screws.inside_front_left_knee_fy);
+    let articulated_front_left_thigh_mzz = 1.1
+        + (0.28
+            - screws.inside_front_left_knee_fz * inverse_pivot_front_left_knee_d
+                * screws.inside_front_left_knee_fz);
+    let wrench_outside_front_left_thigh_mx = articulated_front_left_thigh_jxy
+        * poses.cos_front_left_hip_roll
+        + articulated_front_left_thigh_jxz * poses.sin_front_left_hip_roll
+        + (articulated_front_left_thigh_hxz * screws.screw_front_left_hip_pitch_vz
+            + (minus_articulated_front_left_thigh_hxy
+                * screws.minus_screw_front_left_hip_pitch_vy
+                - minus_articulated_front_left_thigh_hxx
+                    * screws.screw_front_left_hip_pitch_vx));
+    let wrench_outside_front_left_thigh_my = articulated_front_left_thigh_jyy
+        * poses.cos_front_left_hip_roll
+        + articulated_front_left_thigh_jyz * poses.sin_front_left_hip_roll
+        + (minus_articulated_front_left_thigh_hyy
+            * screws.minus_screw_front_left_hip_pitch_vy
+            + articulated_front_left_thigh_hyx * screws.screw_front_left_hip_pitch_vx
+            - minus_articulated_front_left_thigh_hyz
+                * screws.screw_front_left_hip_pitch_vz);
+    let wrench_outside_front_left_thigh_mz = articulated_front_left_thigh_jyz
+        * poses.cos_front_left_hip_roll
+        + articulated_front_left_thigh_jzz * poses.sin_front_left_hip_roll
+        - (minus_articulated_front_left_thigh_hzz * screws.screw_front_left_hip_pitch_vz
+            + (articulated_front_left_thigh_hzy
+                * screws.minus_screw_front_left_hip_pitch_vy
+                + minus_articulated_front_left_thigh_hzx
+                    * screws.screw_front_left_hip_pitch_vx));
+    let wrench_outside_front_left_thigh_fx = articulated_front_left_thigh_hyx
+        * poses.cos_front_left_hip_roll
+        - minus_articulated_front_left_thigh_hzx * poses.sin_front_left_hip_roll
+        + (articulated_front_left_thigh_mxx * screws.screw_front_left_hip_pitch_vx
+            + minus_articulated_front_left_thigh_mxy
+                * screws.minus_screw_front_left_hip_pitch_vy
+            - minus_articulated_front_left_thigh_mxz
+                * screws.screw_front_left_hip_pitch_vz);
+    let wrench_outside_front_left_thigh_fy = articulated_front_left_thigh_hzy
+        * poses.sin_front_left_hip_roll
+        - minus_articulated_front_left_thigh_hyy * poses.cos_front_left_hip_roll
+        - (minus_articulated_front_left_thigh_mxy * screws.screw_front_left_hip_pitch_vx
+            + articulated_front_left_thigh_myy
+                * screws.minus_screw_front_left_hip_pitch_vy
+            + minus_articulated_front_left_thigh_myz
+                * screws.screw_front_left_hip_pitch_vz);
+    let wrench_outside_front_left_thigh_fz = minus_articulated_front_left_thigh_myz
+        * screws.minus_screw_front_left_hip_pitch_vy
+        - minus_articulated_front_left_thigh_mxz * screws.screw_front_left_hip_pitch_vx
+        + articulated_front_left_thigh_mzz * screws.screw_front_left_hip_pitch_vz
+        - (minus_articulated_front_left_thigh_hyz * poses.cos_front_left_hip_roll
+            + minus_articulated_front_left_thigh_hzz * poses.sin_front_left_hip_roll);
+    let inverse_pivot_front_left_hip_pitch_d = 1.0
+        / (poses.cos_front_left_hip_roll * wrench_outside_front_left_thigh_my
+            + poses.sin_front_left_hip_roll * wrench_outside_front_left_thigh_mz
+            + screws.screw_front_left_hip_pitch_vx * wrench_outside_front_left_thigh_fx
+            - screws.minus_screw_front_left_hip_pitch_vy
+                * wrench_outside_front_left_thigh_fy
+            + screws.screw_front_left_hip_pitch_vz * wrench_outside_front_left_thigh_fz);
+    let wrench_front_left_hip_mx_11_0 = tau[1]
+        - (poses.cos_front_left_hip_roll * wrench_front_left_thigh_my
+            + poses.sin_front_left_hip_roll * wrench_front_left_thigh_mz
+            + screws.screw_front_left_hip_pitch_vx * wrench_front_left_thigh_fx
+            - screws.minus_screw_front_left_hip_pitch_vy * wrench_front_left_thigh_fy
+            + screws.screw_front_left_hip_pitch_vz * wrench_front_left_thigh_fz);
+    let wrench_front_left_hip_mx_11 = wrench_front_left_hip_mx_11_0
+        * inverse_pivot_front_left_hip_pitch_d;
+    let wrench_front_left_hip_mx = inertias.minus_inertia_front_left_hip_xz
+        * common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_1_1_0_1
+        - inertias.minus_inertia_front_left_hip_xy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_0_0_1_1_0_0
+        - (inertias.inertia_front_left_hip_hy
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_1_0_1_0_1
+            + inertias.inertia_front_left_hip_hz
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_front_left_shank_mx_0_1_1_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_mx_0_1
+        + (wrench_front_left_thigh_mx
+            + wrench_outside_front_left_thigh_mx * wrench_front_left_hip_mx_11);
+    let wrench_front_left_hip_my = inertias.inertia_front_left_hip_yy
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_front_left_hip_yz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_0_1_1_0_1
+        + (inertias.inertia_front_left_hip_hz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_my_0_1_0_1_0_0
+            + inertias.inertia_front_left_hip_hx
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_front_left_shank_mx_0_1_0_1_0_1)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_my_0_1
+        + (wrench_front_left_thigh_my
+            + wrench_outside_front_left_thigh_my * wrench_front_left_hip_mx_11);
+    let wrench_front_left_hip_mz = inertias.inertia_front_left_hip_yz
+        * common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_0_1_1_0_0
+        - inertias.inertia_front_left_hip_zz
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_0_1_1_0_1
+        + (inertias.inertia_front_left_hip_hx
+            * common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_1_1_1_0_0
+            - inertias.inertia_front_left_hip_hy
+                * common_forward_dynamics_inverse_dynamics
+                    .wrench_front_left_shank_my_0_1_0_1_0_0)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_mz_0_1
+        + (wrench_front_left_thigh_mz
+            + wrench_outside_front_left_thigh_mz * wrench_front_left_hip_mx_11);
+    let wrench_front_left_hip_fx = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_my_0_1_0_1_0_0 * 0.75
+        + (common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_0_0_1_1_0_0
+            * inertias.inertia_front_left_hip_hz
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_0_1_1_0_1
+                * inertias.inertia_front_left_hip_hy)
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_fx_0_1
+        + (wrench_front_left_thigh_fx
+            + wrench_outside_front_left_thigh_fx * wrench_front_left_hip_mx_11);
+    let wrench_front_left_hip_fy = common_forward_dynamics_inverse_dynamics
+        .wrench_front_left_shank_mx_0_1_1_1_0_0 * 0.75
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_1_1_0_1
+            * inertias.inertia_front_left_hip_hx
+        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_fy_0_1
+        + (wrench_front_left_thigh_fy
+            + wrench_outside_front_left_thigh_fy * wrench_front_left_hip_mx_11);
+    let wrench_front_left_hip_fz = wrench_front_left_thigh_fz
+        + wrench_outside_front_left_thigh_fz * wrench_front_left_hip_mx_11
+        - (common_forward_dynamics_inverse_dynamics
+            .wrench_front_left_shank_mx_0_1_0_1_0_1 * 0.75
+            + common_forward_dynamics_inverse_dynamics
+                .wrench_front_left_shank_mx_0_0_0_1_1_0_0
+                * inertias.inertia_front_left_hip_hx
+            + common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_fz_1_1);
+    let minus_articulated_front_left_hip_hxx_1 = wrench_outside_front_left_thigh_mx
+        * inverse_pivot_front_left_hip_pitch_d;
+    let minus_articulated_front_left_hip_hyy_1 = wrench_outside_front_left_thigh_my
+        * inverse_pivot_front_left_hip_pitch_d;
+    let minus_articulated_front_left_hip_hzz_1 = wrench_outside_front_left_thigh_mz
+        * inverse_pivot_front_left_hip_pitch_d;
+    let minus_articulated_front_left_hip_mxy_1 = wrench_outside_front_left_thigh_fx
+        * inverse_pivot_front_left_hip_pitch_d;
+    let minus_articulated_front_left_hip_myz_1 = wrench_outside_front_left_thigh_fy
+        * inverse_pivot_front_left_hip_pitch_d;
+    let minus_articulated_front_left_hip_hxx = minus_articulated_front_left_thigh_hxx
+        + minus_articulated_front_left_hip_hxx_1 * wrench_outside_front_left_thigh_fx;
+    let minus_articulated_front_left_hip_hyy = minus_articulated_front_left_thigh_hyy
+        + minus_articulated_front_left_hip_hyy_1 * wrench_outside_front_left_thigh_fy;
+    let minus_articulated_front_left_hip_hzz = minus_articulated_front_left_thigh_hzz
+        + minus_articulated_front_left_hip_hzz_1 * wrench_outside_front_left_thigh_fz;
+    let minus_articulated_front_left_hip_mxy = minus_articulated_front_left_thigh_mxy
+        + minus_articulated_front_left_hip_mxy_1 * wrench_outside_front_left_thigh_fy;
+    let minus_articulated_front_left_hip_mxz = minus_articulated_front_left_thigh_mxz
+        + minus_articulated_front_left_hip_mxy_1 * wrench_outside_front_left_thigh_fz;
+    let minus_articulated_front_left_hip_myz = minus_articulated_front_left_thigh_myz
+        + minus_articulated_front_left_hip_myz_1 * wrench_outside_front_left_thigh_fz;
+    let articulated_front_left_hip_jxx = inertias.inertia_front_left_hip_xx
+        + (articulated_front_left_thigh_jxx
+            - minus_articulated_front_left_hip_hxx_1
+                * wrench_outside_front_left_thigh_mx);
+    let articulated_front_left_hip_jxy = articulated_front_left_thigh_jxy
+        - minus_articulated_front_left_hip_hxx_1 * wrench_outside_front_left_thigh_my
+        - inertias.minus_inertia_front_left_hip_xy;
+    let articulated_front_left_hip_jxz = articulated_front_left_thigh_jxz
+        - minus_articulated_front_left_hip_hxx_1 * wrench_outside_front_left_thigh_mz
+        - inertias.minus_inertia_front_left_hip_xz;
+    let articulated_front_left_hip_jyy = inertias.inertia_front_left_hip_yy
+        + (articulated_front_left_thigh_jyy
+            - minus_articulated_front_left_hip_hyy_1
+                * wrench_outside_front_left_thigh_my);
+    let articulated_front_left_hip_jyz = inertias.inertia_front_left_hip_yz
+        + (articulated_front_left_thigh_jyz
+            - minus_articulated_front_left_hip_hyy_1
+                * wrench_outside_front_left_thigh_mz);
+    let articulated_front_left_hip_jzz = inertias.inertia_front_left_hip_zz
+        + (articulated_front_left_thigh_jzz
+            - minus_articulated_front_left_hip_hzz_1
+                * wrench_outside_front_left_thigh_mz);
+    let articulated_front_left_hip_hyx = inertias.inertia_front_left_hip_hz
+        + (articulated_front_left_thigh_hyx
+            - minus_articulated_front_left_hip_hyy_1
+                * wrench_outside_front_left_thigh_fx);
+    let minus_articulated_front_left_hip_hzx = inertias.inertia_front_left_hip_hy
+        + (minus_articulated_front_left_thigh_hzx
+            + minus_articulated_front_left_hip_hzz_1
+                * wrench_outside_front_left_thigh_fx);
+    let minus_articulated_front_left_hip_hxy = inertias.inertia_front_left_hip_hz
+        + (minus_articulated_front_left_thigh_hxy
+            + minus_articulated_front_left_hip_hxx_1
+                * wrench_outside_front_left_thigh_fy);
+    let articulated_front_left_hip_hzy = inertias.inertia_front_left_hip_hx
+        + (articulated_front_left_thigh_hzy
+            - minus_articulated_front_left_hip_hzz_1
+                * wrench_outside_front_left_thigh_fy);
+    let articulated_front_left_hip_hxz = inertias.inertia_front_left_hip_hy
+        + (articulated_front_left_thigh_hxz
+            - minus_articulated_front_left_hip_hxx_1
+                * wrench_outside_front_left_thigh_fz);
+    let minus_articulated_front_left_hip_hyz = inertias.inertia_front_left_hip_hx
+        + (minus_articulated_front_left_thigh_hyz
+            + minus_articulated_front_left_hip_hyy_1
+                * wrench_outside_front_left_thigh_fz);
+    let articulated_front_left_hip_mxx = 0.75
+        + (articulated_front_left_thigh_mxx
+            - minus_articulated_front_left_hip_mxy_1
+                * wrench_outside_front_left_thigh_fx);
+    let articulated_front_left_hip_myy = 0.75
+        + (articulated_front_left_thigh_myy
+            - minus_articulated_front_left_hip_myz_1
+                * wrench_outside_front_left_thigh_fy);
+    let articulated_front_left_hip_mzz = 0.75
+        + (articulated_front_left_thigh_mzz
+            - wrench_outside_front_left_thigh_fz * inverse_pivot_front_left_hip_pitch_d
+                * wrench_outside_front_left_thigh_fz);
+    let wrench_outside_front_left_hip_mx = articulated_front_left_hip_jxx
+        + (minus_articulated_front_left_hip_hxy * poses.minus_origin_front_left_hip_z
+            - articulated_front_left_hip_hxz * poses.origin_front_left_hip_y);
+    let wrench_outside_front_left_hip_my = articulated_front_left_hip_jxy
+        + (minus_articulated_front_left_hip_hyz * poses.origin_front_left_hip_y
+            + minus_articulated_front_left_hip_hyy
+                * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_front_left_hip_mz = articulated_front_left_hip_jxz
+        + (minus_articulated_front_left_hip_hzz * poses.origin_front_left_hip_y
+            - articulated_front_left_hip_hzy * poses.minus_origin_front_left_hip_z);
+    let wrench_outside_front_left_hip_fx = minus_articulated_front_left_hip_mxy
+        * poses.minus_origin_front_left_hip_z
+        + minus_articulated_front_left_hip_mxz * poses.origin_front_left_hip_y
+        - minus_articulated_front_left_hip_hxx;
+    let wrench_outside_front_left_hip_fy = minus_articulated_front_left_hip_myz
+        * poses.origin_front_left_hip_y
+        - articulated_front_left_hip_myy * poses.minus_origin_front_left_hip_z
+        - minus_articulated_front_left_hip_hxy;
+    let wrench_outside_front_left_hip_fz = articulated_front_left_hip_hxz
+        + (minus_articulated_front_left_hip_myz * poses.minus_origin_front_left_hip_z
+            - articulated_front_left_hip_mzz * poses.origin_front_left_hip_y);
+    let inverse_pivot_front_left_hip_roll_d = 1.0
+        / (wrench_outside_front_left_hip_mx
+            - poses.minus_origin_front_left_hip_z * wrench_outside_front_left_hip_fy
+            - poses.origin_front_left_hip_y * wrench_outside_front_left_hip_fz);
+    let wrench_trunk_mx_13_0 = tau[0]
+        - (wrench_front_left_hip_mx
+            - poses.minus_origin_front_left_hip_z * wrench_front_left_hip_fy
+            - poses.origin_front_left_hip_y * wrench_front_left_hip_fz);
+    let wrench_trunk_mx_13 = wrench_trunk_mx_13_0 * inverse_pivot_front_left_hip_roll_d;
+    let wrench_trunk_mx = wrench_hind_right_hip_mx
+        + wrench_outside_hind_right_hip_mx * wrench_trunk_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_mx_0_0_0_1_0
+            + wrench_trunk_mx_4)
+        + (wrench_hind_left_hip_mx + wrench_outside_hind_left_hip_mx * wrench_trunk_mx_7)
+        + (wrench_front_right_hip_mx
+            + wrench_outside_front_right_hip_mx * wrench_trunk_mx_10)
+        + (wrench_front_left_hip_mx
+            + wrench_outside_front_left_hip_mx * wrench_trunk_mx_13);
+    let wrench_trunk_my = wrench_hind_right_hip_my
+        + wrench_outside_hind_right_hip_my * wrench_trunk_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_my_0_0_0_1_0
+            + wrench_trunk_my_4)
+        + (wrench_hind_left_hip_my + wrench_outside_hind_left_hip_my * wrench_trunk_mx_7)
+        + (wrench_front_right_hip_my
+            + wrench_outside_front_right_hip_my * wrench_trunk_mx_10)
+        + (wrench_front_left_hip_my
+            + wrench_outside_front_left_hip_my * wrench_trunk_mx_13);
+    let wrench_trunk_mz = wrench_hind_right_hip_mz
+        + wrench_outside_hind_right_hip_mz * wrench_trunk_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_mz_0_0_0_1_0
+            + wrench_trunk_mz_4)
+        + (wrench_hind_left_hip_mz + wrench_outside_hind_left_hip_mz * wrench_trunk_mx_7)
+        + (wrench_front_right_hip_mz
+            + wrench_outside_front_right_hip_mz * wrench_trunk_mx_10)
+        + (wrench_front_left_hip_mz
+            + wrench_outside_front_left_hip_mz * wrench_trunk_mx_13);
+    let wrench_trunk_fx = wrench_hind_right_hip_fx
+        + wrench_outside_hind_right_hip_fx * wrench_trunk_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_fx_0_0_0_1_0
+            + base_wrench[3])
+        + (wrench_hind_left_hip_fx + wrench_outside_hind_left_hip_fx * wrench_trunk_mx_7)
+        + (wrench_front_right_hip_fx
+            + wrench_outside_front_right_hip_fx * wrench_trunk_mx_10)
+        + (wrench_front_left_hip_fx
+            + wrench_outside_front_left_hip_fx * wrench_trunk_mx_13);
+    let wrench_trunk_fy = wrench_hind_right_hip_fy
+        + wrench_outside_hind_right_hip_fy * wrench_trunk_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_fy_0_0_0_1_0
+            + base_wrench[4])
+        + (wrench_hind_left_hip_fy
+            - minus_wrench_outside_hind_left_hip_fy * wrench_trunk_mx_7)
+        + (wrench_front_right_hip_fy
+            + wrench_outside_front_right_hip_fy * wrench_trunk_mx_10)
+        + (wrench_front_left_hip_fy
+            + wrench_outside_front_left_hip_fy * wrench_trunk_mx_13);
+    let wrench_trunk_fz = wrench_hind_right_hip_fz
+        + wrench_outside_hind_right_hip_fz * wrench_trunk_mx_2
+        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_fz_0_0_0_1_0
+            + base_wrench[5])
+        + (wrench_hind_left_hip_fz + wrench_outside_hind_left_hip_fz * wrench_trunk_mx_7)
+        + (wrench_front_right_hip_fz
+            + wrench_outside_front_right_hip_fz * wrench_trunk_mx_10)
+        + (wrench_front_left_hip_fz
+            + wrench_outside_front_left_hip_fz * wrench_trunk_mx_13);
+    let articulated_trunk_jxx_11 = wrench_outside_front_left_hip_mx
+        * inverse_pivot_front_left_hip_roll_d;
+    let articulated_trunk_jyy_11 = wrench_outside_front_left_hip_my
+        * inverse_pivot_front_left_hip_roll_d;
+    let articulated_trunk_jzz_11 = wrench_outside_front_left_hip_mz
+        * inverse_pivot_front_left_hip_roll_d;
+    let articulated_trunk_mxx_11 = wrench_outside_front_left_hip_fx
+        * inverse_pivot_front_left_hip_roll_d;
+    let articulated_trunk_myy_11 = wrench_outside_front_left_hip_fy
+        * inverse_pivot_front_left_hip_roll_d;
+    let articulated_trunk_jxx = inertias.inertia_trunk_xx
+        + (articulated_hind_right_hip_jxx
+            - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_mx)
+        + (articulated_hind_left_hip_jxx
+            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_mx)
+        + (articulated_front_right_hip_jxx
+            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_mx)
+        + (articulated_front_left_hip_jxx
+            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_mx);
+    let articulated_trunk_jxy = articulated_hind_right_hip_jxy
+        - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_my
+        - inertias.minus_inertia_trunk_xy
+        + (articulated_hind_left_hip_jxy
+            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_my)
+        + (articulated_front_right_hip_jxy
+            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_my)
+        + (articulated_front_left_hip_jxy
+            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_my);
+    let articulated_trunk_jxz = articulated_hind_right_hip_jxz
+        - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_mz
+        - inertias.minus_inertia_trunk_xz
+        + (articulated_hind_left_hip_jxz
+            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_mz)
+        + (articulated_front_right_hip_jxz
+            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_mz)
+        + (articulated_front_left_hip_jxz
+            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_mz);
+    let articulated_trunk_jyy = inertias.inertia_trunk_yy
+        + (articulated_hind_right_hip_jyy
+            - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_my)
+        + (articulated_hind_left_hip_jyy
+            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_my)
+        + (articulated_front_right_hip_jyy
+            - articulated_trunk_jyy_8 * wrench_outside_front_right_hip_my)
+        + (articulated_front_left_hip_jyy
+            - articulated_trunk_jyy_11 * wrench_outside_front_left_hip_my);
+    let articulated_trunk_jyz = articulated_hind_right_hip_jyz
+        - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_mz
+        - inertias.minus_inertia_trunk_yz
+        + (articulated_hind_left_hip_jyz
+            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_mz)
+        + (articulated_front_right_hip_jyz
+            - articulated_trunk_jyy_8 * wrench_outside_front_right_hip_mz)
+        + (articulated_front_left_hip_jyz
+            - articulated_trunk_jyy_11 * wrench_outside_front_left_hip_mz);
+    let articulated_trunk_jzz = inertias.inertia_trunk_zz
+        + (articulated_hind_right_hip_jzz
+            - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_mz)
+        + (articulated_hind_left_hip_jzz
+            - articulated_trunk_jzz_5 * wrench_outside_hind_left_hip_mz)
+        + (articulated_front_right_hip_jzz
+            - articulated_trunk_jzz_8 * wrench_outside_front_right_hip_mz)
+        + (articulated_front_left_hip_jzz
+            - articulated_trunk_jzz_11 * wrench_outside_front_left_hip_mz);
+    let minus_articulated_trunk_hxx = minus_articulated_hind_right_hip_hxx
+        + articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_fx
+        + (minus_articulated_hind_left_hip_hxx
+            + articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_fx)
+        + (minus_articulated_front_right_hip_hxx
+            + articulated_trunk_jxx_8 * wrench_outside_front_right_hip_fx)
+        + (minus_articulated_front_left_hip_hxx
+            + articulated_trunk_jxx_11 * wrench_outside_front_left_hip_fx);
+    let articulated_trunk_hyx = articulated_hind_right_hip_hyx
+        - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_fx
+        - inertias.minus_inertia_trunk_hz
+        + (articulated_hind_left_hip_hyx
+            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_fx)
+        + (articulated_front_right_hip_hyx
+            - articulated_trunk_jyy_8 * wrench_outside_front_right_hip_fx)
+        + (articulated_front_left_hip_hyx
+            - articulated_trunk_jyy_11 * wrench_outside_front_left_hip_fx);
+    let articulated_trunk_hzx = inertias.minus_inertia_trunk_hy
+        + (articulated_hind_right_hip_hzx
+            - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_fx)
+        - (minus_articulated_hind_left_hip_hzx
+            + articulated_trunk_jzz_5 * wrench_outside_hind_left_hip_fx)
+        + (articulated_front_right_hip_hzx
+            - articulated_trunk_jzz_8 * wrench_outside_front_right_hip_fx)
+        - (minus_articulated_front_left_hip_hzx
+            + articulated_trunk_jzz_11 * wrench_outside_front_left_hip_fx);
+    let articulated_trunk_hxy = inertias.minus_inertia_trunk_hz
+        + (articulated_hind_right_hip_hxy
+            - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_fy)
+        + (articulated_trunk_jxx_5 * minus_wrench_outside_hind_left_hip_fy
+            - minus_articulated_hind_left_hip_hxy)
+        + (articulated_front_right_hip_hxy
+            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_fy)
+        - (minus_articulated_front_left_hip_hxy
+            + articulated_trunk_jxx_11 * wrench_outside_front_left_hip_fy);
+    let articulated_trunk_hyy = articulated_trunk_jyy_5
+        * minus_wrench_outside_hind_left_hip_fy - minus_articulated_hind_left_hip_hyy
+        - (minus_articulated_hind_right_hip_hyy
+            + articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_fy)
+        - (minus_articulated_front_right_hip_hyy
+            + articulated_trunk_jyy_8 * wrench_outside_front_right_hip_fy)
+        - (minus_articulated_front_left_hip_hyy
+            + articulated_trunk_jyy_11 * wrench_outside_front_left_hip_fy);
+    let articulated_trunk_hzy = articulated_hind_right_hip_hzy
+        - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_fy
+        - inertias.minus_inertia_trunk_hx
+        + (articulated_hind_left_hip_hzy
+            + articulated_trunk_jzz_5 * minus_wrench_outside_hind_left_hip_fy)
+        + (articulated_front_right_hip_hzy
+            - articulated_trunk_jzz_8 * wrench_outside_front_right_hip_fy)
+        + (articulated_front_left_hip_hzy
+            - articulated_trunk_jzz_11 * wrench_outside_front_left_hip_fy);
+    let articulated_trunk_hxz = articulated_hind_right_hip_hxz
+        - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_fz
+        - inertias.minus_inertia_trunk_hy
+        + (articulated_hind_left_hip_hxz
+            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_fz)
+        + (articulated_front_right_hip_hxz
+            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_fz)
+        + (articulated_front_left_hip_hxz
+            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_fz);
+    let articulated_trunk_hyz = inertias.minus_inertia_trunk_hx
+        + (articulated_hind_right_hip_hyz
+            - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_fz)
+        + (articulated_hind_left_hip_hyz
+            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_fz)
+        - (minus_articulated_front_right_hip_hyz
+            + articulated_trunk_jyy_8 * wrench_outside_front_right_hip_fz)
+        - (minus_articulated_front_left_hip_hyz
+            + articulated_trunk_jyy_11 * wrench_outside_front_left_hip_fz);
+    let articulated_trunk_hzz = articulated_hind_right_hip_hzz
+        - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_fz
+        + (articulated_hind_left_hip_hzz
+            - articulated_trunk_jzz_5 * wrench_outside_hind_left_hip_fz)
+        - (minus_articulated_front_right_hip_hzz
+            + articulated_trunk_jzz_8 * wrench_outside_front_right_hip_fz)
+        - (minus_articulated_front_left_hip_hzz
+            + articulated_trunk_jzz_11 * wrench_outside_front_left_hip_fz);
+    let articulated_trunk_mxx = 12.0
+        + (articulated_hind_right_hip_mxx
+            - articulated_trunk_mxx_2 * wrench_outside_hind_right_hip_fx)
+        + (articulated_hind_left_hip_mxx
+            - articulated_trunk_mxx_5 * wrench_outside_hind_left_hip_fx)
+        + (articulated_front_right_hip_mxx
+            - articulated_trunk_mxx_8 * wrench_outside_front_right_hip_fx)
+        + (articulated_front_left_hip_mxx
+            - articulated_trunk_mxx_11 * wrench_outside_front_left_hip_fx);
+    let articulated_trunk_mxy = articulated_trunk_mxx_5
+        * minus_wrench_outside_hind_left_hip_fy - minus_articulated_hind_left_hip_mxy
+        - (minus_articulated_hind_right_hip_mxy
+            + articulated_trunk_mxx_2 * wrench_outside_hind_right_hip_fy)
+        - (minus_articulated_front_right_hip_mxy
+            + articulated_trunk_mxx_8 * wrench_outside_front_right_hip_fy)
+        - (minus_articulated_front_left_hip_mxy
+            + articulated_trunk_mxx_11 * wrench_outside_front_left_hip_fy);
+    let articulated_trunk_mxz = articulated_hind_right_hip_mxz
+        - articulated_trunk_mxx_2 * wrench_outside_hind_right_hip_fz
+        + (articulated_hind_left_hip_mxz
+            - articulated_trunk_mxx_5 * wrench_outside_hind_left_hip_fz)
+        - (minus_articulated_front_right_hip_mxz
+            + articulated_trunk_mxx_8 * wrench_outside_front_right_hip_fz)
+        - (minus_articulated_front_left_hip_mxz
+            + articulated_trunk_mxx_11 * wrench_outside_front_left_hip_fz);
+    let articulated_trunk_myy = 12.0
+        + (articulated_hind_right_hip_myy
+            - articulated_trunk_myy_2 * wrench_outside_hind_right_hip_fy)
+        + (articulated_hind_left_hip_myy
+            - articulated_trunk_myy_5 * minus_wrench_outside_hind_left_hip_fy)
+        + (articulated_front_right_hip_myy
+            - articulated_trunk_myy_8 * wrench_outside_front_right_hip_fy)
+        + (articulated_front_left_hip_myy
+            - articulated_trunk_myy_11 * wrench_outside_front_left_hip_fy);
+    let articulated_trunk_myz = articulated_hind_right_hip_myz
+        - articulated_trunk_myy_2 * wrench_outside_hind_right_hip_fz
+        + (articulated_hind_left_hip_myz
+            + articulated_trunk_myy_5 * wrench_outside_hind_left_hip_fz)
+        - (minus_articulated_front_right_hip_myz
+            + articulated_trunk_myy_8 * wrench_outside_front_right_hip_fz)
+        - (minus_articulated_front_left_hip_myz
+            + articulated_trunk_myy_11 * wrench_outside_front_left_hip_fz);
+    let articulated_trunk_mzz = 12.0
+        + (articulated_hind_right_hip_mzz
+            - wrench_outside_hind_right_hip_fz * inverse_pivot_hind_right_hip_roll_d
+                * wrench_outside_hind_right_hip_fz)
+        + (articulated_hind_left_hip_mzz
+            - wrench_outside_hind_left_hip_fz * inverse_pivot_hind_left_hip_roll_d
+                * wrench_outside_hind_left_hip_fz)
+        + (articulated_front_right_hip_mzz
+            - wrench_outside_front_right_hip_fz * inverse_pivot_front_right_hip_roll_d
+                * wrench_outside_front_right_hip_fz)
+        + (articulated_front_left_hip_mzz
+            - wrench_outside_front_left_hip_fz * inverse_pivot_front_left_hip_roll_d
+                * wrench_outside_front_left_hip_fz);
+    let twist_trunk_wz_15 = 1.0 / articulated_trunk_mxx;
+    let twist_trunk_wz_16 = articulated_trunk_mxy * twist_trunk_wz_15;
+    let twist_trunk_wz_18 = articulated_trunk_mxz * twist_trunk_wz_15;
+    let twist_trunk_vy_1 = 1.0
+        / (articulated_trunk_myy - twist_trunk_wz_16 * articulated_trunk_mxy);
+    let twist_trunk_vz_9_0 = articulated_trunk_myz
+        - twist_trunk_wz_18 * articulated_trunk_mxy;
+    let twist_trunk_vz_9 = twist_trunk_vz_9_0 * twist_trunk_vy_1;
+    let twist_trunk_vz_11 = 1.0
+        / (articulated_trunk_mzz - twist_trunk_wz_18 * articulated_trunk_mxz
+            - twist_trunk_vz_9 * twist_trunk_vz_9_0);
+    let minus_twist_trunk_wx_2_0_4_3_3_4 = articulated_trunk_hxy
+        + twist_trunk_wz_16 * minus_articulated_trunk_hxx;
+    let minus_twist_trunk_wx_2_0_4_3_3 = (articulated_trunk_hxz
+        + twist_trunk_wz_18 * minus_articulated_trunk_hxx
+        - twist_trunk_vz_9 * minus_twist_trunk_wx_2_0_4_3_3_4) * twist_trunk_vz_11;
+    let minus_twist_trunk_wx_2_0_4_3 = minus_twist_trunk_wx_2_0_4_3_3_4
+        * twist_trunk_vy_1 - twist_trunk_vz_9 * minus_twist_trunk_wx_2_0_4_3_3;
+    let minus_twist_trunk_wx_2_0_4 = minus_articulated_trunk_hxx * twist_trunk_wz_15
+        + twist_trunk_wz_16 * minus_twist_trunk_wx_2_0_4_3
+        + twist_trunk_wz_18 * minus_twist_trunk_wx_2_0_4_3_3;
+    let twist_trunk_wy_1_3_3_3_4 = articulated_trunk_hyy
+        - twist_trunk_wz_16 * articulated_trunk_hyx;
+    let twist_trunk_wy_1_3_3_3 = (articulated_trunk_hyz
+        - twist_trunk_wz_18 * articulated_trunk_hyx
+        - twist_trunk_vz_9 * twist_trunk_wy_1_3_3_3_4) * twist_trunk_vz_11;
+    let twist_trunk_wy_1_3_3 = twist_trunk_wy_1_3_3_3_4 * twist_trunk_vy_1
+        - twist_trunk_vz_9 * twist_trunk_wy_1_3_3_3;
+    let twist_trunk_wy_1_3 = articulated_trunk_hyx * twist_trunk_wz_15
+        - twist_trunk_wz_16 * twist_trunk_wy_1_3_3
+        - twist_trunk_wz_18 * twist_trunk_wy_1_3_3_3;
+    let twist_trunk_wz_23_4 = articulated_trunk_hzy
+        - twist_trunk_wz_16 * articulated_trunk_hzx;
+    let twist_trunk_wz_23 = (articulated_trunk_hzz
+        - twist_trunk_wz_18 * articulated_trunk_hzx
+        - twist_trunk_vz_9 * twist_trunk_wz_23_4) * twist_trunk_vz_11;
+    let twist_trunk_wz_21 = twist_trunk_wz_23_4 * twist_trunk_vy_1
+        - twist_trunk_vz_9 * twist_trunk_wz_23;
+    let minus_twist_trunk_wx_2_0 = articulated_trunk_jxy
+        - (articulated_trunk_hyy * minus_twist_trunk_wx_2_0_4_3
+            - articulated_trunk_hyx * minus_twist_trunk_wx_2_0_4
+            + articulated_trunk_hyz * minus_twist_trunk_wx_2_0_4_3_3);
+    let twist_trunk_wz_25 = articulated_trunk_jxz
+        - (articulated_trunk_hzy * minus_twist_trunk_wx_2_0_4_3
+            - articulated_trunk_hzx * minus_twist_trunk_wx_2_0_4
+            + articulated_trunk_hzz * minus_twist_trunk_wx_2_0_4_3_3);
+    let minus_twist_trunk_wx_1 = 1.0
+        / (articulated_trunk_jxx
+            - (minus_articulated_trunk_hxx * minus_twist_trunk_wx_2_0_4
+                + articulated_trunk_hxy * minus_twist_trunk_wx_2_0_4_3
+                + articulated_trunk_hxz * minus_twist_trunk_wx_2_0_4_3_3));
+    let minus_twist_trunk_wx_2 = minus_twist_trunk_wx_2_0 * minus_twist_trunk_wx_1;
+    let twist_trunk_wz_24 = twist_trunk_wz_25 * minus_twist_trunk_wx_1;
+    let twist_trunk_wy_1 = 1.0
+        / (articulated_trunk_jyy
+            - (articulated_trunk_hyx * twist_trunk_wy_1_3
+                + articulated_trunk_hyy * twist_trunk_wy_1_3_3
+                + articulated_trunk_hyz * twist_trunk_wy_1_3_3_3)
+            - minus_twist_trunk_wx_2 * minus_twist_trunk_wx_2_0);
+    let twist_trunk_wz_27 = articulated_trunk_jyz
+        - (articulated_trunk_hzx * twist_trunk_wy_1_3
+            + articulated_trunk_hzy * twist_trunk_wy_1_3_3
+            + articulated_trunk_hzz * twist_trunk_wy_1_3_3_3)
+        - twist_trunk_wz_24 * minus_twist_trunk_wx_2_0;
+    let twist_trunk_wz_26 = twist_trunk_wz_27 * twist_trunk_wy_1;
+    let twist_trunk_wz_4_4 = twist_trunk_wz_16 * wrench_trunk_fx - wrench_trunk_fy;
+    let twist_trunk_wz_4 = (twist_trunk_wz_18 * wrench_trunk_fx - wrench_trunk_fz
+        - twist_trunk_vz_9 * twist_trunk_wz_4_4) * twist_trunk_vz_11;
+    let twist_trunk_wz_6 = twist_trunk_wz_4_4 * twist_trunk_vy_1
+        - twist_trunk_vz_9 * twist_trunk_wz_4;
+    let twist_trunk_wz_8 = wrench_trunk_fx * twist_trunk_wz_15
+        + twist_trunk_wz_16 * twist_trunk_wz_6 + twist_trunk_wz_18 * twist_trunk_wz_4;
+    let twist_trunk_wz_1 = wrench_trunk_mx
+        + (articulated_trunk_hxz * twist_trunk_wz_4
+            + (articulated_trunk_hxy * twist_trunk_wz_6
+                + minus_articulated_trunk_hxx * twist_trunk_wz_8));
+    let twist_trunk_wz_10 = minus_twist_trunk_wx_2 * twist_trunk_wz_1
+        - (wrench_trunk_my
+            + (articulated_trunk_hyz * twist_trunk_wz_4
+                + (articulated_trunk_hyy * twist_trunk_wz_6
+                    - articulated_trunk_hyx * twist_trunk_wz_8)));
+    let twist_trunk_wz = (twist_trunk_wz_24 * twist_trunk_wz_1
+        - (wrench_trunk_mz
+            + (articulated_trunk_hzz * twist_trunk_wz_4
+                + (articulated_trunk_hzy * twist_trunk_wz_6
+                    - articulated_trunk_hzx * twist_trunk_wz_8)))
+        - twist_trunk_wz_26 * twist_trunk_wz_10)
+        * (1.0
+            / (articulated_trunk_jzz
+                - (articulated_trunk_hzx
+                    * (articulated_trunk_hzx * twist_trunk_wz_15
+                        - twist_trunk_wz_16 * twist_trunk_wz_21
+                        - twist_trunk_wz_18 * twist_trunk_wz_23)
+                    + articulated_trunk_hzy * twist_trunk_wz_21
+                    + articulated_trunk_hzz * twist_trunk_wz_23)
+                - twist_trunk_wz_24 * twist_trunk_wz_25
+                - twist_trunk_wz_26 * twist_trunk_wz_27));
+    let twist_trunk_wy = twist_trunk_wz_10 * twist_trunk_wy_1
+        - twist_trunk_wz_26 * twist_trunk_wz;
+    let minus_twist_trunk_wx = twist_trunk_wz_1 * minus_twist_trunk_wx_1
+        + minus_twist_trunk_wx_2 * twist_trunk_wy + twist_trunk_wz_24 * twist_trunk_wz;
+    let twist_trunk_vz_1 = wrench_trunk_fx
+        + (minus_articulated_trunk_hxx * minus_twist_trunk_wx
+            + articulated_trunk_hyx * twist_trunk_wy
+            + articulated_trunk_hzx * twist_trunk_wz);
+    let twist_trunk_vz_10 = twist_trunk_wz_16 * twist_trunk_vz_1
+        - (wrench_trunk_fy
+            + (articulated_trunk_hyy * twist_trunk_wy
+                - articulated_trunk_hxy * minus_twist_trunk_wx
+                + articulated_trunk_hzy * twist_trunk_wz));
+    let twist_trunk_vz = (twist_trunk_wz_18 * twist_trunk_vz_1
+        - (wrench_trunk_fz
+            + (articulated_trunk_hyz * twist_trunk_wy
+                - articulated_trunk_hxz * minus_twist_trunk_wx
+                + articulated_trunk_hzz * twist_trunk_wz))
+        - twist_trunk_vz_9 * twist_trunk_vz_10) * twist_trunk_vz_11;
+    let twist_trunk_vy = twist_trunk_vz_10 * twist_trunk_vy_1
+        - twist_trunk_vz_9 * twist_trunk_vz;
+    let minus_twist_trunk_vx = twist_trunk_vz_1 * twist_trunk_wz_15
+        + twist_trunk_wz_16 * twist_trunk_vy + twist_trunk_wz_18 * twist_trunk_vz;
+    let twist_front_left_hip_wx_0 = (wrench_trunk_mx_13_0
+        - (twist_trunk_wy * wrench_outside_front_left_hip_my
+            - minus_twist_trunk_wx * wrench_outside_front_left_hip_mx
+            + twist_trunk_wz * wrench_outside_front_left_hip_mz
+            - minus_twist_trunk_vx * wrench_outside_front_left_hip_fx
+            + twist_trunk_vy * wrench_outside_front_left_hip_fy
+            + twist_trunk_vz * wrench_outside_front_left_hip_fz))
+        * inverse_pivot_front_left_hip_roll_d;
+    xi_dot[6] = twist_front_left_hip_wx_0 + 0.0;
+    let twist_front_left_hip_wx = twist_front_left_hip_wx_0 - minus_twist_trunk_wx;
+    let twist_front_left_hip_vy = twist_trunk_vy
+        - poses.minus_origin_front_left_hip_z * twist_front_left_hip_wx_0;
+    let twist_front_left_hip_vz = twist_trunk_vz
+        - poses.origin_front_left_hip_y * twist_front_left_hip_wx_0;
+    let twist_front_left_thigh_wy_2 = (wrench_front_left_hip_mx_11_0
+        - (twist_front_left_hip_wx * wrench_outside_front_left_thigh_mx
+            + twist_trunk_wy * wrench_outside_front_left_thigh_my
+            + twist_trunk_wz * wrench_outside_front_left_thigh_mz
+            - minus_twist_trunk_vx * wrench_outside_front_left_thigh_fx
+            + twist_front_left_hip_vy * wrench_outside_front_left_thigh_fy
+            + twist_front_left_hip_vz * wrench_outside_front_left_thigh_fz))
+        * inverse_pivot_front_left_hip_pitch_d;
+    xi_dot[7] = twist_front_left_thigh_wy_2 + 0.0;
+    let twist_front_left_thigh_wy = twist_trunk_wy
+        + poses.cos_front_left_hip_roll * twist_front_left_thigh_wy_2;
+    let twist_front_left_thigh_wz = twist_trunk_wz
+        + poses.sin_front_left_hip_roll * twist_front_left_thigh_wy_2;
+    let twist_front_left_thigh_vx = screws.screw_front_left_hip_pitch_vx
+        * twist_front_left_thigh_wy_2 - minus_twist_trunk_vx;
+    let twist_front_left_thigh_vy = twist_front_left_hip_vy
+        - screws.minus_screw_front_left_hip_pitch_vy * twist_front_left_thigh_wy_2;
+    let twist_front_left_thigh_vz = twist_front_left_hip_vz
+        + screws.screw_front_left_hip_pitch_vz * twist_front_left_thigh_wy_2;
+    xi_dot[8] = (wrench_front_left_thigh_mx_13_0
+        - (twist_front_left_hip_wx * screws.inside_front_left_knee_mx
+            + twist_front_left_thigh_wy * screws.inside_front_left_knee_my
+            + twist_front_left_thigh_wz * screws.inside_front_left_knee_mz
+            + twist_front_left_thigh_vx * screws.inside_front_left_knee_fx
+            + twist_front_left_thigh_vy * screws.inside_front_left_knee_fy
+            + twist_front_left_thigh_vz * screws.inside_front_left_knee_fz))
+        * inverse_pivot_front_left_knee_d + 0.0;
+    let twist_front_right_hip_wx_0 = (wrench_trunk_mx_10_0
+        - (twist_trunk_wy * wrench_outside_front_right_hip_my
+            - minus_twist_trunk_wx * wrench_outside_front_right_hip_mx
+            + twist_trunk_wz * wrench_outside_front_right_hip_mz
+            - minus_twist_trunk_vx * wrench_outside_front_right_hip_fx
+            + twist_trunk_vy * wrench_outside_front_right_hip_fy
+            + twist_trunk_vz * wrench_outside_front_right_hip_fz))
+        * inverse_pivot_front_right_hip_roll_d;
+    xi_dot[9] = twist_front_right_hip_wx_0 + 0.0;
+    let twist_front_right_hip_wx = twist_front_right_hip_wx_0 - minus_twist_trunk_wx;
+    let twist_front_right_hip_vy = twist_trunk_vy
+        - poses.minus_origin_front_left_hip_z * twist_front_right_hip_wx_0;
+    let twist_front_right_hip_vz = twist_trunk_vz
+        + poses.minus_origin_front_right_hip_y * twist_front_right_hip_wx_0;
+    let twist_front_right_thigh_wy_2 = (wrench_front_right_hip_mx_11_0
+        - (twist_front_right_hip_wx * wrench_outside_front_right_thigh_mx
+            + twist_trunk_wy * wrench_outside_front_right_thigh_my
+            + twist_trunk_wz * wrench_outside_front_right_thigh_mz
+            - minus_twist_trunk_vx * wrench_outside_front_right_thigh_fx
+            + twist_front_right_hip_vy * wrench_outside_front_right_thigh_fy
+            + twist_front_right_hip_vz * wrench_outside_front_right_thigh_fz))
+        * inverse_pivot_front_right_hip_pitch_d;
+    xi_dot[10] = twist_front_right_thigh_wy_2 + 0.0;
+    let twist_front_right_thigh_wy = twist_trunk_wy
+        + poses.cos_front_right_hip_roll * twist_front_right_thigh_wy_2;
+    let twist_front_right_thigh_wz = twist_trunk_wz
+        + poses.sin_front_right_hip_roll * twist_front_right_thigh_wy_2;
+    let twist_front_right_thigh_vx = screws.screw_front_right_hip_pitch_vx
+        * twist_front_right_thigh_wy_2 - minus_twist_trunk_vx;
+    let twist_front_right_thigh_vy = twist_front_right_hip_vy
+        - screws.minus_screw_front_right_hip_pitch_vy * twist_front_right_thigh_wy_2;
+    let twist_front_right_thigh_vz = twist_front_right_hip_vz
+        + screws.screw_front_right_hip_pitch_vz * twist_front_right_thigh_wy_2;
+    xi_dot[11] = (wrench_front_right_thigh_mx_13_0
+        - (twist_front_right_hip_wx * screws.inside_front_right_knee_mx
+            + twist_front_right_thigh_wy * screws.inside_front_right_knee_my
+            + twist_front_right_thigh_wz * screws.inside_front_right_knee_mz
+            + twist_front_right_thigh_vx * screws.inside_front_right_knee_fx
+            + twist_front_right_thigh_vy * screws.inside_front_right_knee_fy
+            + twist_front_right_thigh_vz * screws.inside_front_right_knee_fz))
+        * inverse_pivot_front_right_knee_d + 0.0;
+    let twist_hind_left_hip_wx_0 = (wrench_trunk_mx_7_0
+        - (twist_trunk_wy * wrench_outside_hind_left_hip_my
+            - minus_twist_trunk_wx * wrench_outside_hind_left_hip_mx
+            + twist_trunk_wz * wrench_outside_hind_left_hip_mz
+            - minus_twist_trunk_vx * wrench_outside_hind_left_hip_fx
+            - twist_trunk_vy * minus_wrench_outside_hind_left_hip_fy
+            + twist_trunk_vz * wrench_outside_hind_left_hip_fz))
+        * inverse_pivot_hind_left_hip_roll_d;
+    xi_dot[12] = twist_hind_left_hip_wx_0 + 0.0;
+    let twist_hind_left_hip_wx = twist_hind_left_hip_wx_0 - minus_twist_trunk_wx;
+    let twist_hind_left_hip_vy = twist_trunk_vy
+        - poses.minus_origin_front_left_hip_z * twist_hind_left_hip_wx_0;
+    let twist_hind_left_hip_vz = twist_trunk_vz
+        - poses.origin_front_left_hip_y * twist_hind_left_hip_wx_0;
+    let twist_hind_left_thigh_wy_2 = (wrench_hind_left_hip_mx_11_0
+        - (twist_hind_left_hip_wx * wrench_outside_hind_left_thigh_mx
+            + twist_trunk_wy * wrench_outside_hind_left_thigh_my
+            + twist_trunk_wz * wrench_outside_hind_left_thigh_mz
+            - minus_twist_trunk_vx * wrench_outside_hind_left_thigh_fx
+            + twist_hind_left_hip_vy * wrench_outside_hind_left_thigh_fy
+            + twist_hind_left_hip_vz * wrench_outside_hind_left_thigh_fz))
+        * inverse_pivot_hind_left_hip_pitch_d;
+    xi_dot[13] = twist_hind_left_thigh_wy_2 + 0.0;
+    let twist_hind_left_thigh_wy = twist_trunk_wy
+        + poses.cos_hind_left_hip_roll * twist_hind_left_thigh_wy_2;
+    let twist_hind_left_thigh_wz = twist_trunk_wz
+        + poses.sin_hind_left_hip_roll * twist_hind_left_thigh_wy_2;
+    let twist_hind_left_thigh_vx = screws.screw_hind_left_hip_pitch_vx
+        * twist_hind_left_thigh_wy_2 - minus_twist_trunk_vx;
+    let twist_hind_left_thigh_vy = twist_hind_left_hip_vy
+        + screws.screw_hind_left_hip_pitch_vy * twist_hind_left_thigh_wy_2;
+    let twist_hind_left_thigh_vz = twist_hind_left_hip_vz
+        - screws.minus_screw_hind_left_hip_pitch_vz * twist_hind_left_thigh_wy_2;
+    xi_dot[14] = (wrench_hind_left_thigh_mx_13_0
+        - (twist_hind_left_hip_wx * screws.inside_hind_left_knee_mx
+            + twist_hind_left_thigh_wy * screws.inside_hind_left_knee_my
+            + twist_hind_left_thigh_wz * screws.inside_hind_left_knee_mz
+            + twist_hind_left_thigh_vx * screws.inside_hind_left_knee_fx
+            + twist_hind_left_thigh_vy * screws.inside_hind_left_knee_fy
+            - twist_hind_left_thigh_vz * screws.minus_inside_hind_left_knee_fz))
+        * inverse_pivot_hind_left_knee_d + 0.0;
+    let twist_hind_right_hip_wx_0 = (wrench_trunk_mx_2_0
+        - (twist_trunk_wy * wrench_outside_hind_right_hip_my
+            - minus_twist_trunk_wx * wrench_outside_hind_right_hip_mx
+            + twist_trunk_wz * wrench_outside_hind_right_hip_mz
+            - minus_twist_trunk_vx * wrench_outside_hind_right_hip_fx
+            + twist_trunk_vy * wrench_outside_hind_right_hip_fy
+            + twist_trunk_vz * wrench_outside_hind_right_hip_fz))
+        * inverse_pivot_hind_right_hip_roll_d;
+    xi_dot[15] = twist_hind_right_hip_wx_0 + 0.0;
+    let twist_hind_right_hip_wx = twist_hind_right_hip_wx_0 - minus_twist_trunk_wx;
+    let twist_hind_right_hip_vy = twist_trunk_vy
+        - poses.minus_origin_front_left_hip_z * twist_hind_right_hip_wx_0;
+    let twist_hind_right_hip_vz = twist_trunk_vz
+        + poses.minus_origin_front_right_hip_y * twist_hind_right_hip_wx_0;
+    let twist_hind_right_thigh_wy_2 = (wrench_hind_right_hip_mx_11_0
+        - (twist_hind_right_hip_wx * wrench_outside_hind_right_thigh_mx
+            + twist_trunk_wy * wrench_outside_hind_right_thigh_my
+            + twist_trunk_wz * wrench_outside_hind_right_thigh_mz
+            - minus_twist_trunk_vx * wrench_outside_hind_right_thigh_fx
+            + twist_hind_right_hip_vy * wrench_outside_hind_right_thigh_fy
+            + twist_hind_right_hip_vz * wrench_outside_hind_right_thigh_fz))
+        * inverse_pivot_hind_right_hip_pitch_d;
+    xi_dot[16] = twist_hind_right_thigh_wy_2 + 0.0;
+    let twist_hind_right_thigh_wy = twist_trunk_wy
+        + poses.cos_hind_right_hip_roll * twist_hind_right_thigh_wy_2;
+    let twist_hind_right_thigh_wz = twist_trunk_wz
+        + poses.sin_hind_right_hip_roll * twist_hind_right_thigh_wy_2;
+    let twist_hind_right_thigh_vx = screws.screw_hind_right_hip_pitch_vx
+        * twist_hind_right_thigh_wy_2 - minus_twist_trunk_vx;
+    let twist_hind_right_thigh_vy = twist_hind_right_hip_vy
+        + screws.screw_hind_right_hip_pitch_vy * twist_hind_right_thigh_wy_2;
+    let twist_hind_right_thigh_vz = twist_hind_right_hip_vz
+        - screws.minus_screw_hind_right_hip_pitch_vz * twist_hind_right_thigh_wy_2;
+    xi_dot[17] = (wrench_hind_right_thigh_mx_13_0
+        - (twist_hind_right_hip_wx * screws.inside_hind_right_knee_mx
+            + twist_hind_right_thigh_wy * screws.inside_hind_right_knee_my
+            + twist_hind_right_thigh_wz * screws.inside_hind_right_knee_mz
+            + twist_hind_right_thigh_vx * screws.inside_hind_right_knee_fx
+            + twist_hind_right_thigh_vy * screws.inside_hind_right_knee_fy
+            - twist_hind_right_thigh_vz * screws.minus_inside_hind_right_knee_fz))
+        * inverse_pivot_hind_right_knee_d + 0.0;
+}
 /// The block-diagonal inertia diag(Λ_b, Λ_q) and the connection A_l = Λ_b⁻¹ M_bq.
 ///
 /// - `q`: shape (12; rad, m)
@@ -33395,25 +35964,7 @@ pub fn base_twist(
     let complements = complements(&poses, &inertias);
     let screws = screws(&poses, &inertias, &complements);
     let velocities = velocities(qd, &poses, &screws);
-    // V₁
-    base_twist[0] = mu[0] - velocities.minus_velocity_trunk_wx + 0.0;
-    base_twist[1] = mu[1] - velocities.minus_velocity_trunk_wy + 0.0;
-    base_twist[2] = mu[2] - velocities.minus_velocity_trunk_wz + 0.0;
-    let base_twist_3_4 = poses.com_y - 0.003;
-    let base_twist_3_2 = poses.com_z + 0.004;
-    base_twist[3] = mu[3]
-        + (velocities.minus_velocity_trunk_wy * base_twist_3_2
-            - velocities.minus_velocity_trunk_wz * base_twist_3_4
-            - velocities.minus_velocity_trunk_vx) + 0.0;
-    let base_twist_4_3 = poses.com_x + 0.008;
-    base_twist[4] = mu[4]
-        + (velocities.velocity_trunk_vy
-            + (velocities.minus_velocity_trunk_wz * base_twist_4_3
-                - velocities.minus_velocity_trunk_wx * base_twist_3_2)) + 0.0;
-    base_twist[5] = mu[5]
-        + (velocities.velocity_trunk_vz
-            + (velocities.minus_velocity_trunk_wx * base_twist_3_4
-                - velocities.minus_velocity_trunk_wy * base_twist_4_3)) + 0.0;
+    base_twist_itself(mu, &poses, &velocities, base_twist);
 }
 /// ½ μᵀ Λ_b μ + ½ q̇ᵀ Λ_q q̇.
 ///
@@ -33824,2506 +36375,72 @@ pub fn forward_dynamics(
         &screws,
         &velocities,
     );
-    let xi_dot_0_3_3_21_19_4_0_2 = poses.com_x + 0.008;
-    let xi_dot_0_3_3_21_6_0_4 = poses.com_y - 0.003;
-    let xi_dot_0_3_3_21_6_0_2 = poses.com_z + 0.004;
-    let xi_dot_0_3_3_21_2 = inertias.composite_trunk_xx * mu[0]
-        + inertias.composite_trunk_xy * mu[1] + inertias.composite_trunk_xz * mu[2];
-    let xi_dot_0_3_3_21_19_0 = inertias.composite_trunk_xy * mu[0]
-        + inertias.composite_trunk_yy * mu[1] + inertias.composite_trunk_yz * mu[2];
-    let xi_dot_0_3_3_21_19_2 = inertias.composite_trunk_xz * mu[0]
-        + inertias.composite_trunk_yz * mu[1] + inertias.composite_trunk_zz * mu[2];
-    let xi_dot_0_3_3_21_6_0 = mu[3]
-        + (mu[1] * xi_dot_0_3_3_21_6_0_2 - mu[2] * xi_dot_0_3_3_21_6_0_4);
-    let xi_dot_0_3_3_21_19_4_0 = mu[4]
-        + (mu[2] * xi_dot_0_3_3_21_19_4_0_2 - mu[0] * xi_dot_0_3_3_21_6_0_2);
-    let xi_dot_0_3_3_21_19_6_0 = mu[5]
-        + (mu[0] * xi_dot_0_3_3_21_6_0_4 - mu[1] * xi_dot_0_3_3_21_19_4_0_2);
-    let xi_dot_0_3_3_21_6 = xi_dot_0_3_3_21_6_0 * 20.519999999999996;
-    let xi_dot_0_3_3_21_19_4 = xi_dot_0_3_3_21_19_4_0 * 20.519999999999996;
-    let xi_dot_0_3_3_21_19_6 = xi_dot_0_3_3_21_19_6_0 * 20.519999999999996;
-    let xi_dot_0_3_3_21_19_9 = common_d_mu_and_7_more.three_front_left_hip_pitch_x_0_1_0
-        * qd[1] - screws.inside_front_left_hip_roll_mz * qd[0]
-        + common_d_mu_and_7_more.three_front_left_knee_x_0_1_0 * qd[2]
-        - screws.inside_front_right_hip_roll_mz * qd[3]
-        + common_d_mu_and_7_more.three_front_right_hip_pitch_x_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_front_right_knee_x_0_1_0 * qd[5]
-        - screws.inside_hind_left_hip_roll_mz * qd[6]
-        + common_d_mu_and_7_more.three_hind_left_hip_pitch_x_0_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_hind_left_knee_x_0_1_0 * qd[8]
-        - screws.inside_hind_right_hip_roll_mz * qd[9]
-        + common_d_mu_and_7_more.three_hind_right_hip_pitch_x_0_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_hind_right_knee_x_0_1_0 * qd[11];
-    let xi_dot_0_3_3_21_19_11 = screws.inside_front_left_hip_roll_my * qd[0]
-        + common_d_mu_and_7_more.three_front_left_hip_pitch_x_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_front_left_knee_x_1_0 * qd[2]
-        + screws.inside_front_right_hip_roll_my * qd[3]
-        + common_d_mu_and_7_more.three_front_right_hip_pitch_x_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_front_right_knee_x_1_0 * qd[5]
-        + screws.inside_hind_left_hip_roll_my * qd[6]
-        + common_d_mu_and_7_more.three_hind_left_hip_pitch_x_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_hind_left_knee_x_1_0 * qd[8]
-        + screws.inside_hind_right_hip_roll_my * qd[9]
-        + common_d_mu_and_7_more.three_hind_right_hip_pitch_x_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_hind_right_knee_x_1_0 * qd[11];
-    let xi_dot_0_3_3_21_11 = common_d_mu_and_7_more.three_front_left_hip_roll_y_0_0
-        * qd[0] + common_d_mu_and_7_more.three_front_left_hip_pitch_y_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_front_left_knee_y_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_front_right_hip_roll_y_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_front_right_hip_pitch_y_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_front_right_knee_y_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_hind_left_hip_roll_y_0_0 * qd[6]
-        + common_d_mu_and_7_more.three_hind_left_hip_pitch_y_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_hind_left_knee_y_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_hind_right_hip_roll_y_1_0 * qd[9]
-        + common_d_mu_and_7_more.three_hind_right_hip_pitch_y_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_hind_right_knee_y_1_0 * qd[11];
-    let xi_dot_0_3_3_21_15 = velocities.minus_velocity_trunk_vx * 20.519999999999996;
-    let xi_dot_0_3_3_21_19_15 = velocities.velocity_trunk_vy * 20.519999999999996;
-    let xi_dot_0_3_3_21_19_13 = velocities.velocity_trunk_vz * 20.519999999999996;
-    let xi_dot_0_3_3_21_1 = mu[0] - velocities.minus_velocity_trunk_wx;
-    let xi_dot_0_3_3_21_19_3 = mu[1] - velocities.minus_velocity_trunk_wy;
-    let xi_dot_0_3_3_21_19_1 = mu[2] - velocities.minus_velocity_trunk_wz;
-    let xi_dot_0_3_3_21_19_8 = (common_d_mu_and_7_more.three_front_left_hip_pitch_x_0_0_0
-        * qd[1] - common_d_mu_and_7_more.three_front_left_hip_roll_x_1_0_0 * qd[0]
-        + common_d_mu_and_7_more.three_front_left_knee_x_0_0_0 * qd[2]
-        + common_d_mu_and_7_more.three_front_right_hip_roll_x_0_0_0 * qd[3]
-        + common_d_mu_and_7_more.three_front_right_hip_pitch_x_0_0_0 * qd[4]
-        + common_d_mu_and_7_more.three_front_right_knee_x_0_0_0 * qd[5]
-        - common_d_mu_and_7_more.three_hind_left_hip_roll_x_1_0_0 * qd[6]
-        + common_d_mu_and_7_more.three_hind_left_hip_pitch_x_0_0_0 * qd[7]
-        + common_d_mu_and_7_more.three_hind_left_knee_x_0_0_0 * qd[8]
-        + common_d_mu_and_7_more.three_hind_right_hip_roll_x_0_0_0 * qd[9]
-        + common_d_mu_and_7_more.three_hind_right_hip_pitch_x_0_0_0 * qd[10]
-        + common_d_mu_and_7_more.three_hind_right_knee_x_0_0_0 * qd[11]) * mu[0];
-    let xi_dot_0_3_3_21_10 = (common_d_mu_and_7_more.three_front_left_hip_pitch_y_0_1_0
-        * qd[1] - common_d_mu_and_7_more.three_front_left_hip_roll_y_1_1_0 * qd[0]
-        + common_d_mu_and_7_more.three_front_left_knee_y_0_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_front_right_hip_roll_y_0_0_0 * qd[3]
-        + common_d_mu_and_7_more.three_front_right_hip_pitch_y_0_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_front_right_knee_y_0_1_0 * qd[5]
-        - common_d_mu_and_7_more.three_hind_left_hip_roll_y_1_1_0 * qd[6]
-        + common_d_mu_and_7_more.three_hind_left_hip_pitch_y_0_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_hind_left_knee_y_0_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_hind_right_hip_roll_y_0_0_0 * qd[9]
-        + common_d_mu_and_7_more.three_hind_right_hip_pitch_y_0_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_hind_right_knee_y_0_1_0 * qd[11]) * mu[1];
-    let xi_dot_0_3_3_12 = (common_d_mu_and_7_more.three_front_left_hip_roll_z_1_0 * qd[0]
-        + common_d_mu_and_7_more.three_front_left_hip_pitch_z_1_0 * qd[1]
-        + common_d_mu_and_7_more.three_front_left_knee_z_1_0 * qd[2]
-        + common_d_mu_and_7_more.three_front_right_hip_roll_z_1_0 * qd[3]
-        + common_d_mu_and_7_more.three_front_right_hip_pitch_z_1_0 * qd[4]
-        + common_d_mu_and_7_more.three_front_right_knee_z_1_0 * qd[5]
-        + common_d_mu_and_7_more.three_hind_left_hip_roll_z_1_0 * qd[6]
-        + common_d_mu_and_7_more.three_hind_left_hip_pitch_z_1_0 * qd[7]
-        + common_d_mu_and_7_more.three_hind_left_knee_z_1_0 * qd[8]
-        + common_d_mu_and_7_more.three_hind_right_hip_roll_z_1_0 * qd[9]
-        + common_d_mu_and_7_more.three_hind_right_hip_pitch_z_1_0 * qd[10]
-        + common_d_mu_and_7_more.three_hind_right_knee_z_1_0 * qd[11]) * mu[2];
-    let wrench_trunk_mx_4 = base_wrench[0]
-        + (base_wrench[4] * xi_dot_0_3_3_21_6_0_2
-            - base_wrench[5] * xi_dot_0_3_3_21_6_0_4);
-    let wrench_trunk_my_4 = base_wrench[1]
-        + (base_wrench[5] * xi_dot_0_3_3_21_19_4_0_2
-            - base_wrench[3] * xi_dot_0_3_3_21_6_0_2);
-    let wrench_trunk_mz_4 = base_wrench[2]
-        + (base_wrench[3] * xi_dot_0_3_3_21_6_0_4
-            - base_wrench[4] * xi_dot_0_3_3_21_19_4_0_2);
-    let xi_dot_0_3_3_21_19 = xi_dot_0_3_3_21_19_0 * xi_dot_0_3_3_21_19_1
-        - xi_dot_0_3_3_21_19_2 * xi_dot_0_3_3_21_19_3
-        + (xi_dot_0_3_3_21_19_4 * velocities.velocity_trunk_vz
-            - xi_dot_0_3_3_21_19_6 * velocities.velocity_trunk_vy)
-        - (xi_dot_0_3_3_21_19_8 + xi_dot_0_3_3_21_19_9 * mu[1]
-            + xi_dot_0_3_3_21_19_11 * mu[2]
-            + (xi_dot_0_3_3_21_19_13 * xi_dot_0_3_3_21_19_4_0
-                - xi_dot_0_3_3_21_19_15 * xi_dot_0_3_3_21_19_6_0)) + wrench_trunk_mx_4;
-    let xi_dot_0_3_3_21 = xi_dot_0_3_3_21_19_2 * xi_dot_0_3_3_21_1
-        - xi_dot_0_3_3_21_2 * xi_dot_0_3_3_21_19_1
-        - (xi_dot_0_3_3_21_19_6 * velocities.minus_velocity_trunk_vx
-            + xi_dot_0_3_3_21_6 * velocities.velocity_trunk_vz)
-        - (xi_dot_0_3_3_21_19_9 * mu[0] + xi_dot_0_3_3_21_10 + xi_dot_0_3_3_21_11 * mu[2]
-            - (xi_dot_0_3_3_21_19_13 * xi_dot_0_3_3_21_6_0
-                + xi_dot_0_3_3_21_15 * xi_dot_0_3_3_21_19_6_0)) + wrench_trunk_my_4
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3_3_21_19;
-    let xi_dot_0_3_3 = (xi_dot_0_3_3_21_2 * xi_dot_0_3_3_21_19_3
-        - xi_dot_0_3_3_21_19_0 * xi_dot_0_3_3_21_1
-        + (xi_dot_0_3_3_21_6 * velocities.velocity_trunk_vy
-            + xi_dot_0_3_3_21_19_4 * velocities.minus_velocity_trunk_vx)
-        - (xi_dot_0_3_3_21_19_11 * mu[0] + xi_dot_0_3_3_21_11 * mu[1] + xi_dot_0_3_3_12
-            + (xi_dot_0_3_3_21_15 * xi_dot_0_3_3_21_19_4_0
-                + xi_dot_0_3_3_21_19_15 * xi_dot_0_3_3_21_6_0)) + wrench_trunk_mz_4
-        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3_21_19
-        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3_21)
-        * inertias.locked_inverse_pivot_z;
-    let xi_dot_0_3 = xi_dot_0_3_3_21 * inertias.locked_inverse_pivot_y
-        - inertias.locked_inverse_pivot_z_4 * xi_dot_0_3_3;
-    let xi_dot_0 = xi_dot_0_3_3_21_19 * inertias.locked_inverse_pivot_x
-        - inertias.locked_inverse_pivot_y_2 * xi_dot_0_3
-        - inertias.locked_inverse_pivot_z_2 * xi_dot_0_3_3;
-    // ξ\u{307} = [μ\u{307}; q\u{308}]
-    xi_dot[0] = xi_dot_0 + 0.0;
-    xi_dot[1] = xi_dot_0_3 + 0.0;
-    xi_dot[2] = xi_dot_0_3_3 + 0.0;
-    xi_dot[3] = (xi_dot_0_3_3_21_19_4 * xi_dot_0_3_3_21_19_1
-        - xi_dot_0_3_3_21_19_6 * xi_dot_0_3_3_21_19_3
-        - (mu[2] * xi_dot_0_3_3_21_19_15 - mu[1] * xi_dot_0_3_3_21_19_13)
-        + base_wrench[3]) * 0.048732943469785565
-        + (xi_dot_0_3_3 * xi_dot_0_3_3_21_6_0_4 - xi_dot_0_3 * xi_dot_0_3_3_21_6_0_2)
-        + gravity[0] + 0.0;
-    xi_dot[4] = (xi_dot_0_3_3_21_19_6 * xi_dot_0_3_3_21_1
-        - xi_dot_0_3_3_21_6 * xi_dot_0_3_3_21_19_1
-        - (mu[2] * xi_dot_0_3_3_21_15 + mu[0] * xi_dot_0_3_3_21_19_13) + base_wrench[4])
-        * 0.048732943469785565
-        + (xi_dot_0 * xi_dot_0_3_3_21_6_0_2 - xi_dot_0_3_3 * xi_dot_0_3_3_21_19_4_0_2)
-        + gravity[1] + 0.0;
-    xi_dot[5] = (xi_dot_0_3_3_21_6 * xi_dot_0_3_3_21_19_3
-        - xi_dot_0_3_3_21_19_4 * xi_dot_0_3_3_21_1
-        + (mu[0] * xi_dot_0_3_3_21_19_15 + mu[1] * xi_dot_0_3_3_21_15) + base_wrench[5])
-        * 0.048732943469785565
-        + (xi_dot_0_3 * xi_dot_0_3_3_21_19_4_0_2 - xi_dot_0 * xi_dot_0_3_3_21_6_0_4)
-        + gravity[2] + 0.0;
-    let wrench_front_left_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_mx_0_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_0_1_1_0_1;
-    let wrench_front_left_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_mx_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_1_1_0_1;
-    let wrench_front_left_thigh_my_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_my_0_1_0_1_0_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_my_0_1_0_1_0_1;
-    let wrench_front_left_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_mx_0_1_1_1_0_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_1_1_1_0_1;
-    let wrench_front_left_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_mx_0_1_0_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_1_0_1_0_1;
-    let wrench_front_left_shank_mx_1 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_mx_0_0_0_0_1_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_0_0_1_1;
-    let wrench_front_left_shank_mx_3 = wrench_front_left_thigh_mx_3
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_0_1_1_1;
-    let wrench_front_left_shank_mx_5 = wrench_front_left_thigh_mx_5
-        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_1_1_1;
-    let wrench_front_left_shank_my_7 = wrench_front_left_thigh_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_my_0_1_0_1_1;
-    let wrench_front_left_shank_mx_9 = wrench_front_left_thigh_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_1_1_1_1;
-    let wrench_front_left_shank_mx_7 = wrench_front_left_thigh_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_1_0_1_1;
-    let wrench_front_right_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_mx_0_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_1_1_0_1;
-    let wrench_front_right_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_mx_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_1_1_0_1;
-    let wrench_front_right_thigh_my_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_my_0_1_0_1_0_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_my_0_1_0_1_0_1;
-    let wrench_front_right_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_mx_0_1_1_1_0_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_1_1_1_0_1;
-    let wrench_front_right_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_mx_0_1_0_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_1_0_1_0_1;
-    let wrench_front_right_shank_mx_1 = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_mx_0_0_0_0_1_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_0_1_1;
-    let wrench_front_right_shank_mx_3 = wrench_front_right_thigh_mx_3
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_1_1_1;
-    let wrench_front_right_shank_mx_5 = wrench_front_right_thigh_mx_5
-        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_0_0_1_1_1;
-    let wrench_front_right_shank_my_7 = wrench_front_right_thigh_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_my_0_1_0_1_1;
-    let wrench_front_right_shank_mx_9 = wrench_front_right_thigh_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_0_1_1_1_1;
-    let wrench_front_right_shank_mx_7 = wrench_front_right_thigh_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_0_1_0_1_1;
-    let wrench_hind_left_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_hind_left_shank_mx_0_0_0_1_1_0_1;
-    let wrench_hind_left_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_mx_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_1_1_0_1;
-    let wrench_hind_left_thigh_my_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_my_0_1_0_1_0_0
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_my_0_1_0_1_0_1;
-    let wrench_hind_left_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_mx_0_1_1_1_0_0
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_1_1_0_1;
-    let wrench_hind_left_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_mx_0_1_0_1_0_0
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_0_1_0_1;
-    let wrench_hind_left_shank_mx_1 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_mx_0_0_0_0_1_0
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_1;
-    let wrench_hind_left_shank_mx_3 = wrench_hind_left_thigh_mx_3
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_1_1_1;
-    let wrench_hind_left_shank_mx_5 = wrench_hind_left_thigh_mx_5
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_1_1_1;
-    let wrench_hind_left_shank_my_7 = wrench_hind_left_thigh_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_my_0_1_0_1_1;
-    let wrench_hind_left_shank_mx_9 = wrench_hind_left_thigh_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_1_1_1;
-    let wrench_hind_left_shank_mx_7 = wrench_hind_left_thigh_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_0_1_1;
-    let wrench_hind_right_thigh_mx_3 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_0_1_1_0_1;
-    let wrench_hind_right_thigh_mx_5 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_mx_0_0_1_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_1_1_0_1;
-    let wrench_hind_right_thigh_my_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_my_0_1_0_1_0_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_my_0_1_0_1_0_1;
-    let wrench_hind_right_thigh_mx_9 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_mx_0_1_1_1_0_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_1_1_1_0_1;
-    let wrench_hind_right_thigh_mx_7 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_mx_0_1_0_1_0_0
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_1_0_1_0_1;
-    let wrench_hind_right_shank_mx_1 = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_mx_0_0_0_0_1_0
-        + common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_0_0_1_1;
-    let wrench_hind_right_shank_mx_3 = wrench_hind_right_thigh_mx_3
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_0_1_1_1;
-    let wrench_hind_right_shank_mx_5 = wrench_hind_right_thigh_mx_5
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_1_1_1;
-    let wrench_hind_right_shank_my_7 = wrench_hind_right_thigh_my_7
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_my_0_1_0_1_1;
-    let wrench_hind_right_shank_mx_9 = wrench_hind_right_thigh_mx_9
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_1_1_1;
-    let wrench_hind_right_shank_mx_7 = wrench_hind_right_thigh_mx_7
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_0_1_1;
-    let wrench_front_left_shank_mx = inertias.inertia_front_left_shank_xx
-        * wrench_front_left_shank_mx_1
-        + inertias.inertia_front_left_shank_xy * wrench_front_left_shank_mx_3
-        + inertias.inertia_front_left_shank_xz * wrench_front_left_shank_mx_5
-        + (inertias.inertia_front_left_shank_hy * wrench_front_left_shank_mx_7
-            - inertias.inertia_front_left_shank_hz * wrench_front_left_shank_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_1;
-    let wrench_front_left_shank_my = inertias.inertia_front_left_shank_xy
-        * wrench_front_left_shank_mx_1
-        + inertias.inertia_front_left_shank_yy * wrench_front_left_shank_mx_3
-        + inertias.inertia_front_left_shank_yz * wrench_front_left_shank_mx_5
-        + (inertias.inertia_front_left_shank_hz * wrench_front_left_shank_my_7
-            - inertias.inertia_front_left_shank_hx * wrench_front_left_shank_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_my_1;
-    let wrench_front_left_shank_mz = inertias.inertia_front_left_shank_xz
-        * wrench_front_left_shank_mx_1
-        + inertias.inertia_front_left_shank_yz * wrench_front_left_shank_mx_3
-        + inertias.inertia_front_left_shank_zz * wrench_front_left_shank_mx_5
-        + (inertias.inertia_front_left_shank_hx * wrench_front_left_shank_mx_9
-            - inertias.inertia_front_left_shank_hy * wrench_front_left_shank_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mz_1;
-    let wrench_front_left_shank_fx = wrench_front_left_shank_my_7 * 0.28
-        + (wrench_front_left_shank_mx_3 * inertias.inertia_front_left_shank_hz
-            - wrench_front_left_shank_mx_5 * inertias.inertia_front_left_shank_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_fx_1;
-    let wrench_front_left_shank_fy = wrench_front_left_shank_mx_9 * 0.28
-        + (wrench_front_left_shank_mx_5 * inertias.inertia_front_left_shank_hx
-            - wrench_front_left_shank_mx_1 * inertias.inertia_front_left_shank_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_fy_1;
-    let wrench_front_left_shank_fz = wrench_front_left_shank_mx_7 * 0.28
-        + (wrench_front_left_shank_mx_1 * inertias.inertia_front_left_shank_hy
-            - wrench_front_left_shank_mx_3 * inertias.inertia_front_left_shank_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_fz_1;
-    let wrench_front_right_shank_mx = inertias.inertia_front_right_shank_xx
-        * wrench_front_right_shank_mx_1
-        + inertias.inertia_front_right_shank_xy * wrench_front_right_shank_mx_3
-        + inertias.inertia_front_right_shank_xz * wrench_front_right_shank_mx_5
-        + (inertias.inertia_front_right_shank_hy * wrench_front_right_shank_mx_7
-            - inertias.inertia_front_right_shank_hz * wrench_front_right_shank_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mx_1;
-    let wrench_front_right_shank_my = inertias.inertia_front_right_shank_xy
-        * wrench_front_right_shank_mx_1
-        + inertias.inertia_front_right_shank_yy * wrench_front_right_shank_mx_3
-        + inertias.inertia_front_right_shank_yz * wrench_front_right_shank_mx_5
-        + (inertias.inertia_front_right_shank_hz * wrench_front_right_shank_my_7
-            - inertias.inertia_front_right_shank_hx * wrench_front_right_shank_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_my_1;
-    let wrench_front_right_shank_mz = inertias.inertia_front_right_shank_xz
-        * wrench_front_right_shank_mx_1
-        + inertias.inertia_front_right_shank_yz * wrench_front_right_shank_mx_3
-        + inertias.inertia_front_right_shank_zz * wrench_front_right_shank_mx_5
-        + (inertias.inertia_front_right_shank_hx * wrench_front_right_shank_mx_9
-            - inertias.inertia_front_right_shank_hy * wrench_front_right_shank_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_mz_1;
-    let wrench_front_right_shank_fx = wrench_front_right_shank_my_7 * 0.28
-        + (wrench_front_right_shank_mx_3 * inertias.inertia_front_right_shank_hz
-            - wrench_front_right_shank_mx_5 * inertias.inertia_front_right_shank_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_fx_1;
-    let wrench_front_right_shank_fy = wrench_front_right_shank_mx_9 * 0.28
-        + (wrench_front_right_shank_mx_5 * inertias.inertia_front_right_shank_hx
-            - wrench_front_right_shank_mx_1 * inertias.inertia_front_right_shank_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_fy_1;
-    let wrench_front_right_shank_fz = wrench_front_right_shank_mx_7 * 0.28
-        + (wrench_front_right_shank_mx_1 * inertias.inertia_front_right_shank_hy
-            - wrench_front_right_shank_mx_3 * inertias.inertia_front_right_shank_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_shank_fz_1;
-    let wrench_hind_left_shank_mx = inertias.inertia_hind_left_shank_xx
-        * wrench_hind_left_shank_mx_1
-        + inertias.inertia_hind_left_shank_xy * wrench_hind_left_shank_mx_3
-        + inertias.inertia_hind_left_shank_xz * wrench_hind_left_shank_mx_5
-        + (inertias.inertia_hind_left_shank_hy * wrench_hind_left_shank_mx_7
-            - inertias.inertia_hind_left_shank_hz * wrench_hind_left_shank_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_1;
-    let wrench_hind_left_shank_my = inertias.inertia_hind_left_shank_xy
-        * wrench_hind_left_shank_mx_1
-        + inertias.inertia_hind_left_shank_yy * wrench_hind_left_shank_mx_3
-        + inertias.inertia_hind_left_shank_yz * wrench_hind_left_shank_mx_5
-        + (inertias.inertia_hind_left_shank_hz * wrench_hind_left_shank_my_7
-            - inertias.inertia_hind_left_shank_hx * wrench_hind_left_shank_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_my_1;
-    let wrench_hind_left_shank_mz = inertias.inertia_hind_left_shank_xz
-        * wrench_hind_left_shank_mx_1
-        + inertias.inertia_hind_left_shank_yz * wrench_hind_left_shank_mx_3
-        + inertias.inertia_hind_left_shank_zz * wrench_hind_left_shank_mx_5
-        + (inertias.inertia_hind_left_shank_hx * wrench_hind_left_shank_mx_9
-            - inertias.inertia_hind_left_shank_hy * wrench_hind_left_shank_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mz_1;
-    let wrench_hind_left_shank_fx = wrench_hind_left_shank_my_7 * 0.28
-        + (wrench_hind_left_shank_mx_3 * inertias.inertia_hind_left_shank_hz
-            - wrench_hind_left_shank_mx_5 * inertias.inertia_hind_left_shank_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_fx_1;
-    let wrench_hind_left_shank_fy = wrench_hind_left_shank_mx_9 * 0.28
-        + (wrench_hind_left_shank_mx_5 * inertias.inertia_hind_left_shank_hx
-            - wrench_hind_left_shank_mx_1 * inertias.inertia_hind_left_shank_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_fy_1;
-    let wrench_hind_left_shank_fz = wrench_hind_left_shank_mx_7 * 0.28
-        + (wrench_hind_left_shank_mx_1 * inertias.inertia_hind_left_shank_hy
-            - wrench_hind_left_shank_mx_3 * inertias.inertia_hind_left_shank_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_fz_1;
-    let wrench_hind_right_shank_mx = inertias.inertia_hind_right_shank_xx
-        * wrench_hind_right_shank_mx_1
-        + inertias.inertia_hind_right_shank_xy * wrench_hind_right_shank_mx_3
-        + inertias.inertia_hind_right_shank_xz * wrench_hind_right_shank_mx_5
-        + (inertias.inertia_hind_right_shank_hy * wrench_hind_right_shank_mx_7
-            - inertias.inertia_hind_right_shank_hz * wrench_hind_right_shank_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_1;
-    let wrench_hind_right_shank_my = inertias.inertia_hind_right_shank_xy
-        * wrench_hind_right_shank_mx_1
-        + inertias.inertia_hind_right_shank_yy * wrench_hind_right_shank_mx_3
-        + inertias.inertia_hind_right_shank_yz * wrench_hind_right_shank_mx_5
-        + (inertias.inertia_hind_right_shank_hz * wrench_hind_right_shank_my_7
-            - inertias.inertia_hind_right_shank_hx * wrench_hind_right_shank_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_my_1;
-    let wrench_hind_right_shank_mz = inertias.inertia_hind_right_shank_xz
-        * wrench_hind_right_shank_mx_1
-        + inertias.inertia_hind_right_shank_yz * wrench_hind_right_shank_mx_3
-        + inertias.inertia_hind_right_shank_zz * wrench_hind_right_shank_mx_5
-        + (inertias.inertia_hind_right_shank_hx * wrench_hind_right_shank_mx_9
-            - inertias.inertia_hind_right_shank_hy * wrench_hind_right_shank_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mz_1;
-    let wrench_hind_right_shank_fx = wrench_hind_right_shank_my_7 * 0.28
-        + (wrench_hind_right_shank_mx_3 * inertias.inertia_hind_right_shank_hz
-            - wrench_hind_right_shank_mx_5 * inertias.inertia_hind_right_shank_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_fx_1;
-    let wrench_hind_right_shank_fy = wrench_hind_right_shank_mx_9 * 0.28
-        + (wrench_hind_right_shank_mx_5 * inertias.inertia_hind_right_shank_hx
-            - wrench_hind_right_shank_mx_1 * inertias.inertia_hind_right_shank_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_fy_1;
-    let wrench_hind_right_shank_fz = wrench_hind_right_shank_mx_7 * 0.28
-        + (wrench_hind_right_shank_mx_1 * inertias.inertia_hind_right_shank_hy
-            - wrench_hind_right_shank_mx_3 * inertias.inertia_hind_right_shank_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_fz_1;
-    let inverse_pivot_hind_right_knee_d = 1.0
-        / (poses.cos_hind_right_hip_roll * screws.inside_hind_right_knee_my
-            + poses.sin_hind_right_hip_roll * screws.inside_hind_right_knee_mz
-            + screws.screw_hind_right_knee_vx * screws.inside_hind_right_knee_fx
-            + screws.screw_hind_right_knee_vy * screws.inside_hind_right_knee_fy
-            + screws.minus_screw_hind_right_knee_vz
-                * screws.minus_inside_hind_right_knee_fz);
-    let wrench_hind_right_thigh_mx_13_0 = tau[11]
-        - (poses.cos_hind_right_hip_roll * wrench_hind_right_shank_my
-            + poses.sin_hind_right_hip_roll * wrench_hind_right_shank_mz
-            + screws.screw_hind_right_knee_vx * wrench_hind_right_shank_fx
-            + screws.screw_hind_right_knee_vy * wrench_hind_right_shank_fy
-            - screws.minus_screw_hind_right_knee_vz * wrench_hind_right_shank_fz);
-    let wrench_hind_right_thigh_mx_13 = wrench_hind_right_thigh_mx_13_0
-        * inverse_pivot_hind_right_knee_d;
-    let wrench_hind_right_thigh_mx = inertias.inertia_hind_right_thigh_xx
-        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_hind_right_thigh_xy * wrench_hind_right_thigh_mx_3
-        + inertias.inertia_hind_right_thigh_xz * wrench_hind_right_thigh_mx_5
-        + (inertias.inertia_hind_right_thigh_hy * wrench_hind_right_thigh_mx_7
-            + inertias.minus_inertia_hind_right_thigh_hz * wrench_hind_right_thigh_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_mx_0_1
-        + (wrench_hind_right_shank_mx
-            + screws.inside_hind_right_knee_mx * wrench_hind_right_thigh_mx_13);
-    let wrench_hind_right_thigh_my = inertias.inertia_hind_right_thigh_xy
-        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_hind_right_thigh_yy * wrench_hind_right_thigh_mx_3
-        + inertias.inertia_hind_right_thigh_yz * wrench_hind_right_thigh_mx_5
-        - (inertias.minus_inertia_hind_right_thigh_hz * wrench_hind_right_thigh_my_7
-            + inertias.inertia_hind_right_thigh_hx * wrench_hind_right_thigh_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_my_0_1
-        + (wrench_hind_right_shank_my
-            + screws.inside_hind_right_knee_my * wrench_hind_right_thigh_mx_13);
-    let wrench_hind_right_thigh_mz = inertias.inertia_hind_right_thigh_xz
-        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_hind_right_thigh_yz * wrench_hind_right_thigh_mx_3
-        + inertias.inertia_hind_right_thigh_zz * wrench_hind_right_thigh_mx_5
-        + (inertias.inertia_hind_right_thigh_hx * wrench_hind_right_thigh_mx_9
-            - inertias.inertia_hind_right_thigh_hy * wrench_hind_right_thigh_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_mz_0_1
-        + (wrench_hind_right_shank_mz
-            + screws.inside_hind_right_knee_mz * wrench_hind_right_thigh_mx_13);
-    let wrench_hind_right_thigh_fx = wrench_hind_right_thigh_my_7 * 1.1
-        - (wrench_hind_right_thigh_mx_3 * inertias.minus_inertia_hind_right_thigh_hz
-            + wrench_hind_right_thigh_mx_5 * inertias.inertia_hind_right_thigh_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_fx_0_1
-        + (wrench_hind_right_shank_fx
-            + screws.inside_hind_right_knee_fx * wrench_hind_right_thigh_mx_13);
-    let wrench_hind_right_thigh_fy = wrench_hind_right_thigh_mx_9 * 1.1
-        + (wrench_hind_right_thigh_mx_5 * inertias.inertia_hind_right_thigh_hx
-            + common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_mx_0_0_0_0_1_0
-                * inertias.minus_inertia_hind_right_thigh_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_fy_0_1
-        + (wrench_hind_right_shank_fy
-            + screws.inside_hind_right_knee_fy * wrench_hind_right_thigh_mx_13);
-    let wrench_hind_right_thigh_fz = wrench_hind_right_thigh_mx_7 * 1.1
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_0_0_1_0
-            * inertias.inertia_hind_right_thigh_hy
-            - wrench_hind_right_thigh_mx_3 * inertias.inertia_hind_right_thigh_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_thigh_fz_0_1
-        + (wrench_hind_right_shank_fz
-            - screws.minus_inside_hind_right_knee_fz * wrench_hind_right_thigh_mx_13);
-    let minus_articulated_hind_right_thigh_hxx_0 = screws.inside_hind_right_knee_mx
-        * inverse_pivot_hind_right_knee_d;
-    let minus_articulated_hind_right_thigh_hyy_0 = screws.inside_hind_right_knee_my
-        * inverse_pivot_hind_right_knee_d;
-    let articulated_hind_right_thigh_hzz_0 = screws.inside_hind_right_knee_mz
-        * inverse_pivot_hind_right_knee_d;
-    let minus_articulated_hind_right_thigh_mxy_0 = screws.inside_hind_right_knee_fx
-        * inverse_pivot_hind_right_knee_d;
-    let articulated_hind_right_thigh_myz_0 = screws.inside_hind_right_knee_fy
-        * inverse_pivot_hind_right_knee_d;
-    let minus_articulated_hind_right_thigh_hxx = minus_articulated_hind_right_thigh_hxx_0
-        * screws.inside_hind_right_knee_fx;
-    let minus_articulated_hind_right_thigh_hyy = minus_articulated_hind_right_thigh_hyy_0
-        * screws.inside_hind_right_knee_fy;
-    let articulated_hind_right_thigh_hzz = articulated_hind_right_thigh_hzz_0
-        * screws.minus_inside_hind_right_knee_fz;
-    let minus_articulated_hind_right_thigh_mxy = minus_articulated_hind_right_thigh_mxy_0
-        * screws.inside_hind_right_knee_fy;
-    let articulated_hind_right_thigh_mxz = minus_articulated_hind_right_thigh_mxy_0
-        * screws.minus_inside_hind_right_knee_fz;
-    let articulated_hind_right_thigh_myz = articulated_hind_right_thigh_myz_0
-        * screws.minus_inside_hind_right_knee_fz;
-    let articulated_hind_right_thigh_jxx = inertias.inertia_hind_right_thigh_xx
-        + (inertias.inertia_hind_right_shank_xx
-            - minus_articulated_hind_right_thigh_hxx_0
-                * screws.inside_hind_right_knee_mx);
-    let articulated_hind_right_thigh_jxy = inertias.inertia_hind_right_thigh_xy
-        + (inertias.inertia_hind_right_shank_xy
-            - minus_articulated_hind_right_thigh_hxx_0
-                * screws.inside_hind_right_knee_my);
-    let articulated_hind_right_thigh_jxz = inertias.inertia_hind_right_thigh_xz
-        + (inertias.inertia_hind_right_shank_xz
-            - minus_articulated_hind_right_thigh_hxx_0
-                * screws.inside_hind_right_knee_mz);
-    let articulated_hind_right_thigh_jyy = inertias.inertia_hind_right_thigh_yy
-        + (inertias.inertia_hind_right_shank_yy
-            - minus_articulated_hind_right_thigh_hyy_0
-                * screws.inside_hind_right_knee_my);
-    let articulated_hind_right_thigh_jyz = inertias.inertia_hind_right_thigh_yz
-        + (inertias.inertia_hind_right_shank_yz
-            - minus_articulated_hind_right_thigh_hyy_0
-                * screws.inside_hind_right_knee_mz);
-    let articulated_hind_right_thigh_jzz = inertias.inertia_hind_right_thigh_zz
-        + (inertias.inertia_hind_right_shank_zz
-            - articulated_hind_right_thigh_hzz_0 * screws.inside_hind_right_knee_mz);
-    let articulated_hind_right_thigh_hyx = inertias.inertia_hind_right_shank_hz
-        - minus_articulated_hind_right_thigh_hyy_0 * screws.inside_hind_right_knee_fx
-        - inertias.minus_inertia_hind_right_thigh_hz;
-    let minus_articulated_hind_right_thigh_hzx = inertias.inertia_hind_right_thigh_hy
-        + (inertias.inertia_hind_right_shank_hy
-            + articulated_hind_right_thigh_hzz_0 * screws.inside_hind_right_knee_fx);
-    let articulated_hind_right_thigh_hxy = inertias.minus_inertia_hind_right_thigh_hz
-        - (inertias.inertia_hind_right_shank_hz
-            + minus_articulated_hind_right_thigh_hxx_0
-                * screws.inside_hind_right_knee_fy);
-    let articulated_hind_right_thigh_hzy = inertias.inertia_hind_right_thigh_hx
-        + (inertias.inertia_hind_right_shank_hx
-            - articulated_hind_right_thigh_hzz_0 * screws.inside_hind_right_knee_fy);
-    let articulated_hind_right_thigh_hxz = inertias.inertia_hind_right_thigh_hy
-        + (inertias.inertia_hind_right_shank_hy
-            + minus_articulated_hind_right_thigh_hxx_0
-                * screws.minus_inside_hind_right_knee_fz);
-    let articulated_hind_right_thigh_hyz = minus_articulated_hind_right_thigh_hyy_0
-        * screws.minus_inside_hind_right_knee_fz - inertias.inertia_hind_right_shank_hx
-        - inertias.inertia_hind_right_thigh_hx;
-    let articulated_hind_right_thigh_mxx = 1.1
-        + (0.28
-            - minus_articulated_hind_right_thigh_mxy_0
-                * screws.inside_hind_right_knee_fx);
-    let articulated_hind_right_thigh_myy = 1.1
-        + (0.28 - articulated_hind_right_thigh_myz_0 * screws.inside_hind_right_knee_fy);
-    let articulated_hind_right_thigh_mzz = 1.1
-        + (0.28
-            - screws.minus_inside_hind_right_knee_fz * inverse_pivot_hind_right_knee_d
-                * screws.minus_inside_hind_right_knee_fz);
-    let wrench_outside_hind_right_thigh_mx = articulated_hind_right_thigh_jxy
-        * poses.cos_hind_right_hip_roll
-        + articulated_hind_right_thigh_jxz * poses.sin_hind_right_hip_roll
-        + (articulated_hind_right_thigh_hxy * screws.screw_hind_right_hip_pitch_vy
-            - minus_articulated_hind_right_thigh_hxx
-                * screws.screw_hind_right_hip_pitch_vx
-            - articulated_hind_right_thigh_hxz
-                * screws.minus_screw_hind_right_hip_pitch_vz);
-    let wrench_outside_hind_right_thigh_my = articulated_hind_right_thigh_jyy
-        * poses.cos_hind_right_hip_roll
-        + articulated_hind_right_thigh_jyz * poses.sin_hind_right_hip_roll
-        + (articulated_hind_right_thigh_hyx * screws.screw_hind_right_hip_pitch_vx
-            - minus_articulated_hind_right_thigh_hyy
-                * screws.screw_hind_right_hip_pitch_vy
-            - articulated_hind_right_thigh_hyz
-                * screws.minus_screw_hind_right_hip_pitch_vz);
-    let wrench_outside_hind_right_thigh_mz = articulated_hind_right_thigh_jyz
-        * poses.cos_hind_right_hip_roll
-        + articulated_hind_right_thigh_jzz * poses.sin_hind_right_hip_roll
-        + (articulated_hind_right_thigh_hzy * screws.screw_hind_right_hip_pitch_vy
-            - minus_articulated_hind_right_thigh_hzx
-                * screws.screw_hind_right_hip_pitch_vx
-            - articulated_hind_right_thigh_hzz
-                * screws.minus_screw_hind_right_hip_pitch_vz);
-    let wrench_outside_hind_right_thigh_fx = articulated_hind_right_thigh_hyx
-        * poses.cos_hind_right_hip_roll
-        - minus_articulated_hind_right_thigh_hzx * poses.sin_hind_right_hip_roll
-        + (articulated_hind_right_thigh_mxx * screws.screw_hind_right_hip_pitch_vx
-            - minus_articulated_hind_right_thigh_mxy
-                * screws.screw_hind_right_hip_pitch_vy
-            - articulated_hind_right_thigh_mxz
-                * screws.minus_screw_hind_right_hip_pitch_vz);
-    let wrench_outside_hind_right_thigh_fy = articulated_hind_right_thigh_hzy
-        * poses.sin_hind_right_hip_roll
-        - minus_articulated_hind_right_thigh_hyy * poses.cos_hind_right_hip_roll
-        + (articulated_hind_right_thigh_myy * screws.screw_hind_right_hip_pitch_vy
-            - minus_articulated_hind_right_thigh_mxy
-                * screws.screw_hind_right_hip_pitch_vx
-            - articulated_hind_right_thigh_myz
-                * screws.minus_screw_hind_right_hip_pitch_vz);
-    let wrench_outside_hind_right_thigh_fz = articulated_hind_right_thigh_hyz
-        * poses.cos_hind_right_hip_roll
-        + articulated_hind_right_thigh_hzz * poses.sin_hind_right_hip_roll
-        + (articulated_hind_right_thigh_mxz * screws.screw_hind_right_hip_pitch_vx
-            + articulated_hind_right_thigh_myz * screws.screw_hind_right_hip_pitch_vy
-            - articulated_hind_right_thigh_mzz
-                * screws.minus_screw_hind_right_hip_pitch_vz);
-    let inverse_pivot_hind_right_hip_pitch_d = 1.0
-        / (poses.cos_hind_right_hip_roll * wrench_outside_hind_right_thigh_my
-            + poses.sin_hind_right_hip_roll * wrench_outside_hind_right_thigh_mz
-            + screws.screw_hind_right_hip_pitch_vx * wrench_outside_hind_right_thigh_fx
-            + screws.screw_hind_right_hip_pitch_vy * wrench_outside_hind_right_thigh_fy
-            - screws.minus_screw_hind_right_hip_pitch_vz
-                * wrench_outside_hind_right_thigh_fz);
-    let wrench_hind_right_hip_mx_11_0 = tau[10]
-        - (poses.cos_hind_right_hip_roll * wrench_hind_right_thigh_my
-            + poses.sin_hind_right_hip_roll * wrench_hind_right_thigh_mz
-            + screws.screw_hind_right_hip_pitch_vx * wrench_hind_right_thigh_fx
-            + screws.screw_hind_right_hip_pitch_vy * wrench_hind_right_thigh_fy
-            - screws.minus_screw_hind_right_hip_pitch_vz * wrench_hind_right_thigh_fz);
-    let wrench_hind_right_hip_mx_11 = wrench_hind_right_hip_mx_11_0
-        * inverse_pivot_hind_right_hip_pitch_d;
-    let wrench_hind_right_hip_mx = inertias.minus_inertia_hind_right_hip_hy
-        * common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_0_1_0_1
-        - inertias.inertia_hind_right_hip_hz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_mx_0_1_1_1_0_0
-        - (inertias.minus_inertia_hind_right_hip_xy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
-            + inertias.inertia_hind_right_hip_xz
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_hind_right_shank_mx_0_0_1_1_0_1)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_mx_0_1
-        + (wrench_hind_right_thigh_mx
-            + wrench_outside_hind_right_thigh_mx * wrench_hind_right_hip_mx_11);
-    let wrench_hind_right_hip_my = inertias.inertia_hind_right_hip_yy
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_hind_right_hip_yz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_mx_0_0_1_1_0_1
-        + (inertias.inertia_hind_right_hip_hz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_my_0_1_0_1_0_0
-            - inertias.minus_inertia_hind_left_hip_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_hind_right_shank_mx_0_1_0_1_0_1)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_my_0_1
-        + (wrench_hind_right_thigh_my
-            + wrench_outside_hind_right_thigh_my * wrench_hind_right_hip_mx_11);
-    let wrench_hind_right_hip_mz = inertias.inertia_hind_right_hip_yz
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_hind_right_hip_zz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_mx_0_0_1_1_0_1
-        + (inertias.minus_inertia_hind_right_hip_hy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_my_0_1_0_1_0_0
-            - inertias.minus_inertia_hind_left_hip_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_hind_right_shank_mx_0_1_1_1_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_mz_0_1
-        + (wrench_hind_right_thigh_mz
-            + wrench_outside_hind_right_thigh_mz * wrench_hind_right_hip_mx_11);
-    let wrench_hind_right_hip_fx = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_my_0_1_0_1_0_0 * 0.75
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
-            * inertias.inertia_hind_right_hip_hz
-            - common_forward_dynamics_inverse_dynamics
-                .wrench_hind_right_shank_mx_0_0_1_1_0_1
-                * inertias.minus_inertia_hind_right_hip_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_fx_0_1
-        + (wrench_hind_right_thigh_fx
-            + wrench_outside_hind_right_thigh_fx * wrench_hind_right_hip_mx_11);
-    let wrench_hind_right_hip_fy = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_mx_0_1_1_1_0_0 * 0.75
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_0_1_1_0_1
-            * inertias.minus_inertia_hind_left_hip_hx
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_fy_0_1
-        + (wrench_hind_right_thigh_fy
-            + wrench_outside_hind_right_thigh_fy * wrench_hind_right_hip_mx_11);
-    let wrench_hind_right_hip_fz = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_right_shank_mx_0_0_0_1_1_0_0
-        * inertias.minus_inertia_hind_left_hip_hx
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_shank_mx_0_1_0_1_0_1
-            * 0.75
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_right_hip_fz_0_1
-        + (wrench_hind_right_thigh_fz
-            + wrench_outside_hind_right_thigh_fz * wrench_hind_right_hip_mx_11);
-    let minus_articulated_hind_right_hip_hxx_1 = wrench_outside_hind_right_thigh_mx
-        * inverse_pivot_hind_right_hip_pitch_d;
-    let minus_articulated_hind_right_hip_hyy_1 = wrench_outside_hind_right_thigh_my
-        * inverse_pivot_hind_right_hip_pitch_d;
-    let articulated_hind_right_hip_hzz_1 = wrench_outside_hind_right_thigh_mz
-        * inverse_pivot_hind_right_hip_pitch_d;
-    let minus_articulated_hind_right_hip_mxy_1 = wrench_outside_hind_right_thigh_fx
-        * inverse_pivot_hind_right_hip_pitch_d;
-    let articulated_hind_right_hip_myz_1 = wrench_outside_hind_right_thigh_fy
-        * inverse_pivot_hind_right_hip_pitch_d;
-    let minus_articulated_hind_right_hip_hxx = minus_articulated_hind_right_thigh_hxx
-        + minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_fx;
-    let minus_articulated_hind_right_hip_hyy = minus_articulated_hind_right_thigh_hyy
-        + minus_articulated_hind_right_hip_hyy_1 * wrench_outside_hind_right_thigh_fy;
-    let articulated_hind_right_hip_hzz = articulated_hind_right_thigh_hzz
-        - articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_fz;
-    let minus_articulated_hind_right_hip_mxy = minus_articulated_hind_right_thigh_mxy
-        + minus_articulated_hind_right_hip_mxy_1 * wrench_outside_hind_right_thigh_fy;
-    let articulated_hind_right_hip_mxz = articulated_hind_right_thigh_mxz
-        - minus_articulated_hind_right_hip_mxy_1 * wrench_outside_hind_right_thigh_fz;
-    let articulated_hind_right_hip_myz = articulated_hind_right_thigh_myz
-        - articulated_hind_right_hip_myz_1 * wrench_outside_hind_right_thigh_fz;
-    let articulated_hind_right_hip_jxx = inertias.inertia_hind_right_hip_xx
-        + (articulated_hind_right_thigh_jxx
-            - minus_articulated_hind_right_hip_hxx_1
-                * wrench_outside_hind_right_thigh_mx);
-    let articulated_hind_right_hip_jxy = articulated_hind_right_thigh_jxy
-        - minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_my
-        - inertias.minus_inertia_hind_right_hip_xy;
-    let articulated_hind_right_hip_jxz = inertias.inertia_hind_right_hip_xz
-        + (articulated_hind_right_thigh_jxz
-            - minus_articulated_hind_right_hip_hxx_1
-                * wrench_outside_hind_right_thigh_mz);
-    let articulated_hind_right_hip_jyy = inertias.inertia_hind_right_hip_yy
-        + (articulated_hind_right_thigh_jyy
-            - minus_articulated_hind_right_hip_hyy_1
-                * wrench_outside_hind_right_thigh_my);
-    let articulated_hind_right_hip_jyz = inertias.inertia_hind_right_hip_yz
-        + (articulated_hind_right_thigh_jyz
-            - minus_articulated_hind_right_hip_hyy_1
-                * wrench_outside_hind_right_thigh_mz);
-    let articulated_hind_right_hip_jzz = inertias.inertia_hind_right_hip_zz
-        + (articulated_hind_right_thigh_jzz
-            - articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_mz);
-    let articulated_hind_right_hip_hyx = inertias.inertia_hind_right_hip_hz
-        + (articulated_hind_right_thigh_hyx
-            - minus_articulated_hind_right_hip_hyy_1
-                * wrench_outside_hind_right_thigh_fx);
-    let articulated_hind_right_hip_hzx = inertias.minus_inertia_hind_right_hip_hy
-        - (minus_articulated_hind_right_thigh_hzx
-            + articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_fx);
-    let articulated_hind_right_hip_hxy = articulated_hind_right_thigh_hxy
-        - minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_fy
-        - inertias.inertia_hind_right_hip_hz;
-    let articulated_hind_right_hip_hzy = articulated_hind_right_thigh_hzy
-        - articulated_hind_right_hip_hzz_1 * wrench_outside_hind_right_thigh_fy
-        - inertias.minus_inertia_hind_left_hip_hx;
-    let articulated_hind_right_hip_hxz = articulated_hind_right_thigh_hxz
-        - minus_articulated_hind_right_hip_hxx_1 * wrench_outside_hind_right_thigh_fz
-        - inertias.minus_inertia_hind_right_hip_hy;
-    let articulated_hind_right_hip_hyz = inertias.minus_inertia_hind_left_hip_hx
-        + (articulated_hind_right_thigh_hyz
-            - minus_articulated_hind_right_hip_hyy_1
-                * wrench_outside_hind_right_thigh_fz);
-    let articulated_hind_right_hip_mxx = 0.75
-        + (articulated_hind_right_thigh_mxx
-            - minus_articulated_hind_right_hip_mxy_1
-                * wrench_outside_hind_right_thigh_fx);
-    let articulated_hind_right_hip_myy = 0.75
-        + (articulated_hind_right_thigh_myy
-            - articulated_hind_right_hip_myz_1 * wrench_outside_hind_right_thigh_fy);
-    let articulated_hind_right_hip_mzz = 0.75
-        + (articulated_hind_right_thigh_mzz
-            - wrench_outside_hind_right_thigh_fz * inverse_pivot_hind_right_hip_pitch_d
-                * wrench_outside_hind_right_thigh_fz);
-    let wrench_outside_hind_right_hip_mx = articulated_hind_right_hip_jxx
-        + (articulated_hind_right_hip_hxz * poses.minus_origin_front_right_hip_y
-            - articulated_hind_right_hip_hxy * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_hind_right_hip_my = articulated_hind_right_hip_jxy
-        + (articulated_hind_right_hip_hyz * poses.minus_origin_front_right_hip_y
-            + minus_articulated_hind_right_hip_hyy
-                * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_hind_right_hip_mz = articulated_hind_right_hip_jxz
-        + (articulated_hind_right_hip_hzz * poses.minus_origin_front_right_hip_y
-            - articulated_hind_right_hip_hzy * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_hind_right_hip_fx = minus_articulated_hind_right_hip_mxy
-        * poses.minus_origin_front_left_hip_z
-        + articulated_hind_right_hip_mxz * poses.minus_origin_front_right_hip_y
-        - minus_articulated_hind_right_hip_hxx;
-    let wrench_outside_hind_right_hip_fy = articulated_hind_right_hip_hxy
-        + (articulated_hind_right_hip_myz * poses.minus_origin_front_right_hip_y
-            - articulated_hind_right_hip_myy * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_hind_right_hip_fz = articulated_hind_right_hip_hxz
-        + (articulated_hind_right_hip_mzz * poses.minus_origin_front_right_hip_y
-            - articulated_hind_right_hip_myz * poses.minus_origin_front_left_hip_z);
-    let inverse_pivot_hind_right_hip_roll_d = 1.0
-        / (wrench_outside_hind_right_hip_mx
-            - poses.minus_origin_front_left_hip_z * wrench_outside_hind_right_hip_fy
-            + poses.minus_origin_front_right_hip_y * wrench_outside_hind_right_hip_fz);
-    let wrench_trunk_mx_2_0 = tau[9]
-        - (wrench_hind_right_hip_mx
-            - poses.minus_origin_front_left_hip_z * wrench_hind_right_hip_fy
-            + poses.minus_origin_front_right_hip_y * wrench_hind_right_hip_fz);
-    let wrench_trunk_mx_2 = wrench_trunk_mx_2_0 * inverse_pivot_hind_right_hip_roll_d;
-    let articulated_trunk_jxx_2 = wrench_outside_hind_right_hip_mx
-        * inverse_pivot_hind_right_hip_roll_d;
-    let articulated_trunk_jyy_2 = wrench_outside_hind_right_hip_my
-        * inverse_pivot_hind_right_hip_roll_d;
-    let articulated_trunk_jzz_2 = wrench_outside_hind_right_hip_mz
-        * inverse_pivot_hind_right_hip_roll_d;
-    let articulated_trunk_mxx_2 = wrench_outside_hind_right_hip_fx
-        * inverse_pivot_hind_right_hip_roll_d;
-    let articulated_trunk_myy_2 = wrench_outside_hind_right_hip_fy
-        * inverse_pivot_hind_right_hip_roll_d;
-    let inverse_pivot_hind_left_knee_d = 1.0
-        / (poses.cos_hind_left_hip_roll * screws.inside_hind_left_knee_my
-            + poses.sin_hind_left_hip_roll * screws.inside_hind_left_knee_mz
-            + screws.screw_hind_left_knee_vx * screws.inside_hind_left_knee_fx
-            + screws.screw_hind_left_knee_vy * screws.inside_hind_left_knee_fy
-            + screws.minus_screw_hind_left_knee_vz
-                * screws.minus_inside_hind_left_knee_fz);
-    let wrench_hind_left_thigh_mx_13_0 = tau[8]
-        - (poses.cos_hind_left_hip_roll * wrench_hind_left_shank_my
-            + poses.sin_hind_left_hip_roll * wrench_hind_left_shank_mz
-            + screws.screw_hind_left_knee_vx * wrench_hind_left_shank_fx
-            + screws.screw_hind_left_knee_vy * wrench_hind_left_shank_fy
-            - screws.minus_screw_hind_left_knee_vz * wrench_hind_left_shank_fz);
-    let wrench_hind_left_thigh_mx_13 = wrench_hind_left_thigh_mx_13_0
-        * inverse_pivot_hind_left_knee_d;
-    let wrench_hind_left_thigh_mx = inertias.inertia_hind_left_thigh_xx
-        * common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_hind_left_thigh_xy * wrench_hind_left_thigh_mx_3
-        - inertias.minus_inertia_hind_left_thigh_xz * wrench_hind_left_thigh_mx_5
-        + (inertias.inertia_hind_left_thigh_hy * wrench_hind_left_thigh_mx_7
-            - inertias.inertia_hind_left_thigh_hz * wrench_hind_left_thigh_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_mx_0_1
-        + (wrench_hind_left_shank_mx
-            + screws.inside_hind_left_knee_mx * wrench_hind_left_thigh_mx_13);
-    let wrench_hind_left_thigh_my = inertias.inertia_hind_left_thigh_xy
-        * common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_hind_left_thigh_yy * wrench_hind_left_thigh_mx_3
-        + inertias.inertia_hind_left_thigh_yz * wrench_hind_left_thigh_mx_5
-        + (inertias.inertia_hind_left_thigh_hz * wrench_hind_left_thigh_my_7
-            - inertias.inertia_hind_left_thigh_hx * wrench_hind_left_thigh_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_my_0_1
-        + (wrench_hind_left_shank_my
-            + screws.inside_hind_left_knee_my * wrench_hind_left_thigh_mx_13);
-    let wrench_hind_left_thigh_mz = inertias.inertia_hind_left_thigh_yz
-        * wrench_hind_left_thigh_mx_3
-        - inertias.minus_inertia_hind_left_thigh_xz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_hind_left_thigh_zz * wrench_hind_left_thigh_mx_5
-        + (inertias.inertia_hind_left_thigh_hx * wrench_hind_left_thigh_mx_9
-            - inertias.inertia_hind_left_thigh_hy * wrench_hind_left_thigh_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_mz_0_1
-        + (wrench_hind_left_shank_mz
-            + screws.inside_hind_left_knee_mz * wrench_hind_left_thigh_mx_13);
-    let wrench_hind_left_thigh_fx = wrench_hind_left_thigh_my_7 * 1.1
-        + (wrench_hind_left_thigh_mx_3 * inertias.inertia_hind_left_thigh_hz
-            - wrench_hind_left_thigh_mx_5 * inertias.inertia_hind_left_thigh_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_fx_0_1
-        + (wrench_hind_left_shank_fx
-            + screws.inside_hind_left_knee_fx * wrench_hind_left_thigh_mx_13);
-    let wrench_hind_left_thigh_fy = wrench_hind_left_thigh_mx_9 * 1.1
-        + (wrench_hind_left_thigh_mx_5 * inertias.inertia_hind_left_thigh_hx
-            - common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_0_0_0_1_0
-                * inertias.inertia_hind_left_thigh_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_fy_0_1
-        + (wrench_hind_left_shank_fy
-            + screws.inside_hind_left_knee_fy * wrench_hind_left_thigh_mx_13);
-    let wrench_hind_left_thigh_fz = wrench_hind_left_thigh_mx_7 * 1.1
-        + (common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_0_0_1_0
-            * inertias.inertia_hind_left_thigh_hy
-            - wrench_hind_left_thigh_mx_3 * inertias.inertia_hind_left_thigh_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_thigh_fz_0_1
-        + (wrench_hind_left_shank_fz
-            - screws.minus_inside_hind_left_knee_fz * wrench_hind_left_thigh_mx_13);
-    let minus_articulated_hind_left_thigh_hxx_0 = screws.inside_hind_left_knee_mx
-        * inverse_pivot_hind_left_knee_d;
-    let minus_articulated_hind_left_thigh_hyy_0 = screws.inside_hind_left_knee_my
-        * inverse_pivot_hind_left_knee_d;
-    let articulated_hind_left_thigh_hzz_0 = screws.inside_hind_left_knee_mz
-        * inverse_pivot_hind_left_knee_d;
-    let minus_articulated_hind_left_thigh_mxy_0 = screws.inside_hind_left_knee_fx
-        * inverse_pivot_hind_left_knee_d;
-    let articulated_hind_left_thigh_myz_0 = screws.inside_hind_left_knee_fy
-        * inverse_pivot_hind_left_knee_d;
-    let minus_articulated_hind_left_thigh_hxx = minus_articulated_hind_left_thigh_hxx_0
-        * screws.inside_hind_left_knee_fx;
-    let minus_articulated_hind_left_thigh_hyy = minus_articulated_hind_left_thigh_hyy_0
-        * screws.inside_hind_left_knee_fy;
-    let articulated_hind_left_thigh_hzz = articulated_hind_left_thigh_hzz_0
-        * screws.minus_inside_hind_left_knee_fz;
-    let minus_articulated_hind_left_thigh_mxy = minus_articulated_hind_left_thigh_mxy_0
-        * screws.inside_hind_left_knee_fy;
-    let articulated_hind_left_thigh_mxz = minus_articulated_hind_left_thigh_mxy_0
-        * screws.minus_inside_hind_left_knee_fz;
-    let articulated_hind_left_thigh_myz = articulated_hind_left_thigh_myz_0
-        * screws.minus_inside_hind_left_knee_fz;
-    let articulated_hind_left_thigh_jxx = inertias.inertia_hind_left_thigh_xx
-        + (inertias.inertia_hind_left_shank_xx
-            - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_mx);
-    let articulated_hind_left_thigh_jxy = inertias.inertia_hind_left_thigh_xy
-        + (inertias.inertia_hind_left_shank_xy
-            - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_my);
-    let articulated_hind_left_thigh_jxz = inertias.inertia_hind_left_shank_xz
-        - minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_mz
-        - inertias.minus_inertia_hind_left_thigh_xz;
-    let articulated_hind_left_thigh_jyy = inertias.inertia_hind_left_thigh_yy
-        + (inertias.inertia_hind_left_shank_yy
-            - minus_articulated_hind_left_thigh_hyy_0 * screws.inside_hind_left_knee_my);
-    let articulated_hind_left_thigh_jyz = inertias.inertia_hind_left_thigh_yz
-        + (inertias.inertia_hind_left_shank_yz
-            - minus_articulated_hind_left_thigh_hyy_0 * screws.inside_hind_left_knee_mz);
-    let articulated_hind_left_thigh_jzz = inertias.inertia_hind_left_thigh_zz
-        + (inertias.inertia_hind_left_shank_zz
-            - articulated_hind_left_thigh_hzz_0 * screws.inside_hind_left_knee_mz);
-    let articulated_hind_left_thigh_hyx = inertias.inertia_hind_left_thigh_hz
-        + (inertias.inertia_hind_left_shank_hz
-            - minus_articulated_hind_left_thigh_hyy_0 * screws.inside_hind_left_knee_fx);
-    let minus_articulated_hind_left_thigh_hzx = inertias.inertia_hind_left_thigh_hy
-        + (inertias.inertia_hind_left_shank_hy
-            + articulated_hind_left_thigh_hzz_0 * screws.inside_hind_left_knee_fx);
-    let minus_articulated_hind_left_thigh_hxy = inertias.inertia_hind_left_thigh_hz
-        + (inertias.inertia_hind_left_shank_hz
-            + minus_articulated_hind_left_thigh_hxx_0 * screws.inside_hind_left_knee_fy);
-    let articulated_hind_left_thigh_hzy = inertias.inertia_hind_left_thigh_hx
-        + (inertias.inertia_hind_left_shank_hx
-            - articulated_hind_left_thigh_hzz_0 * screws.inside_hind_left_knee_fy);
-    let articulated_hind_left_thigh_hxz = inertias.inertia_hind_left_thigh_hy
-        + (inertias.inertia_hind_left_shank_hy
-            + minus_articulated_hind_left_thigh_hxx_0
-                * screws.minus_inside_hind_left_knee_fz);
-    let articulated_hind_left_thigh_hyz = minus_articulated_hind_left_thigh_hyy_0
-        * screws.minus_inside_hind_left_knee_fz - inertias.inertia_hind_left_shank_hx
-        - inertias.inertia_hind_left_thigh_hx;
-    let articulated_hind_left_thigh_mxx = 1.1
-        + (0.28
-            - minus_articulated_hind_left_thigh_mxy_0 * screws.inside_hind_left_knee_fx);
-    let articulated_hind_left_thigh_myy = 1.1
-        + (0.28 - articulated_hind_left_thigh_myz_0 * screws.inside_hind_left_knee_fy);
-    let articulated_hind_left_thigh_mzz = 1.1
-        + (0.28
-            - screws.minus_inside_hind_left_knee_fz * inverse_pivot_hind_left_knee_d
-                * screws.minus_inside_hind_left_knee_fz);
-    let wrench_outside_hind_left_thigh_mx = articulated_hind_left_thigh_jxy
-        * poses.cos_hind_left_hip_roll
-        + articulated_hind_left_thigh_jxz * poses.sin_hind_left_hip_roll
-        - (articulated_hind_left_thigh_hxz * screws.minus_screw_hind_left_hip_pitch_vz
-            + (minus_articulated_hind_left_thigh_hxy
-                * screws.screw_hind_left_hip_pitch_vy
-                + minus_articulated_hind_left_thigh_hxx
-                    * screws.screw_hind_left_hip_pitch_vx));
-    let wrench_outside_hind_left_thigh_my = articulated_hind_left_thigh_jyy
-        * poses.cos_hind_left_hip_roll
-        + articulated_hind_left_thigh_jyz * poses.sin_hind_left_hip_roll
-        + (articulated_hind_left_thigh_hyx * screws.screw_hind_left_hip_pitch_vx
-            - minus_articulated_hind_left_thigh_hyy * screws.screw_hind_left_hip_pitch_vy
-            - articulated_hind_left_thigh_hyz
-                * screws.minus_screw_hind_left_hip_pitch_vz);
-    let wrench_outside_hind_left_thigh_mz = articulated_hind_left_thigh_jyz
-        * poses.cos_hind_left_hip_roll
-        + articulated_hind_left_thigh_jzz * poses.sin_hind_left_hip_roll
-        + (articulated_hind_left_thigh_hzy * screws.screw_hind_left_hip_pitch_vy
-            - minus_articulated_hind_left_thigh_hzx * screws.screw_hind_left_hip_pitch_vx
-            - articulated_hind_left_thigh_hzz
-                * screws.minus_screw_hind_left_hip_pitch_vz);
-    let wrench_outside_hind_left_thigh_fx = articulated_hind_left_thigh_hyx
-        * poses.cos_hind_left_hip_roll
-        - minus_articulated_hind_left_thigh_hzx * poses.sin_hind_left_hip_roll
-        + (articulated_hind_left_thigh_mxx * screws.screw_hind_left_hip_pitch_vx
-            - minus_articulated_hind_left_thigh_mxy * screws.screw_hind_left_hip_pitch_vy
-            - articulated_hind_left_thigh_mxz
-                * screws.minus_screw_hind_left_hip_pitch_vz);
-    let wrench_outside_hind_left_thigh_fy = articulated_hind_left_thigh_hzy
-        * poses.sin_hind_left_hip_roll
-        - minus_articulated_hind_left_thigh_hyy * poses.cos_hind_left_hip_roll
-        + (articulated_hind_left_thigh_myy * screws.screw_hind_left_hip_pitch_vy
-            - minus_articulated_hind_left_thigh_mxy * screws.screw_hind_left_hip_pitch_vx
-            - articulated_hind_left_thigh_myz
-                * screws.minus_screw_hind_left_hip_pitch_vz);
-    let wrench_outside_hind_left_thigh_fz = articulated_hind_left_thigh_hyz
-        * poses.cos_hind_left_hip_roll
-        + articulated_hind_left_thigh_hzz * poses.sin_hind_left_hip_roll
-        + (articulated_hind_left_thigh_mxz * screws.screw_hind_left_hip_pitch_vx
-            + articulated_hind_left_thigh_myz * screws.screw_hind_left_hip_pitch_vy
-            - articulated_hind_left_thigh_mzz
-                * screws.minus_screw_hind_left_hip_pitch_vz);
-    let inverse_pivot_hind_left_hip_pitch_d = 1.0
-        / (poses.cos_hind_left_hip_roll * wrench_outside_hind_left_thigh_my
-            + poses.sin_hind_left_hip_roll * wrench_outside_hind_left_thigh_mz
-            + screws.screw_hind_left_hip_pitch_vx * wrench_outside_hind_left_thigh_fx
-            + screws.screw_hind_left_hip_pitch_vy * wrench_outside_hind_left_thigh_fy
-            - screws.minus_screw_hind_left_hip_pitch_vz
-                * wrench_outside_hind_left_thigh_fz);
-    let wrench_hind_left_hip_mx_11_0 = tau[7]
-        - (poses.cos_hind_left_hip_roll * wrench_hind_left_thigh_my
-            + poses.sin_hind_left_hip_roll * wrench_hind_left_thigh_mz
-            + screws.screw_hind_left_hip_pitch_vx * wrench_hind_left_thigh_fx
-            + screws.screw_hind_left_hip_pitch_vy * wrench_hind_left_thigh_fy
-            - screws.minus_screw_hind_left_hip_pitch_vz * wrench_hind_left_thigh_fz);
-    let wrench_hind_left_hip_mx_11 = wrench_hind_left_hip_mx_11_0
-        * inverse_pivot_hind_left_hip_pitch_d;
-    let wrench_hind_left_hip_mx = inertias.inertia_hind_left_hip_xy
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_hind_left_hip_xz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_0_1_1_0_1
-        - (inertias.inertia_hind_left_hip_hy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_1_0_1_0_1
-            + inertias.inertia_hind_left_hip_hz
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_hind_left_shank_mx_0_1_1_1_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_mx_0_1
-        + (wrench_hind_left_thigh_mx
-            + wrench_outside_hind_left_thigh_mx * wrench_hind_left_hip_mx_11);
-    let wrench_hind_left_hip_my = inertias.inertia_hind_left_hip_yy
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_hind_left_hip_yz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_0_1_1_0_1
-        + (inertias.inertia_hind_left_hip_hz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_my_0_1_0_1_0_0
-            - inertias.minus_inertia_hind_left_hip_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_hind_left_shank_mx_0_1_0_1_0_1)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_my_0_1
-        + (wrench_hind_left_thigh_my
-            + wrench_outside_hind_left_thigh_my * wrench_hind_left_hip_mx_11);
-    let wrench_hind_left_hip_mz = inertias.inertia_hind_left_hip_yz
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_hind_left_hip_zz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_0_1_1_0_1
-        - (inertias.minus_inertia_hind_left_hip_hx
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_1_1_1_0_0
-            + inertias.inertia_hind_left_hip_hy
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_hind_left_shank_my_0_1_0_1_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_mz_0_1
-        + (wrench_hind_left_thigh_mz
-            + wrench_outside_hind_left_thigh_mz * wrench_hind_left_hip_mx_11);
-    let wrench_hind_left_hip_fx = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_my_0_1_0_1_0_0 * 0.75
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_hind_left_shank_mx_0_0_0_1_1_0_0 * inertias.inertia_hind_left_hip_hz
-            + common_forward_dynamics_inverse_dynamics
-                .wrench_hind_left_shank_mx_0_0_1_1_0_1
-                * inertias.inertia_hind_left_hip_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_fx_0_1
-        + (wrench_hind_left_thigh_fx
-            + wrench_outside_hind_left_thigh_fx * wrench_hind_left_hip_mx_11);
-    let wrench_hind_left_hip_fy = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_mx_0_1_1_1_0_0 * 0.75
-        + common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_0_1_1_0_1
-            * inertias.minus_inertia_hind_left_hip_hx
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_fy_0_1
-        + (wrench_hind_left_thigh_fy
-            + wrench_outside_hind_left_thigh_fy * wrench_hind_left_hip_mx_11);
-    let wrench_hind_left_hip_fz = common_forward_dynamics_inverse_dynamics
-        .wrench_hind_left_shank_mx_0_0_0_1_1_0_0
-        * inertias.minus_inertia_hind_left_hip_hx
-        - common_forward_dynamics_inverse_dynamics.wrench_hind_left_shank_mx_0_1_0_1_0_1
-            * 0.75 - common_forward_dynamics_inverse_dynamics.wrench_hind_left_hip_fz_0_1
-        + (wrench_hind_left_thigh_fz
-            + wrench_outside_hind_left_thigh_fz * wrench_hind_left_hip_mx_11);
-    let minus_articulated_hind_left_hip_hxx_1 = wrench_outside_hind_left_thigh_mx
-        * inverse_pivot_hind_left_hip_pitch_d;
-    let minus_articulated_hind_left_hip_hyy_1 = wrench_outside_hind_left_thigh_my
-        * inverse_pivot_hind_left_hip_pitch_d;
-    let articulated_hind_left_hip_hzz_1 = wrench_outside_hind_left_thigh_mz
-        * inverse_pivot_hind_left_hip_pitch_d;
-    let minus_articulated_hind_left_hip_mxy_1 = wrench_outside_hind_left_thigh_fx
-        * inverse_pivot_hind_left_hip_pitch_d;
-    let articulated_hind_left_hip_myz_1 = wrench_outside_hind_left_thigh_fy
-        * inverse_pivot_hind_left_hip_pitch_d;
-    let minus_articulated_hind_left_hip_hxx = minus_articulated_hind_left_thigh_hxx
-        + minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_fx;
-    let minus_articulated_hind_left_hip_hyy = minus_articulated_hind_left_thigh_hyy
-        + minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_fy;
-    let articulated_hind_left_hip_hzz = articulated_hind_left_thigh_hzz
-        - articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_fz;
-    let minus_articulated_hind_left_hip_mxy = minus_articulated_hind_left_thigh_mxy
-        + minus_articulated_hind_left_hip_mxy_1 * wrench_outside_hind_left_thigh_fy;
-    let articulated_hind_left_hip_mxz = articulated_hind_left_thigh_mxz
-        - minus_articulated_hind_left_hip_mxy_1 * wrench_outside_hind_left_thigh_fz;
-    let articulated_hind_left_hip_myz = articulated_hind_left_thigh_myz
-        - articulated_hind_left_hip_myz_1 * wrench_outside_hind_left_thigh_fz;
-    let articulated_hind_left_hip_jxx = inertias.inertia_hind_left_hip_xx
-        + (articulated_hind_left_thigh_jxx
-            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_mx);
-    let articulated_hind_left_hip_jxy = inertias.inertia_hind_left_hip_xy
-        + (articulated_hind_left_thigh_jxy
-            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_my);
-    let articulated_hind_left_hip_jxz = inertias.inertia_hind_left_hip_xz
-        + (articulated_hind_left_thigh_jxz
-            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_mz);
-    let articulated_hind_left_hip_jyy = inertias.inertia_hind_left_hip_yy
-        + (articulated_hind_left_thigh_jyy
-            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_my);
-    let articulated_hind_left_hip_jyz = inertias.inertia_hind_left_hip_yz
-        + (articulated_hind_left_thigh_jyz
-            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_mz);
-    let articulated_hind_left_hip_jzz = inertias.inertia_hind_left_hip_zz
-        + (articulated_hind_left_thigh_jzz
-            - articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_mz);
-    let articulated_hind_left_hip_hyx = inertias.inertia_hind_left_hip_hz
-        + (articulated_hind_left_thigh_hyx
-            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_fx);
-    let minus_articulated_hind_left_hip_hzx = inertias.inertia_hind_left_hip_hy
-        + (minus_articulated_hind_left_thigh_hzx
-            + articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_fx);
-    let minus_articulated_hind_left_hip_hxy = inertias.inertia_hind_left_hip_hz
-        + (minus_articulated_hind_left_thigh_hxy
-            + minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_fy);
-    let articulated_hind_left_hip_hzy = articulated_hind_left_thigh_hzy
-        - articulated_hind_left_hip_hzz_1 * wrench_outside_hind_left_thigh_fy
-        - inertias.minus_inertia_hind_left_hip_hx;
-    let articulated_hind_left_hip_hxz = inertias.inertia_hind_left_hip_hy
-        + (articulated_hind_left_thigh_hxz
-            - minus_articulated_hind_left_hip_hxx_1 * wrench_outside_hind_left_thigh_fz);
-    let articulated_hind_left_hip_hyz = inertias.minus_inertia_hind_left_hip_hx
-        + (articulated_hind_left_thigh_hyz
-            - minus_articulated_hind_left_hip_hyy_1 * wrench_outside_hind_left_thigh_fz);
-    let articulated_hind_left_hip_mxx = 0.75
-        + (articulated_hind_left_thigh_mxx
-            - minus_articulated_hind_left_hip_mxy_1 * wrench_outside_hind_left_thigh_fx);
-    let articulated_hind_left_hip_myy = 0.75
-        + (articulated_hind_left_thigh_myy
-            - articulated_hind_left_hip_myz_1 * wrench_outside_hind_left_thigh_fy);
-    let articulated_hind_left_hip_mzz = 0.75
-        + (articulated_hind_left_thigh_mzz
-            - wrench_outside_hind_left_thigh_fz * inverse_pivot_hind_left_hip_pitch_d
-                * wrench_outside_hind_left_thigh_fz);
-    let wrench_outside_hind_left_hip_mx = articulated_hind_left_hip_jxx
-        + (minus_articulated_hind_left_hip_hxy * poses.minus_origin_front_left_hip_z
-            - articulated_hind_left_hip_hxz * poses.origin_front_left_hip_y);
-    let wrench_outside_hind_left_hip_my = articulated_hind_left_hip_jxy
-        + (minus_articulated_hind_left_hip_hyy * poses.minus_origin_front_left_hip_z
-            - articulated_hind_left_hip_hyz * poses.origin_front_left_hip_y);
-    let wrench_outside_hind_left_hip_mz = articulated_hind_left_hip_jxz
-        - (articulated_hind_left_hip_hzz * poses.origin_front_left_hip_y
-            + articulated_hind_left_hip_hzy * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_hind_left_hip_fx = minus_articulated_hind_left_hip_mxy
-        * poses.minus_origin_front_left_hip_z
-        - articulated_hind_left_hip_mxz * poses.origin_front_left_hip_y
-        - minus_articulated_hind_left_hip_hxx;
-    let minus_wrench_outside_hind_left_hip_fy = minus_articulated_hind_left_hip_hxy
-        + (articulated_hind_left_hip_myy * poses.minus_origin_front_left_hip_z
-            + articulated_hind_left_hip_myz * poses.origin_front_left_hip_y);
-    let wrench_outside_hind_left_hip_fz = articulated_hind_left_hip_hxz
-        - (articulated_hind_left_hip_myz * poses.minus_origin_front_left_hip_z
-            + articulated_hind_left_hip_mzz * poses.origin_front_left_hip_y);
-    let inverse_pivot_hind_left_hip_roll_d = 1.0
-        / (wrench_outside_hind_left_hip_mx
-            + poses.minus_origin_front_left_hip_z * minus_wrench_outside_hind_left_hip_fy
-            - poses.origin_front_left_hip_y * wrench_outside_hind_left_hip_fz);
-    let wrench_trunk_mx_7_0 = tau[6]
-        - (wrench_hind_left_hip_mx
-            - poses.minus_origin_front_left_hip_z * wrench_hind_left_hip_fy
-            - poses.origin_front_left_hip_y * wrench_hind_left_hip_fz);
-    let wrench_trunk_mx_7 = wrench_trunk_mx_7_0 * inverse_pivot_hind_left_hip_roll_d;
-    let articulated_trunk_jxx_5 = wrench_outside_hind_left_hip_mx
-        * inverse_pivot_hind_left_hip_roll_d;
-    let articulated_trunk_jyy_5 = wrench_outside_hind_left_hip_my
-        * inverse_pivot_hind_left_hip_roll_d;
-    let articulated_trunk_jzz_5 = wrench_outside_hind_left_hip_mz
-        * inverse_pivot_hind_left_hip_roll_d;
-    let articulated_trunk_mxx_5 = wrench_outside_hind_left_hip_fx
-        * inverse_pivot_hind_left_hip_roll_d;
-    let articulated_trunk_myy_5 = minus_wrench_outside_hind_left_hip_fy
-        * inverse_pivot_hind_left_hip_roll_d;
-    let inverse_pivot_front_right_knee_d = 1.0
-        / (poses.cos_front_right_hip_roll * screws.inside_front_right_knee_my
-            + poses.sin_front_right_hip_roll * screws.inside_front_right_knee_mz
-            + screws.screw_front_right_knee_vx * screws.inside_front_right_knee_fx
-            - screws.minus_screw_front_right_knee_vy * screws.inside_front_right_knee_fy
-            + screws.screw_front_right_knee_vz * screws.inside_front_right_knee_fz);
-    let wrench_front_right_thigh_mx_13_0 = tau[5]
-        - (poses.cos_front_right_hip_roll * wrench_front_right_shank_my
-            + poses.sin_front_right_hip_roll * wrench_front_right_shank_mz
-            + screws.screw_front_right_knee_vx * wrench_front_right_shank_fx
-            - screws.minus_screw_front_right_knee_vy * wrench_front_right_shank_fy
-            + screws.screw_front_right_knee_vz * wrench_front_right_shank_fz);
-    let wrench_front_right_thigh_mx_13 = wrench_front_right_thigh_mx_13_0
-        * inverse_pivot_front_right_knee_d;
-    let wrench_front_right_thigh_mx = inertias.inertia_front_right_thigh_xx
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_front_right_thigh_xy * wrench_front_right_thigh_mx_3
-        + inertias.inertia_front_right_thigh_xz * wrench_front_right_thigh_mx_5
-        + (inertias.inertia_front_right_thigh_hy * wrench_front_right_thigh_mx_7
-            + inertias.minus_inertia_front_right_thigh_hz
-                * wrench_front_right_thigh_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_mx_0_1
-        + (wrench_front_right_shank_mx
-            + screws.inside_front_right_knee_mx * wrench_front_right_thigh_mx_13);
-    let wrench_front_right_thigh_my = inertias.inertia_front_right_thigh_xy
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_front_right_thigh_yy * wrench_front_right_thigh_mx_3
-        + inertias.inertia_front_right_thigh_yz * wrench_front_right_thigh_mx_5
-        - (inertias.minus_inertia_front_right_thigh_hz * wrench_front_right_thigh_my_7
-            + inertias.inertia_front_right_thigh_hx * wrench_front_right_thigh_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_my_0_1
-        + (wrench_front_right_shank_my
-            + screws.inside_front_right_knee_my * wrench_front_right_thigh_mx_13);
-    let wrench_front_right_thigh_mz = inertias.inertia_front_right_thigh_xz
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_front_right_thigh_yz * wrench_front_right_thigh_mx_3
-        + inertias.inertia_front_right_thigh_zz * wrench_front_right_thigh_mx_5
-        + (inertias.inertia_front_right_thigh_hx * wrench_front_right_thigh_mx_9
-            - inertias.inertia_front_right_thigh_hy * wrench_front_right_thigh_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_mz_0_1
-        + (wrench_front_right_shank_mz
-            + screws.inside_front_right_knee_mz * wrench_front_right_thigh_mx_13);
-    let wrench_front_right_thigh_fx = wrench_front_right_thigh_my_7 * 1.1
-        - (wrench_front_right_thigh_mx_3 * inertias.minus_inertia_front_right_thigh_hz
-            + wrench_front_right_thigh_mx_5 * inertias.inertia_front_right_thigh_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_fx_0_1
-        + (wrench_front_right_shank_fx
-            + screws.inside_front_right_knee_fx * wrench_front_right_thigh_mx_13);
-    let wrench_front_right_thigh_fy = wrench_front_right_thigh_mx_9 * 1.1
-        + (wrench_front_right_thigh_mx_5 * inertias.inertia_front_right_thigh_hx
-            + common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_0_0_0_1_0
-                * inertias.minus_inertia_front_right_thigh_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_fy_0_1
-        + (wrench_front_right_shank_fy
-            + screws.inside_front_right_knee_fy * wrench_front_right_thigh_mx_13);
-    let wrench_front_right_thigh_fz = wrench_front_right_thigh_mx_7 * 1.1
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_0_1_0
-            * inertias.inertia_front_right_thigh_hy
-            - wrench_front_right_thigh_mx_3 * inertias.inertia_front_right_thigh_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_thigh_fz_0_1
-        + (wrench_front_right_shank_fz
-            + screws.inside_front_right_knee_fz * wrench_front_right_thigh_mx_13);
-    let minus_articulated_front_right_thigh_hxx_0 = screws.inside_front_right_knee_mx
-        * inverse_pivot_front_right_knee_d;
-    let minus_articulated_front_right_thigh_hyy_0 = screws.inside_front_right_knee_my
-        * inverse_pivot_front_right_knee_d;
-    let minus_articulated_front_right_thigh_hzz_0 = screws.inside_front_right_knee_mz
-        * inverse_pivot_front_right_knee_d;
-    let minus_articulated_front_right_thigh_mxy_0 = screws.inside_front_right_knee_fx
-        * inverse_pivot_front_right_knee_d;
-    let minus_articulated_front_right_thigh_myz_0 = screws.inside_front_right_knee_fy
-        * inverse_pivot_front_right_knee_d;
-    let minus_articulated_front_right_thigh_hxx = minus_articulated_front_right_thigh_hxx_0
-        * screws.inside_front_right_knee_fx;
-    let minus_articulated_front_right_thigh_hyy = minus_articulated_front_right_thigh_hyy_0
-        * screws.inside_front_right_knee_fy;
-    let minus_articulated_front_right_thigh_hzz = minus_articulated_front_right_thigh_hzz_0
-        * screws.inside_front_right_knee_fz;
-    let minus_articulated_front_right_thigh_mxy = minus_articulated_front_right_thigh_mxy_0
-        * screws.inside_front_right_knee_fy;
-    let minus_articulated_front_right_thigh_mxz = minus_articulated_front_right_thigh_mxy_0
-        * screws.inside_front_right_knee_fz;
-    let minus_articulated_front_right_thigh_myz = minus_articulated_front_right_thigh_myz_0
-        * screws.inside_front_right_knee_fz;
-    let articulated_front_right_thigh_jxx = inertias.inertia_front_right_thigh_xx
-        + (inertias.inertia_front_right_shank_xx
-            - minus_articulated_front_right_thigh_hxx_0
-                * screws.inside_front_right_knee_mx);
-    let articulated_front_right_thigh_jxy = inertias.inertia_front_right_thigh_xy
-        + (inertias.inertia_front_right_shank_xy
-            - minus_articulated_front_right_thigh_hxx_0
-                * screws.inside_front_right_knee_my);
-    let articulated_front_right_thigh_jxz = inertias.inertia_front_right_thigh_xz
-        + (inertias.inertia_front_right_shank_xz
-            - minus_articulated_front_right_thigh_hxx_0
-                * screws.inside_front_right_knee_mz);
-    let articulated_front_right_thigh_jyy = inertias.inertia_front_right_thigh_yy
-        + (inertias.inertia_front_right_shank_yy
-            - minus_articulated_front_right_thigh_hyy_0
-                * screws.inside_front_right_knee_my);
-    let articulated_front_right_thigh_jyz = inertias.inertia_front_right_thigh_yz
-        + (inertias.inertia_front_right_shank_yz
-            - minus_articulated_front_right_thigh_hyy_0
-                * screws.inside_front_right_knee_mz);
-    let articulated_front_right_thigh_jzz = inertias.inertia_front_right_thigh_zz
-        + (inertias.inertia_front_right_shank_zz
-            - minus_articulated_front_right_thigh_hzz_0
-                * screws.inside_front_right_knee_mz);
-    let articulated_front_right_thigh_hyx = inertias.inertia_front_right_shank_hz
-        - minus_articulated_front_right_thigh_hyy_0 * screws.inside_front_right_knee_fx
-        - inertias.minus_inertia_front_right_thigh_hz;
-    let minus_articulated_front_right_thigh_hzx = inertias.inertia_front_right_thigh_hy
-        + (inertias.inertia_front_right_shank_hy
-            + minus_articulated_front_right_thigh_hzz_0
-                * screws.inside_front_right_knee_fx);
-    let articulated_front_right_thigh_hxy = inertias.minus_inertia_front_right_thigh_hz
-        - (inertias.inertia_front_right_shank_hz
-            + minus_articulated_front_right_thigh_hxx_0
-                * screws.inside_front_right_knee_fy);
-    let articulated_front_right_thigh_hzy = inertias.inertia_front_right_thigh_hx
-        + (inertias.inertia_front_right_shank_hx
-            - minus_articulated_front_right_thigh_hzz_0
-                * screws.inside_front_right_knee_fy);
-    let articulated_front_right_thigh_hxz = inertias.inertia_front_right_thigh_hy
-        + (inertias.inertia_front_right_shank_hy
-            - minus_articulated_front_right_thigh_hxx_0
-                * screws.inside_front_right_knee_fz);
-    let minus_articulated_front_right_thigh_hyz = inertias.inertia_front_right_thigh_hx
-        + (inertias.inertia_front_right_shank_hx
-            + minus_articulated_front_right_thigh_hyy_0
-                * screws.inside_front_right_knee_fz);
-    let articulated_front_right_thigh_mxx = 1.1
-        + (0.28
-            - minus_articulated_front_right_thigh_mxy_0
-                * screws.inside_front_right_knee_fx);
-    let articulated_front_right_thigh_myy = 1.1
-        + (0.28
-            - minus_articulated_front_right_thigh_myz_0
-                * screws.inside_front_right_knee_fy);
-    let articulated_front_right_thigh_mzz = 1.1
-        + (0.28
-            - screws.inside_front_right_knee_fz * inverse_pivot_front_right_knee_d
-                * screws.inside_front_right_knee_fz);
-    let wrench_outside_front_right_thigh_mx = articulated_front_right_thigh_jxy
-        * poses.cos_front_right_hip_roll
-        + articulated_front_right_thigh_jxz * poses.sin_front_right_hip_roll
-        + (articulated_front_right_thigh_hxz * screws.screw_front_right_hip_pitch_vz
-            - (articulated_front_right_thigh_hxy
-                * screws.minus_screw_front_right_hip_pitch_vy
-                + minus_articulated_front_right_thigh_hxx
-                    * screws.screw_front_right_hip_pitch_vx));
-    let wrench_outside_front_right_thigh_my = articulated_front_right_thigh_jyy
-        * poses.cos_front_right_hip_roll
-        + articulated_front_right_thigh_jyz * poses.sin_front_right_hip_roll
-        + (minus_articulated_front_right_thigh_hyy
-            * screws.minus_screw_front_right_hip_pitch_vy
-            + articulated_front_right_thigh_hyx * screws.screw_front_right_hip_pitch_vx
-            - minus_articulated_front_right_thigh_hyz
-                * screws.screw_front_right_hip_pitch_vz);
-    let wrench_outside_front_right_thigh_mz = articulated_front_right_thigh_jyz
-        * poses.cos_front_right_hip_roll
-        + articulated_front_right_thigh_jzz * poses.sin_front_right_hip_roll
-        - (minus_articulated_front_right_thigh_hzz
-            * screws.screw_front_right_hip_pitch_vz
-            + (articulated_front_right_thigh_hzy
-                * screws.minus_screw_front_right_hip_pitch_vy
-                + minus_articulated_front_right_thigh_hzx
-                    * screws.screw_front_right_hip_pitch_vx));
-    let wrench_outside_front_right_thigh_fx = articulated_front_right_thigh_hyx
-        * poses.cos_front_right_hip_roll
-        - minus_articulated_front_right_thigh_hzx * poses.sin_front_right_hip_roll
-        + (articulated_front_right_thigh_mxx * screws.screw_front_right_hip_pitch_vx
-            + minus_articulated_front_right_thigh_mxy
-                * screws.minus_screw_front_right_hip_pitch_vy
-            - minus_articulated_front_right_thigh_mxz
-                * screws.screw_front_right_hip_pitch_vz);
-    let wrench_outside_front_right_thigh_fy = articulated_front_right_thigh_hzy
-        * poses.sin_front_right_hip_roll
-        - minus_articulated_front_right_thigh_hyy * poses.cos_front_right_hip_roll
-        - (minus_articulated_front_right_thigh_mxy
-            * screws.screw_front_right_hip_pitch_vx
-            + articulated_front_right_thigh_myy
-                * screws.minus_screw_front_right_hip_pitch_vy
-            + minus_articulated_front_right_thigh_myz
-                * screws.screw_front_right_hip_pitch_vz);
-    let wrench_outside_front_right_thigh_fz = minus_articulated_front_right_thigh_myz
-        * screws.minus_screw_front_right_hip_pitch_vy
-        - minus_articulated_front_right_thigh_mxz * screws.screw_front_right_hip_pitch_vx
-        + articulated_front_right_thigh_mzz * screws.screw_front_right_hip_pitch_vz
-        - (minus_articulated_front_right_thigh_hyz * poses.cos_front_right_hip_roll
-            + minus_articulated_front_right_thigh_hzz * poses.sin_front_right_hip_roll);
-    let inverse_pivot_front_right_hip_pitch_d = 1.0
-        / (poses.cos_front_right_hip_roll * wrench_outside_front_right_thigh_my
-            + poses.sin_front_right_hip_roll * wrench_outside_front_right_thigh_mz
-            + screws.screw_front_right_hip_pitch_vx * wrench_outside_front_right_thigh_fx
-            - screws.minus_screw_front_right_hip_pitch_vy
-                * wrench_outside_front_right_thigh_fy
-            + screws.screw_front_right_hip_pitch_vz
-                * wrench_outside_front_right_thigh_fz);
-    let wrench_front_right_hip_mx_11_0 = tau[4]
-        - (poses.cos_front_right_hip_roll * wrench_front_right_thigh_my
-            + poses.sin_front_right_hip_roll * wrench_front_right_thigh_mz
-            + screws.screw_front_right_hip_pitch_vx * wrench_front_right_thigh_fx
-            - screws.minus_screw_front_right_hip_pitch_vy * wrench_front_right_thigh_fy
-            + screws.screw_front_right_hip_pitch_vz * wrench_front_right_thigh_fz);
-    let wrench_front_right_hip_mx_11 = wrench_front_right_hip_mx_11_0
-        * inverse_pivot_front_right_hip_pitch_d;
-    let wrench_front_right_hip_mx = inertias.inertia_front_right_hip_xy
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
-        + inertias.minus_inertia_front_right_hip_xz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_0_1_1_0_1
-        + (inertias.minus_inertia_front_right_hip_hy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_1_0_1_0_1
-            - inertias.inertia_front_right_hip_hz
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_front_right_shank_mx_0_1_1_1_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_mx_0_1
-        + (wrench_front_right_thigh_mx
-            + wrench_outside_front_right_thigh_mx * wrench_front_right_hip_mx_11);
-    let wrench_front_right_hip_my = inertias.inertia_front_right_hip_yy
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_front_right_hip_yz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_0_1_1_0_1
-        + (inertias.inertia_front_right_hip_hz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_my_0_1_0_1_0_0
-            + inertias.inertia_front_left_hip_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_front_right_shank_mx_0_1_0_1_0_1)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_my_0_1
-        + (wrench_front_right_thigh_my
-            + wrench_outside_front_right_thigh_my * wrench_front_right_hip_mx_11);
-    let wrench_front_right_hip_mz = inertias.inertia_front_right_hip_yz
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_front_right_hip_zz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_0_1_1_0_1
-        + (inertias.inertia_front_left_hip_hx
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_1_1_1_0_0
-            + inertias.minus_inertia_front_right_hip_hy
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_front_right_shank_my_0_1_0_1_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_mz_0_1
-        + (wrench_front_right_thigh_mz
-            + wrench_outside_front_right_thigh_mz * wrench_front_right_hip_mx_11);
-    let wrench_front_right_hip_fx = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_my_0_1_0_1_0_0 * 0.75
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_0_1_1_0_0
-            * inertias.inertia_front_right_hip_hz
-            - common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_0_1_1_0_1
-                * inertias.minus_inertia_front_right_hip_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_fx_0_1
-        + (wrench_front_right_thigh_fx
-            + wrench_outside_front_right_thigh_fx * wrench_front_right_hip_mx_11);
-    let wrench_front_right_hip_fy = common_forward_dynamics_inverse_dynamics
-        .wrench_front_right_shank_mx_0_1_1_1_0_0 * 0.75
-        - common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_0_1_1_0_1 * inertias.inertia_front_left_hip_hx
-        - common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_fy_0_1
-        + (wrench_front_right_thigh_fy
-            + wrench_outside_front_right_thigh_fy * wrench_front_right_hip_mx_11);
-    let wrench_front_right_hip_fz = wrench_front_right_thigh_fz
-        + wrench_outside_front_right_thigh_fz * wrench_front_right_hip_mx_11
-        - (common_forward_dynamics_inverse_dynamics
-            .wrench_front_right_shank_mx_0_1_0_1_0_1 * 0.75
-            + common_forward_dynamics_inverse_dynamics
-                .wrench_front_right_shank_mx_0_0_0_1_1_0_0
-                * inertias.inertia_front_left_hip_hx
-            + common_forward_dynamics_inverse_dynamics.wrench_front_right_hip_fz_1_1);
-    let minus_articulated_front_right_hip_hxx_1 = wrench_outside_front_right_thigh_mx
-        * inverse_pivot_front_right_hip_pitch_d;
-    let minus_articulated_front_right_hip_hyy_1 = wrench_outside_front_right_thigh_my
-        * inverse_pivot_front_right_hip_pitch_d;
-    let minus_articulated_front_right_hip_hzz_1 = wrench_outside_front_right_thigh_mz
-        * inverse_pivot_front_right_hip_pitch_d;
-    let minus_articulated_front_right_hip_mxy_1 = wrench_outside_front_right_thigh_fx
-        * inverse_pivot_front_right_hip_pitch_d;
-    let minus_articulated_front_right_hip_myz_1 = wrench_outside_front_right_thigh_fy
-        * inverse_pivot_front_right_hip_pitch_d;
-    let minus_articulated_front_right_hip_hxx = minus_articulated_front_right_thigh_hxx
-        + minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_fx;
-    let minus_articulated_front_right_hip_hyy = minus_articulated_front_right_thigh_hyy
-        + minus_articulated_front_right_hip_hyy_1 * wrench_outside_front_right_thigh_fy;
-    let minus_articulated_front_right_hip_hzz = minus_articulated_front_right_thigh_hzz
-        + minus_articulated_front_right_hip_hzz_1 * wrench_outside_front_right_thigh_fz;
-    let minus_articulated_front_right_hip_mxy = minus_articulated_front_right_thigh_mxy
-        + minus_articulated_front_right_hip_mxy_1 * wrench_outside_front_right_thigh_fy;
-    let minus_articulated_front_right_hip_mxz = minus_articulated_front_right_thigh_mxz
-        + minus_articulated_front_right_hip_mxy_1 * wrench_outside_front_right_thigh_fz;
-    let minus_articulated_front_right_hip_myz = minus_articulated_front_right_thigh_myz
-        + minus_articulated_front_right_hip_myz_1 * wrench_outside_front_right_thigh_fz;
-    let articulated_front_right_hip_jxx = inertias.inertia_front_right_hip_xx
-        + (articulated_front_right_thigh_jxx
-            - minus_articulated_front_right_hip_hxx_1
-                * wrench_outside_front_right_thigh_mx);
-    let articulated_front_right_hip_jxy = inertias.inertia_front_right_hip_xy
-        + (articulated_front_right_thigh_jxy
-            - minus_articulated_front_right_hip_hxx_1
-                * wrench_outside_front_right_thigh_my);
-    let articulated_front_right_hip_jxz = articulated_front_right_thigh_jxz
-        - minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_mz
-        - inertias.minus_inertia_front_right_hip_xz;
-    let articulated_front_right_hip_jyy = inertias.inertia_front_right_hip_yy
-        + (articulated_front_right_thigh_jyy
-            - minus_articulated_front_right_hip_hyy_1
-                * wrench_outside_front_right_thigh_my);
-    let articulated_front_right_hip_jyz = inertias.inertia_front_right_hip_yz
-        + (articulated_front_right_thigh_jyz
-            - minus_articulated_front_right_hip_hyy_1
-                * wrench_outside_front_right_thigh_mz);
-    let articulated_front_right_hip_jzz = inertias.inertia_front_right_hip_zz
-        + (articulated_front_right_thigh_jzz
-            - minus_articulated_front_right_hip_hzz_1
-                * wrench_outside_front_right_thigh_mz);
-    let articulated_front_right_hip_hyx = inertias.inertia_front_right_hip_hz
-        + (articulated_front_right_thigh_hyx
-            - minus_articulated_front_right_hip_hyy_1
-                * wrench_outside_front_right_thigh_fx);
-    let articulated_front_right_hip_hzx = inertias.minus_inertia_front_right_hip_hy
-        - (minus_articulated_front_right_thigh_hzx
-            + minus_articulated_front_right_hip_hzz_1
-                * wrench_outside_front_right_thigh_fx);
-    let articulated_front_right_hip_hxy = articulated_front_right_thigh_hxy
-        - minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_fy
-        - inertias.inertia_front_right_hip_hz;
-    let articulated_front_right_hip_hzy = inertias.inertia_front_left_hip_hx
-        + (articulated_front_right_thigh_hzy
-            - minus_articulated_front_right_hip_hzz_1
-                * wrench_outside_front_right_thigh_fy);
-    let articulated_front_right_hip_hxz = articulated_front_right_thigh_hxz
-        - minus_articulated_front_right_hip_hxx_1 * wrench_outside_front_right_thigh_fz
-        - inertias.minus_inertia_front_right_hip_hy;
-    let minus_articulated_front_right_hip_hyz = inertias.inertia_front_left_hip_hx
-        + (minus_articulated_front_right_thigh_hyz
-            + minus_articulated_front_right_hip_hyy_1
-                * wrench_outside_front_right_thigh_fz);
-    let articulated_front_right_hip_mxx = 0.75
-        + (articulated_front_right_thigh_mxx
-            - minus_articulated_front_right_hip_mxy_1
-                * wrench_outside_front_right_thigh_fx);
-    let articulated_front_right_hip_myy = 0.75
-        + (articulated_front_right_thigh_myy
-            - minus_articulated_front_right_hip_myz_1
-                * wrench_outside_front_right_thigh_fy);
-    let articulated_front_right_hip_mzz = 0.75
-        + (articulated_front_right_thigh_mzz
-            - wrench_outside_front_right_thigh_fz * inverse_pivot_front_right_hip_pitch_d
-                * wrench_outside_front_right_thigh_fz);
-    let wrench_outside_front_right_hip_mx = articulated_front_right_hip_jxx
-        + (articulated_front_right_hip_hxz * poses.minus_origin_front_right_hip_y
-            - articulated_front_right_hip_hxy * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_front_right_hip_my = articulated_front_right_hip_jxy
-        + (minus_articulated_front_right_hip_hyy * poses.minus_origin_front_left_hip_z
-            - minus_articulated_front_right_hip_hyz
-                * poses.minus_origin_front_right_hip_y);
-    let wrench_outside_front_right_hip_mz = articulated_front_right_hip_jxz
-        - (minus_articulated_front_right_hip_hzz * poses.minus_origin_front_right_hip_y
-            + articulated_front_right_hip_hzy * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_front_right_hip_fx = minus_articulated_front_right_hip_mxy
-        * poses.minus_origin_front_left_hip_z
-        - minus_articulated_front_right_hip_mxz * poses.minus_origin_front_right_hip_y
-        - minus_articulated_front_right_hip_hxx;
-    let wrench_outside_front_right_hip_fy = articulated_front_right_hip_hxy
-        - (articulated_front_right_hip_myy * poses.minus_origin_front_left_hip_z
-            + minus_articulated_front_right_hip_myz
-                * poses.minus_origin_front_right_hip_y);
-    let wrench_outside_front_right_hip_fz = articulated_front_right_hip_hxz
-        + (minus_articulated_front_right_hip_myz * poses.minus_origin_front_left_hip_z
-            + articulated_front_right_hip_mzz * poses.minus_origin_front_right_hip_y);
-    let inverse_pivot_front_right_hip_roll_d = 1.0
-        / (wrench_outside_front_right_hip_mx
-            - poses.minus_origin_front_left_hip_z * wrench_outside_front_right_hip_fy
-            + poses.minus_origin_front_right_hip_y * wrench_outside_front_right_hip_fz);
-    let wrench_trunk_mx_10_0 = tau[3]
-        - (wrench_front_right_hip_mx
-            - poses.minus_origin_front_left_hip_z * wrench_front_right_hip_fy
-            + poses.minus_origin_front_right_hip_y * wrench_front_right_hip_fz);
-    let wrench_trunk_mx_10 = wrench_trunk_mx_10_0 * inverse_pivot_front_right_hip_roll_d;
-    let articulated_trunk_jxx_8 = wrench_outside_front_right_hip_mx
-        * inverse_pivot_front_right_hip_roll_d;
-    let articulated_trunk_jyy_8 = wrench_outside_front_right_hip_my
-        * inverse_pivot_front_right_hip_roll_d;
-    let articulated_trunk_jzz_8 = wrench_outside_front_right_hip_mz
-        * inverse_pivot_front_right_hip_roll_d;
-    let articulated_trunk_mxx_8 = wrench_outside_front_right_hip_fx
-        * inverse_pivot_front_right_hip_roll_d;
-    let articulated_trunk_myy_8 = wrench_outside_front_right_hip_fy
-        * inverse_pivot_front_right_hip_roll_d;
-    let inverse_pivot_front_left_knee_d = 1.0
-        / (poses.cos_front_left_hip_roll * screws.inside_front_left_knee_my
-            + poses.sin_front_left_hip_roll * screws.inside_front_left_knee_mz
-            + screws.screw_front_left_knee_vx * screws.inside_front_left_knee_fx
-            - screws.minus_screw_front_left_knee_vy * screws.inside_front_left_knee_fy
-            + screws.screw_front_left_knee_vz * screws.inside_front_left_knee_fz);
-    let wrench_front_left_thigh_mx_13_0 = tau[2]
-        - (poses.cos_front_left_hip_roll * wrench_front_left_shank_my
-            + poses.sin_front_left_hip_roll * wrench_front_left_shank_mz
-            + screws.screw_front_left_knee_vx * wrench_front_left_shank_fx
-            - screws.minus_screw_front_left_knee_vy * wrench_front_left_shank_fy
-            + screws.screw_front_left_knee_vz * wrench_front_left_shank_fz);
-    let wrench_front_left_thigh_mx_13 = wrench_front_left_thigh_mx_13_0
-        * inverse_pivot_front_left_knee_d;
-    let wrench_front_left_thigh_mx = inertias.inertia_front_left_thigh_xx
-        * common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_front_left_thigh_xy * wrench_front_left_thigh_mx_3
-        - inertias.minus_inertia_front_left_thigh_xz * wrench_front_left_thigh_mx_5
-        + (inertias.inertia_front_left_thigh_hy * wrench_front_left_thigh_mx_7
-            - inertias.inertia_front_left_thigh_hz * wrench_front_left_thigh_mx_9)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_mx_0_1
-        + (wrench_front_left_shank_mx
-            + screws.inside_front_left_knee_mx * wrench_front_left_thigh_mx_13);
-    let wrench_front_left_thigh_my = inertias.inertia_front_left_thigh_xy
-        * common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_front_left_thigh_yy * wrench_front_left_thigh_mx_3
-        + inertias.inertia_front_left_thigh_yz * wrench_front_left_thigh_mx_5
-        + (inertias.inertia_front_left_thigh_hz * wrench_front_left_thigh_my_7
-            - inertias.inertia_front_left_thigh_hx * wrench_front_left_thigh_mx_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_my_0_1
-        + (wrench_front_left_shank_my
-            + screws.inside_front_left_knee_my * wrench_front_left_thigh_mx_13);
-    let wrench_front_left_thigh_mz = inertias.inertia_front_left_thigh_yz
-        * wrench_front_left_thigh_mx_3
-        - inertias.minus_inertia_front_left_thigh_xz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_0_0_0_1_0
-        + inertias.inertia_front_left_thigh_zz * wrench_front_left_thigh_mx_5
-        + (inertias.inertia_front_left_thigh_hx * wrench_front_left_thigh_mx_9
-            - inertias.inertia_front_left_thigh_hy * wrench_front_left_thigh_my_7)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_mz_0_1
-        + (wrench_front_left_shank_mz
-            + screws.inside_front_left_knee_mz * wrench_front_left_thigh_mx_13);
-    let wrench_front_left_thigh_fx = wrench_front_left_thigh_my_7 * 1.1
-        + (wrench_front_left_thigh_mx_3 * inertias.inertia_front_left_thigh_hz
-            - wrench_front_left_thigh_mx_5 * inertias.inertia_front_left_thigh_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_fx_0_1
-        + (wrench_front_left_shank_fx
-            + screws.inside_front_left_knee_fx * wrench_front_left_thigh_mx_13);
-    let wrench_front_left_thigh_fy = wrench_front_left_thigh_mx_9 * 1.1
-        + (wrench_front_left_thigh_mx_5 * inertias.inertia_front_left_thigh_hx
-            - common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_0_0_0_1_0
-                * inertias.inertia_front_left_thigh_hz)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_fy_0_1
-        + (wrench_front_left_shank_fy
-            + screws.inside_front_left_knee_fy * wrench_front_left_thigh_mx_13);
-    let wrench_front_left_thigh_fz = wrench_front_left_thigh_mx_7 * 1.1
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_0_0_1_0
-            * inertias.inertia_front_left_thigh_hy
-            - wrench_front_left_thigh_mx_3 * inertias.inertia_front_left_thigh_hx)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_thigh_fz_0_1
-        + (wrench_front_left_shank_fz
-            + screws.inside_front_left_knee_fz * wrench_front_left_thigh_mx_13);
-    let minus_articulated_front_left_thigh_hxx_0 = screws.inside_front_left_knee_mx
-        * inverse_pivot_front_left_knee_d;
-    let minus_articulated_front_left_thigh_hyy_0 = screws.inside_front_left_knee_my
-        * inverse_pivot_front_left_knee_d;
-    let minus_articulated_front_left_thigh_hzz_0 = screws.inside_front_left_knee_mz
-        * inverse_pivot_front_left_knee_d;
-    let minus_articulated_front_left_thigh_mxy_0 = screws.inside_front_left_knee_fx
-        * inverse_pivot_front_left_knee_d;
-    let minus_articulated_front_left_thigh_myz_0 = screws.inside_front_left_knee_fy
-        * inverse_pivot_front_left_knee_d;
-    let minus_articulated_front_left_thigh_hxx = minus_articulated_front_left_thigh_hxx_0
-        * screws.inside_front_left_knee_fx;
-    let minus_articulated_front_left_thigh_hyy = minus_articulated_front_left_thigh_hyy_0
-        * screws.inside_front_left_knee_fy;
-    let minus_articulated_front_left_thigh_hzz = minus_articulated_front_left_thigh_hzz_0
-        * screws.inside_front_left_knee_fz;
-    let minus_articulated_front_left_thigh_mxy = minus_articulated_front_left_thigh_mxy_0
-        * screws.inside_front_left_knee_fy;
-    let minus_articulated_front_left_thigh_mxz = minus_articulated_front_left_thigh_mxy_0
-        * screws.inside_front_left_knee_fz;
-    let minus_articulated_front_left_thigh_myz = minus_articulated_front_left_thigh_myz_0
-        * screws.inside_front_left_knee_fz;
-    let articulated_front_left_thigh_jxx = inertias.inertia_front_left_thigh_xx
-        + (inertias.inertia_front_left_shank_xx
-            - minus_articulated_front_left_thigh_hxx_0
-                * screws.inside_front_left_knee_mx);
-    let articulated_front_left_thigh_jxy = inertias.inertia_front_left_thigh_xy
-        + (inertias.inertia_front_left_shank_xy
-            - minus_articulated_front_left_thigh_hxx_0
-                * screws.inside_front_left_knee_my);
-    let articulated_front_left_thigh_jxz = inertias.inertia_front_left_shank_xz
-        - minus_articulated_front_left_thigh_hxx_0 * screws.inside_front_left_knee_mz
-        - inertias.minus_inertia_front_left_thigh_xz;
-    let articulated_front_left_thigh_jyy = inertias.inertia_front_left_thigh_yy
-        + (inertias.inertia_front_left_shank_yy
-            - minus_articulated_front_left_thigh_hyy_0
-                * screws.inside_front_left_knee_my);
-    let articulated_front_left_thigh_jyz = inertias.inertia_front_left_thigh_yz
-        + (inertias.inertia_front_left_shank_yz
-            - minus_articulated_front_left_thigh_hyy_0
-                * screws.inside_front_left_knee_mz);
-    let articulated_front_left_thigh_jzz = inertias.inertia_front_left_thigh_zz
-        + (inertias.inertia_front_left_shank_zz
-            - minus_articulated_front_left_thigh_hzz_0
-                * screws.inside_front_left_knee_mz);
-    let articulated_front_left_thigh_hyx = inertias.inertia_front_left_thigh_hz
-        + (inertias.inertia_front_left_shank_hz
-            - minus_articulated_front_left_thigh_hyy_0
-                * screws.inside_front_left_knee_fx);
-    let minus_articulated_front_left_thigh_hzx = inertias.inertia_front_left_thigh_hy
-        + (inertias.inertia_front_left_shank_hy
-            + minus_articulated_front_left_thigh_hzz_0
-                * screws.inside_front_left_knee_fx);
-    let minus_articulated_front_left_thigh_hxy = inertias.inertia_front_left_thigh_hz
-        + (inertias.inertia_front_left_shank_hz
-            + minus_articulated_front_left_thigh_hxx_0
-                * screws.inside_front_left_knee_fy);
-    let articulated_front_left_thigh_hzy = inertias.inertia_front_left_thigh_hx
-        + (inertias.inertia_front_left_shank_hx
-            - minus_articulated_front_left_thigh_hzz_0
-                * screws.inside_front_left_knee_fy);
-    let articulated_front_left_thigh_hxz = inertias.inertia_front_left_thigh_hy
-        + (inertias.inertia_front_left_shank_hy
-            - minus_articulated_front_left_thigh_hxx_0
-                * screws.inside_front_left_knee_fz);
-    let minus_articulated_front_left_thigh_hyz = inertias.inertia_front_left_thigh_hx
-        + (inertias.inertia_front_left_shank_hx
-            + minus_articulated_front_left_thigh_hyy_0
-                * screws.inside_front_left_knee_fz);
-    let articulated_front_left_thigh_mxx = 1.1
-        + (0.28
-            - minus_articulated_front_left_thigh_mxy_0
-                * screws.inside_front_left_knee_fx);
-    let articulated_front_left_thigh_myy = 1.1
-        + (0.28
-            - minus_articulated_front_left_thigh_myz_0
-                * screws.inside_front_left_knee_fy);
-    let articulated_front_left_thigh_mzz = 1.1
-        + (0.28
-            - screws.inside_front_left_knee_fz * inverse_pivot_front_left_knee_d
-                * screws.inside_front_left_knee_fz);
-    let wrench_outside_front_left_thigh_mx = articulated_front_left_thigh_jxy
-        * poses.cos_front_left_hip_roll
-        + articulated_front_left_thigh_jxz * poses.sin_front_left_hip_roll
-        + (articulated_front_left_thigh_hxz * screws.screw_front_left_hip_pitch_vz
-            + (minus_articulated_front_left_thigh_hxy
-                * screws.minus_screw_front_left_hip_pitch_vy
-                - minus_articulated_front_left_thigh_hxx
-                    * screws.screw_front_left_hip_pitch_vx));
-    let wrench_outside_front_left_thigh_my = articulated_front_left_thigh_jyy
-        * poses.cos_front_left_hip_roll
-        + articulated_front_left_thigh_jyz * poses.sin_front_left_hip_roll
-        + (minus_articulated_front_left_thigh_hyy
-            * screws.minus_screw_front_left_hip_pitch_vy
-            + articulated_front_left_thigh_hyx * screws.screw_front_left_hip_pitch_vx
-            - minus_articulated_front_left_thigh_hyz
-                * screws.screw_front_left_hip_pitch_vz);
-    let wrench_outside_front_left_thigh_mz = articulated_front_left_thigh_jyz
-        * poses.cos_front_left_hip_roll
-        + articulated_front_left_thigh_jzz * poses.sin_front_left_hip_roll
-        - (minus_articulated_front_left_thigh_hzz * screws.screw_front_left_hip_pitch_vz
-            + (articulated_front_left_thigh_hzy
-                * screws.minus_screw_front_left_hip_pitch_vy
-                + minus_articulated_front_left_thigh_hzx
-                    * screws.screw_front_left_hip_pitch_vx));
-    let wrench_outside_front_left_thigh_fx = articulated_front_left_thigh_hyx
-        * poses.cos_front_left_hip_roll
-        - minus_articulated_front_left_thigh_hzx * poses.sin_front_left_hip_roll
-        + (articulated_front_left_thigh_mxx * screws.screw_front_left_hip_pitch_vx
-            + minus_articulated_front_left_thigh_mxy
-                * screws.minus_screw_front_left_hip_pitch_vy
-            - minus_articulated_front_left_thigh_mxz
-                * screws.screw_front_left_hip_pitch_vz);
-    let wrench_outside_front_left_thigh_fy = articulated_front_left_thigh_hzy
-        * poses.sin_front_left_hip_roll
-        - minus_articulated_front_left_thigh_hyy * poses.cos_front_left_hip_roll
-        - (minus_articulated_front_left_thigh_mxy * screws.screw_front_left_hip_pitch_vx
-            + articulated_front_left_thigh_myy
-                * screws.minus_screw_front_left_hip_pitch_vy
-            + minus_articulated_front_left_thigh_myz
-                * screws.screw_front_left_hip_pitch_vz);
-    let wrench_outside_front_left_thigh_fz = minus_articulated_front_left_thigh_myz
-        * screws.minus_screw_front_left_hip_pitch_vy
-        - minus_articulated_front_left_thigh_mxz * screws.screw_front_left_hip_pitch_vx
-        + articulated_front_left_thigh_mzz * screws.screw_front_left_hip_pitch_vz
-        - (minus_articulated_front_left_thigh_hyz * poses.cos_front_left_hip_roll
-            + minus_articulated_front_left_thigh_hzz * poses.sin_front_left_hip_roll);
-    let inverse_pivot_front_left_hip_pitch_d = 1.0
-        / (poses.cos_front_left_hip_roll * wrench_outside_front_left_thigh_my
-            + poses.sin_front_left_hip_roll * wrench_outside_front_left_thigh_mz
-            + screws.screw_front_left_hip_pitch_vx * wrench_outside_front_left_thigh_fx
-            - screws.minus_screw_front_left_hip_pitch_vy
-                * wrench_outside_front_left_thigh_fy
-            + screws.screw_front_left_hip_pitch_vz * wrench_outside_front_left_thigh_fz);
-    let wrench_front_left_hip_mx_11_0 = tau[1]
-        - (poses.cos_front_left_hip_roll * wrench_front_left_thigh_my
-            + poses.sin_front_left_hip_roll * wrench_front_left_thigh_mz
-            + screws.screw_front_left_hip_pitch_vx * wrench_front_left_thigh_fx
-            - screws.minus_screw_front_left_hip_pitch_vy * wrench_front_left_thigh_fy
-            + screws.screw_front_left_hip_pitch_vz * wrench_front_left_thigh_fz);
-    let wrench_front_left_hip_mx_11 = wrench_front_left_hip_mx_11_0
-        * inverse_pivot_front_left_hip_pitch_d;
-    let wrench_front_left_hip_mx = inertias.minus_inertia_front_left_hip_xz
-        * common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_1_1_0_1
-        - inertias.minus_inertia_front_left_hip_xy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_0_0_1_1_0_0
-        - (inertias.inertia_front_left_hip_hy
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_1_0_1_0_1
-            + inertias.inertia_front_left_hip_hz
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_front_left_shank_mx_0_1_1_1_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_mx_0_1
-        + (wrench_front_left_thigh_mx
-            + wrench_outside_front_left_thigh_mx * wrench_front_left_hip_mx_11);
-    let wrench_front_left_hip_my = inertias.inertia_front_left_hip_yy
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_front_left_hip_yz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_0_1_1_0_1
-        + (inertias.inertia_front_left_hip_hz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_my_0_1_0_1_0_0
-            + inertias.inertia_front_left_hip_hx
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_front_left_shank_mx_0_1_0_1_0_1)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_my_0_1
-        + (wrench_front_left_thigh_my
-            + wrench_outside_front_left_thigh_my * wrench_front_left_hip_mx_11);
-    let wrench_front_left_hip_mz = inertias.inertia_front_left_hip_yz
-        * common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_0_1_1_0_0
-        - inertias.inertia_front_left_hip_zz
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_0_1_1_0_1
-        + (inertias.inertia_front_left_hip_hx
-            * common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_1_1_1_0_0
-            - inertias.inertia_front_left_hip_hy
-                * common_forward_dynamics_inverse_dynamics
-                    .wrench_front_left_shank_my_0_1_0_1_0_0)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_mz_0_1
-        + (wrench_front_left_thigh_mz
-            + wrench_outside_front_left_thigh_mz * wrench_front_left_hip_mx_11);
-    let wrench_front_left_hip_fx = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_my_0_1_0_1_0_0 * 0.75
-        + (common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_0_0_1_1_0_0
-            * inertias.inertia_front_left_hip_hz
-            + common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_0_1_1_0_1
-                * inertias.inertia_front_left_hip_hy)
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_fx_0_1
-        + (wrench_front_left_thigh_fx
-            + wrench_outside_front_left_thigh_fx * wrench_front_left_hip_mx_11);
-    let wrench_front_left_hip_fy = common_forward_dynamics_inverse_dynamics
-        .wrench_front_left_shank_mx_0_1_1_1_0_0 * 0.75
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_shank_mx_0_0_1_1_0_1
-            * inertias.inertia_front_left_hip_hx
-        - common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_fy_0_1
-        + (wrench_front_left_thigh_fy
-            + wrench_outside_front_left_thigh_fy * wrench_front_left_hip_mx_11);
-    let wrench_front_left_hip_fz = wrench_front_left_thigh_fz
-        + wrench_outside_front_left_thigh_fz * wrench_front_left_hip_mx_11
-        - (common_forward_dynamics_inverse_dynamics
-            .wrench_front_left_shank_mx_0_1_0_1_0_1 * 0.75
-            + common_forward_dynamics_inverse_dynamics
-                .wrench_front_left_shank_mx_0_0_0_1_1_0_0
-                * inertias.inertia_front_left_hip_hx
-            + common_forward_dynamics_inverse_dynamics.wrench_front_left_hip_fz_1_1);
-    let minus_articulated_front_left_hip_hxx_1 = wrench_outside_front_left_thigh_mx
-        * inverse_pivot_front_left_hip_pitch_d;
-    let minus_articulated_front_left_hip_hyy_1 = wrench_outside_front_left_thigh_my
-        * inverse_pivot_front_left_hip_pitch_d;
-    let minus_articulated_front_left_hip_hzz_1 = wrench_outside_front_left_thigh_mz
-        * inverse_pivot_front_left_hip_pitch_d;
-    let minus_articulated_front_left_hip_mxy_1 = wrench_outside_front_left_thigh_fx
-        * inverse_pivot_front_left_hip_pitch_d;
-    let minus_articulated_front_left_hip_myz_1 = wrench_outside_front_left_thigh_fy
-        * inverse_pivot_front_left_hip_pitch_d;
-    let minus_articulated_front_left_hip_hxx = minus_articulated_front_left_thigh_hxx
-        + minus_articulated_front_left_hip_hxx_1 * wrench_outside_front_left_thigh_fx;
-    let minus_articulated_front_left_hip_hyy = minus_articulated_front_left_thigh_hyy
-        + minus_articulated_front_left_hip_hyy_1 * wrench_outside_front_left_thigh_fy;
-    let minus_articulated_front_left_hip_hzz = minus_articulated_front_left_thigh_hzz
-        + minus_articulated_front_left_hip_hzz_1 * wrench_outside_front_left_thigh_fz;
-    let minus_articulated_front_left_hip_mxy = minus_articulated_front_left_thigh_mxy
-        + minus_articulated_front_left_hip_mxy_1 * wrench_outside_front_left_thigh_fy;
-    let minus_articulated_front_left_hip_mxz = minus_articulated_front_left_thigh_mxz
-        + minus_articulated_front_left_hip_mxy_1 * wrench_outside_front_left_thigh_fz;
-    let minus_articulated_front_left_hip_myz = minus_articulated_front_left_thigh_myz
-        + minus_articulated_front_left_hip_myz_1 * wrench_outside_front_left_thigh_fz;
-    let articulated_front_left_hip_jxx = inertias.inertia_front_left_hip_xx
-        + (articulated_front_left_thigh_jxx
-            - minus_articulated_front_left_hip_hxx_1
-                * wrench_outside_front_left_thigh_mx);
-    let articulated_front_left_hip_jxy = articulated_front_left_thigh_jxy
-        - minus_articulated_front_left_hip_hxx_1 * wrench_outside_front_left_thigh_my
-        - inertias.minus_inertia_front_left_hip_xy;
-    let articulated_front_left_hip_jxz = articulated_front_left_thigh_jxz
-        - minus_articulated_front_left_hip_hxx_1 * wrench_outside_front_left_thigh_mz
-        - inertias.minus_inertia_front_left_hip_xz;
-    let articulated_front_left_hip_jyy = inertias.inertia_front_left_hip_yy
-        + (articulated_front_left_thigh_jyy
-            - minus_articulated_front_left_hip_hyy_1
-                * wrench_outside_front_left_thigh_my);
-    let articulated_front_left_hip_jyz = inertias.inertia_front_left_hip_yz
-        + (articulated_front_left_thigh_jyz
-            - minus_articulated_front_left_hip_hyy_1
-                * wrench_outside_front_left_thigh_mz);
-    let articulated_front_left_hip_jzz = inertias.inertia_front_left_hip_zz
-        + (articulated_front_left_thigh_jzz
-            - minus_articulated_front_left_hip_hzz_1
-                * wrench_outside_front_left_thigh_mz);
-    let articulated_front_left_hip_hyx = inertias.inertia_front_left_hip_hz
-        + (articulated_front_left_thigh_hyx
-            - minus_articulated_front_left_hip_hyy_1
-                * wrench_outside_front_left_thigh_fx);
-    let minus_articulated_front_left_hip_hzx = inertias.inertia_front_left_hip_hy
-        + (minus_articulated_front_left_thigh_hzx
-            + minus_articulated_front_left_hip_hzz_1
-                * wrench_outside_front_left_thigh_fx);
-    let minus_articulated_front_left_hip_hxy = inertias.inertia_front_left_hip_hz
-        + (minus_articulated_front_left_thigh_hxy
-            + minus_articulated_front_left_hip_hxx_1
-                * wrench_outside_front_left_thigh_fy);
-    let articulated_front_left_hip_hzy = inertias.inertia_front_left_hip_hx
-        + (articulated_front_left_thigh_hzy
-            - minus_articulated_front_left_hip_hzz_1
-                * wrench_outside_front_left_thigh_fy);
-    let articulated_front_left_hip_hxz = inertias.inertia_front_left_hip_hy
-        + (articulated_front_left_thigh_hxz
-            - minus_articulated_front_left_hip_hxx_1
-                * wrench_outside_front_left_thigh_fz);
-    let minus_articulated_front_left_hip_hyz = inertias.inertia_front_left_hip_hx
-        + (minus_articulated_front_left_thigh_hyz
-            + minus_articulated_front_left_hip_hyy_1
-                * wrench_outside_front_left_thigh_fz);
-    let articulated_front_left_hip_mxx = 0.75
-        + (articulated_front_left_thigh_mxx
-            - minus_articulated_front_left_hip_mxy_1
-                * wrench_outside_front_left_thigh_fx);
-    let articulated_front_left_hip_myy = 0.75
-        + (articulated_front_left_thigh_myy
-            - minus_articulated_front_left_hip_myz_1
-                * wrench_outside_front_left_thigh_fy);
-    let articulated_front_left_hip_mzz = 0.75
-        + (articulated_front_left_thigh_mzz
-            - wrench_outside_front_left_thigh_fz * inverse_pivot_front_left_hip_pitch_d
-                * wrench_outside_front_left_thigh_fz);
-    let wrench_outside_front_left_hip_mx = articulated_front_left_hip_jxx
-        + (minus_articulated_front_left_hip_hxy * poses.minus_origin_front_left_hip_z
-            - articulated_front_left_hip_hxz * poses.origin_front_left_hip_y);
-    let wrench_outside_front_left_hip_my = articulated_front_left_hip_jxy
-        + (minus_articulated_front_left_hip_hyz * poses.origin_front_left_hip_y
-            + minus_articulated_front_left_hip_hyy
-                * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_front_left_hip_mz = articulated_front_left_hip_jxz
-        + (minus_articulated_front_left_hip_hzz * poses.origin_front_left_hip_y
-            - articulated_front_left_hip_hzy * poses.minus_origin_front_left_hip_z);
-    let wrench_outside_front_left_hip_fx = minus_articulated_front_left_hip_mxy
-        * poses.minus_origin_front_left_hip_z
-        + minus_articulated_front_left_hip_mxz * poses.origin_front_left_hip_y
-        - minus_articulated_front_left_hip_hxx;
-    let wrench_outside_front_left_hip_fy = minus_articulated_front_left_hip_myz
-        * poses.origin_front_left_hip_y
-        - articulated_front_left_hip_myy * poses.minus_origin_front_left_hip_z
-        - minus_articulated_front_left_hip_hxy;
-    let wrench_outside_front_left_hip_fz = articulated_front_left_hip_hxz
-        + (minus_articulated_front_left_hip_myz * poses.minus_origin_front_left_hip_z
-            - articulated_front_left_hip_mzz * poses.origin_front_left_hip_y);
-    let inverse_pivot_front_left_hip_roll_d = 1.0
-        / (wrench_outside_front_left_hip_mx
-            - poses.minus_origin_front_left_hip_z * wrench_outside_front_left_hip_fy
-            - poses.origin_front_left_hip_y * wrench_outside_front_left_hip_fz);
-    let wrench_trunk_mx_13_0 = tau[0]
-        - (wrench_front_left_hip_mx
-            - poses.minus_origin_front_left_hip_z * wrench_front_left_hip_fy
-            - poses.origin_front_left_hip_y * wrench_front_left_hip_fz);
-    let wrench_trunk_mx_13 = wrench_trunk_mx_13_0 * inverse_pivot_front_left_hip_roll_d;
-    let wrench_trunk_mx = wrench_hind_right_hip_mx
-        + wrench_outside_hind_right_hip_mx * wrench_trunk_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_mx_0_0_0_1_0
-            + wrench_trunk_mx_4)
-        + (wrench_hind_left_hip_mx + wrench_outside_hind_left_hip_mx * wrench_trunk_mx_7)
-        + (wrench_front_right_hip_mx
-            + wrench_outside_front_right_hip_mx * wrench_trunk_mx_10)
-        + (wrench_front_left_hip_mx
-            + wrench_outside_front_left_hip_mx * wrench_trunk_mx_13);
-    let wrench_trunk_my = wrench_hind_right_hip_my
-        + wrench_outside_hind_right_hip_my * wrench_trunk_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_my_0_0_0_1_0
-            + wrench_trunk_my_4)
-        + (wrench_hind_left_hip_my + wrench_outside_hind_left_hip_my * wrench_trunk_mx_7)
-        + (wrench_front_right_hip_my
-            + wrench_outside_front_right_hip_my * wrench_trunk_mx_10)
-        + (wrench_front_left_hip_my
-            + wrench_outside_front_left_hip_my * wrench_trunk_mx_13);
-    let wrench_trunk_mz = wrench_hind_right_hip_mz
-        + wrench_outside_hind_right_hip_mz * wrench_trunk_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_mz_0_0_0_1_0
-            + wrench_trunk_mz_4)
-        + (wrench_hind_left_hip_mz + wrench_outside_hind_left_hip_mz * wrench_trunk_mx_7)
-        + (wrench_front_right_hip_mz
-            + wrench_outside_front_right_hip_mz * wrench_trunk_mx_10)
-        + (wrench_front_left_hip_mz
-            + wrench_outside_front_left_hip_mz * wrench_trunk_mx_13);
-    let wrench_trunk_fx = wrench_hind_right_hip_fx
-        + wrench_outside_hind_right_hip_fx * wrench_trunk_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_fx_0_0_0_1_0
-            + base_wrench[3])
-        + (wrench_hind_left_hip_fx + wrench_outside_hind_left_hip_fx * wrench_trunk_mx_7)
-        + (wrench_front_right_hip_fx
-            + wrench_outside_front_right_hip_fx * wrench_trunk_mx_10)
-        + (wrench_front_left_hip_fx
-            + wrench_outside_front_left_hip_fx * wrench_trunk_mx_13);
-    let wrench_trunk_fy = wrench_hind_right_hip_fy
-        + wrench_outside_hind_right_hip_fy * wrench_trunk_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_fy_0_0_0_1_0
-            + base_wrench[4])
-        + (wrench_hind_left_hip_fy
-            - minus_wrench_outside_hind_left_hip_fy * wrench_trunk_mx_7)
-        + (wrench_front_right_hip_fy
-            + wrench_outside_front_right_hip_fy * wrench_trunk_mx_10)
-        + (wrench_front_left_hip_fy
-            + wrench_outside_front_left_hip_fy * wrench_trunk_mx_13);
-    let wrench_trunk_fz = wrench_hind_right_hip_fz
-        + wrench_outside_hind_right_hip_fz * wrench_trunk_mx_2
-        - (common_forward_dynamics_inverse_dynamics.wrench_trunk_fz_0_0_0_1_0
-            + base_wrench[5])
-        + (wrench_hind_left_hip_fz + wrench_outside_hind_left_hip_fz * wrench_trunk_mx_7)
-        + (wrench_front_right_hip_fz
-            + wrench_outside_front_right_hip_fz * wrench_trunk_mx_10)
-        + (wrench_front_left_hip_fz
-            + wrench_outside_front_left_hip_fz * wrench_trunk_mx_13);
-    let articulated_trunk_jxx_11 = wrench_outside_front_left_hip_mx
-        * inverse_pivot_front_left_hip_roll_d;
-    let articulated_trunk_jyy_11 = wrench_outside_front_left_hip_my
-        * inverse_pivot_front_left_hip_roll_d;
-    let articulated_trunk_jzz_11 = wrench_outside_front_left_hip_mz
-        * inverse_pivot_front_left_hip_roll_d;
-    let articulated_trunk_mxx_11 = wrench_outside_front_left_hip_fx
-        * inverse_pivot_front_left_hip_roll_d;
-    let articulated_trunk_myy_11 = wrench_outside_front_left_hip_fy
-        * inverse_pivot_front_left_hip_roll_d;
-    let articulated_trunk_jxx = inertias.inertia_trunk_xx
-        + (articulated_hind_right_hip_jxx
-            - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_mx)
-        + (articulated_hind_left_hip_jxx
-            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_mx)
-        + (articulated_front_right_hip_jxx
-            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_mx)
-        + (articulated_front_left_hip_jxx
-            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_mx);
-    let articulated_trunk_jxy = articulated_hind_right_hip_jxy
-        - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_my
-        - inertias.minus_inertia_trunk_xy
-        + (articulated_hind_left_hip_jxy
-            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_my)
-        + (articulated_front_right_hip_jxy
-            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_my)
-        + (articulated_front_left_hip_jxy
-            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_my);
-    let articulated_trunk_jxz = articulated_hind_right_hip_jxz
-        - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_mz
-        - inertias.minus_inertia_trunk_xz
-        + (articulated_hind_left_hip_jxz
-            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_mz)
-        + (articulated_front_right_hip_jxz
-            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_mz)
-        + (articulated_front_left_hip_jxz
-            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_mz);
-    let articulated_trunk_jyy = inertias.inertia_trunk_yy
-        + (articulated_hind_right_hip_jyy
-            - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_my)
-        + (articulated_hind_left_hip_jyy
-            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_my)
-        + (articulated_front_right_hip_jyy
-            - articulated_trunk_jyy_8 * wrench_outside_front_right_hip_my)
-        + (articulated_front_left_hip_jyy
-            - articulated_trunk_jyy_11 * wrench_outside_front_left_hip_my);
-    let articulated_trunk_jyz = articulated_hind_right_hip_jyz
-        - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_mz
-        - inertias.minus_inertia_trunk_yz
-        + (articulated_hind_left_hip_jyz
-            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_mz)
-        + (articulated_front_right_hip_jyz
-            - articulated_trunk_jyy_8 * wrench_outside_front_right_hip_mz)
-        + (articulated_front_left_hip_jyz
-            - articulated_trunk_jyy_11 * wrench_outside_front_left_hip_mz);
-    let articulated_trunk_jzz = inertias.inertia_trunk_zz
-        + (articulated_hind_right_hip_jzz
-            - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_mz)
-        + (articulated_hind_left_hip_jzz
-            - articulated_trunk_jzz_5 * wrench_outside_hind_left_hip_mz)
-        + (articulated_front_right_hip_jzz
-            - articulated_trunk_jzz_8 * wrench_outside_front_right_hip_mz)
-        + (articulated_front_left_hip_jzz
-            - articulated_trunk_jzz_11 * wrench_outside_front_left_hip_mz);
-    let minus_articulated_trunk_hxx = minus_articulated_hind_right_hip_hxx
-        + articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_fx
-        + (minus_articulated_hind_left_hip_hxx
-            + articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_fx)
-        + (minus_articulated_front_right_hip_hxx
-            + articulated_trunk_jxx_8 * wrench_outside_front_right_hip_fx)
-        + (minus_articulated_front_left_hip_hxx
-            + articulated_trunk_jxx_11 * wrench_outside_front_left_hip_fx);
-    let articulated_trunk_hyx = articulated_hind_right_hip_hyx
-        - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_fx
-        - inertias.minus_inertia_trunk_hz
-        + (articulated_hind_left_hip_hyx
-            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_fx)
-        + (articulated_front_right_hip_hyx
-            - articulated_trunk_jyy_8 * wrench_outside_front_right_hip_fx)
-        + (articulated_front_left_hip_hyx
-            - articulated_trunk_jyy_11 * wrench_outside_front_left_hip_fx);
-    let articulated_trunk_hzx = inertias.minus_inertia_trunk_hy
-        + (articulated_hind_right_hip_hzx
-            - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_fx)
-        - (minus_articulated_hind_left_hip_hzx
-            + articulated_trunk_jzz_5 * wrench_outside_hind_left_hip_fx)
-        + (articulated_front_right_hip_hzx
-            - articulated_trunk_jzz_8 * wrench_outside_front_right_hip_fx)
-        - (minus_articulated_front_left_hip_hzx
-            + articulated_trunk_jzz_11 * wrench_outside_front_left_hip_fx);
-    let articulated_trunk_hxy = inertias.minus_inertia_trunk_hz
-        + (articulated_hind_right_hip_hxy
-            - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_fy)
-        + (articulated_trunk_jxx_5 * minus_wrench_outside_hind_left_hip_fy
-            - minus_articulated_hind_left_hip_hxy)
-        + (articulated_front_right_hip_hxy
-            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_fy)
-        - (minus_articulated_front_left_hip_hxy
-            + articulated_trunk_jxx_11 * wrench_outside_front_left_hip_fy);
-    let articulated_trunk_hyy = articulated_trunk_jyy_5
-        * minus_wrench_outside_hind_left_hip_fy - minus_articulated_hind_left_hip_hyy
-        - (minus_articulated_hind_right_hip_hyy
-            + articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_fy)
-        - (minus_articulated_front_right_hip_hyy
-            + articulated_trunk_jyy_8 * wrench_outside_front_right_hip_fy)
-        - (minus_articulated_front_left_hip_hyy
-            + articulated_trunk_jyy_11 * wrench_outside_front_left_hip_fy);
-    let articulated_trunk_hzy = articulated_hind_right_hip_hzy
-        - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_fy
-        - inertias.minus_inertia_trunk_hx
-        + (articulated_hind_left_hip_hzy
-            + articulated_trunk_jzz_5 * minus_wrench_outside_hind_left_hip_fy)
-        + (articulated_front_right_hip_hzy
-            - articulated_trunk_jzz_8 * wrench_outside_front_right_hip_fy)
-        + (articulated_front_left_hip_hzy
-            - articulated_trunk_jzz_11 * wrench_outside_front_left_hip_fy);
-    let articulated_trunk_hxz = articulated_hind_right_hip_hxz
-        - articulated_trunk_jxx_2 * wrench_outside_hind_right_hip_fz
-        - inertias.minus_inertia_trunk_hy
-        + (articulated_hind_left_hip_hxz
-            - articulated_trunk_jxx_5 * wrench_outside_hind_left_hip_fz)
-        + (articulated_front_right_hip_hxz
-            - articulated_trunk_jxx_8 * wrench_outside_front_right_hip_fz)
-        + (articulated_front_left_hip_hxz
-            - articulated_trunk_jxx_11 * wrench_outside_front_left_hip_fz);
-    let articulated_trunk_hyz = inertias.minus_inertia_trunk_hx
-        + (articulated_hind_right_hip_hyz
-            - articulated_trunk_jyy_2 * wrench_outside_hind_right_hip_fz)
-        + (articulated_hind_left_hip_hyz
-            - articulated_trunk_jyy_5 * wrench_outside_hind_left_hip_fz)
-        - (minus_articulated_front_right_hip_hyz
-            + articulated_trunk_jyy_8 * wrench_outside_front_right_hip_fz)
-        - (minus_articulated_front_left_hip_hyz
-            + articulated_trunk_jyy_11 * wrench_outside_front_left_hip_fz);
-    let articulated_trunk_hzz = articulated_hind_right_hip_hzz
-        - articulated_trunk_jzz_2 * wrench_outside_hind_right_hip_fz
-        + (articulated_hind_left_hip_hzz
-            - articulated_trunk_jzz_5 * wrench_outside_hind_left_hip_fz)
-        - (minus_articulated_front_right_hip_hzz
-            + articulated_trunk_jzz_8 * wrench_outside_front_right_hip_fz)
-        - (minus_articulated_front_left_hip_hzz
-            + articulated_trunk_jzz_11 * wrench_outside_front_left_hip_fz);
-    let articulated_trunk_mxx = 12.0
-        + (articulated_hind_right_hip_mxx
-            - articulated_trunk_mxx_2 * wrench_outside_hind_right_hip_fx)
-        + (articulated_hind_left_hip_mxx
-            - articulated_trunk_mxx_5 * wrench_outside_hind_left_hip_fx)
-        + (articulated_front_right_hip_mxx
-            - articulated_trunk_mxx_8 * wrench_outside_front_right_hip_fx)
-        + (articulated_front_left_hip_mxx
-            - articulated_trunk_mxx_11 * wrench_outside_front_left_hip_fx);
-    let articulated_trunk_mxy = articulated_trunk_mxx_5
-        * minus_wrench_outside_hind_left_hip_fy - minus_articulated_hind_left_hip_mxy
-        - (minus_articulated_hind_right_hip_mxy
-            + articulated_trunk_mxx_2 * wrench_outside_hind_right_hip_fy)
-        - (minus_articulated_front_right_hip_mxy
-            + articulated_trunk_mxx_8 * wrench_outside_front_right_hip_fy)
-        - (minus_articulated_front_left_hip_mxy
-            + articulated_trunk_mxx_11 * wrench_outside_front_left_hip_fy);
-    let articulated_trunk_mxz = articulated_hind_right_hip_mxz
-        - articulated_trunk_mxx_2 * wrench_outside_hind_right_hip_fz
-        + (articulated_hind_left_hip_mxz
-            - articulated_trunk_mxx_5 * wrench_outside_hind_left_hip_fz)
-        - (minus_articulated_front_right_hip_mxz
-            + articulated_trunk_mxx_8 * wrench_outside_front_right_hip_fz)
-        - (minus_articulated_front_left_hip_mxz
-            + articulated_trunk_mxx_11 * wrench_outside_front_left_hip_fz);
-    let articulated_trunk_myy = 12.0
-        + (articulated_hind_right_hip_myy
-            - articulated_trunk_myy_2 * wrench_outside_hind_right_hip_fy)
-        + (articulated_hind_left_hip_myy
-            - articulated_trunk_myy_5 * minus_wrench_outside_hind_left_hip_fy)
-        + (articulated_front_right_hip_myy
-            - articulated_trunk_myy_8 * wrench_outside_front_right_hip_fy)
-        + (articulated_front_left_hip_myy
-            - articulated_trunk_myy_11 * wrench_outside_front_left_hip_fy);
-    let articulated_trunk_myz = articulated_hind_right_hip_myz
-        - articulated_trunk_myy_2 * wrench_outside_hind_right_hip_fz
-        + (articulated_hind_left_hip_myz
-            + articulated_trunk_myy_5 * wrench_outside_hind_left_hip_fz)
-        - (minus_articulated_front_right_hip_myz
-            + articulated_trunk_myy_8 * wrench_outside_front_right_hip_fz)
-        - (minus_articulated_front_left_hip_myz
-            + articulated_trunk_myy_11 * wrench_outside_front_left_hip_fz);
-    let articulated_trunk_mzz = 12.0
-        + (articulated_hind_right_hip_mzz
-            - wrench_outside_hind_right_hip_fz * inverse_pivot_hind_right_hip_roll_d
-                * wrench_outside_hind_right_hip_fz)
-        + (articulated_hind_left_hip_mzz
-            - wrench_outside_hind_left_hip_fz * inverse_pivot_hind_left_hip_roll_d
-                * wrench_outside_hind_left_hip_fz)
-        + (articulated_front_right_hip_mzz
-            - wrench_outside_front_right_hip_fz * inverse_pivot_front_right_hip_roll_d
-                * wrench_outside_front_right_hip_fz)
-        + (articulated_front_left_hip_mzz
-            - wrench_outside_front_left_hip_fz * inverse_pivot_front_left_hip_roll_d
-                * wrench_outside_front_left_hip_fz);
-    let twist_trunk_wz_15 = 1.0 / articulated_trunk_mxx;
-    let twist_trunk_wz_16 = articulated_trunk_mxy * twist_trunk_wz_15;
-    let twist_trunk_wz_18 = articulated_trunk_mxz * twist_trunk_wz_15;
-    let twist_trunk_vy_1 = 1.0
-        / (articulated_trunk_myy - twist_trunk_wz_16 * articulated_trunk_mxy);
-    let twist_trunk_vz_9_0 = articulated_trunk_myz
-        - twist_trunk_wz_18 * articulated_trunk_mxy;
-    let twist_trunk_vz_9 = twist_trunk_vz_9_0 * twist_trunk_vy_1;
-    let twist_trunk_vz_11 = 1.0
-        / (articulated_trunk_mzz - twist_trunk_wz_18 * articulated_trunk_mxz
-            - twist_trunk_vz_9 * twist_trunk_vz_9_0);
-    let minus_twist_trunk_wx_2_0_4_3_3_4 = articulated_trunk_hxy
-        + twist_trunk_wz_16 * minus_articulated_trunk_hxx;
-    let minus_twist_trunk_wx_2_0_4_3_3 = (articulated_trunk_hxz
-        + twist_trunk_wz_18 * minus_articulated_trunk_hxx
-        - twist_trunk_vz_9 * minus_twist_trunk_wx_2_0_4_3_3_4) * twist_trunk_vz_11;
-    let minus_twist_trunk_wx_2_0_4_3 = minus_twist_trunk_wx_2_0_4_3_3_4
-        * twist_trunk_vy_1 - twist_trunk_vz_9 * minus_twist_trunk_wx_2_0_4_3_3;
-    let minus_twist_trunk_wx_2_0_4 = minus_articulated_trunk_hxx * twist_trunk_wz_15
-        + twist_trunk_wz_16 * minus_twist_trunk_wx_2_0_4_3
-        + twist_trunk_wz_18 * minus_twist_trunk_wx_2_0_4_3_3;
-    let twist_trunk_wy_1_3_3_3_4 = articulated_trunk_hyy
-        - twist_trunk_wz_16 * articulated_trunk_hyx;
-    let twist_trunk_wy_1_3_3_3 = (articulated_trunk_hyz
-        - twist_trunk_wz_18 * articulated_trunk_hyx
-        - twist_trunk_vz_9 * twist_trunk_wy_1_3_3_3_4) * twist_trunk_vz_11;
-    let twist_trunk_wy_1_3_3 = twist_trunk_wy_1_3_3_3_4 * twist_trunk_vy_1
-        - twist_trunk_vz_9 * twist_trunk_wy_1_3_3_3;
-    let twist_trunk_wy_1_3 = articulated_trunk_hyx * twist_trunk_wz_15
-        - twist_trunk_wz_16 * twist_trunk_wy_1_3_3
-        - twist_trunk_wz_18 * twist_trunk_wy_1_3_3_3;
-    let twist_trunk_wz_23_4 = articulated_trunk_hzy
-        - twist_trunk_wz_16 * articulated_trunk_hzx;
-    let twist_trunk_wz_23 = (articulated_trunk_hzz
-        - twist_trunk_wz_18 * articulated_trunk_hzx
-        - twist_trunk_vz_9 * twist_trunk_wz_23_4) * twist_trunk_vz_11;
-    let twist_trunk_wz_21 = twist_trunk_wz_23_4 * twist_trunk_vy_1
-        - twist_trunk_vz_9 * twist_trunk_wz_23;
-    let minus_twist_trunk_wx_2_0 = articulated_trunk_jxy
-        - (articulated_trunk_hyy * minus_twist_trunk_wx_2_0_4_3
-            - articulated_trunk_hyx * minus_twist_trunk_wx_2_0_4
-            + articulated_trunk_hyz * minus_twist_trunk_wx_2_0_4_3_3);
-    let twist_trunk_wz_25 = articulated_trunk_jxz
-        - (articulated_trunk_hzy * minus_twist_trunk_wx_2_0_4_3
-            - articulated_trunk_hzx * minus_twist_trunk_wx_2_0_4
-            + articulated_trunk_hzz * minus_twist_trunk_wx_2_0_4_3_3);
-    let minus_twist_trunk_wx_1 = 1.0
-        / (articulated_trunk_jxx
-            - (minus_articulated_trunk_hxx * minus_twist_trunk_wx_2_0_4
-                + articulated_trunk_hxy * minus_twist_trunk_wx_2_0_4_3
-                + articulated_trunk_hxz * minus_twist_trunk_wx_2_0_4_3_3));
-    let minus_twist_trunk_wx_2 = minus_twist_trunk_wx_2_0 * minus_twist_trunk_wx_1;
-    let twist_trunk_wz_24 = twist_trunk_wz_25 * minus_twist_trunk_wx_1;
-    let twist_trunk_wy_1 = 1.0
-        / (articulated_trunk_jyy
-            - (articulated_trunk_hyx * twist_trunk_wy_1_3
-                + articulated_trunk_hyy * twist_trunk_wy_1_3_3
-                + articulated_trunk_hyz * twist_trunk_wy_1_3_3_3)
-            - minus_twist_trunk_wx_2 * minus_twist_trunk_wx_2_0);
-    let twist_trunk_wz_27 = articulated_trunk_jyz
-        - (articulated_trunk_hzx * twist_trunk_wy_1_3
-            + articulated_trunk_hzy * twist_trunk_wy_1_3_3
-            + articulated_trunk_hzz * twist_trunk_wy_1_3_3_3)
-        - twist_trunk_wz_24 * minus_twist_trunk_wx_2_0;
-    let twist_trunk_wz_26 = twist_trunk_wz_27 * twist_trunk_wy_1;
-    let twist_trunk_wz_4_4 = twist_trunk_wz_16 * wrench_trunk_fx - wrench_trunk_fy;
-    let twist_trunk_wz_4 = (twist_trunk_wz_18 * wrench_trunk_fx - wrench_trunk_fz
-        - twist_trunk_vz_9 * twist_trunk_wz_4_4) * twist_trunk_vz_11;
-    let twist_trunk_wz_6 = twist_trunk_wz_4_4 * twist_trunk_vy_1
-        - twist_trunk_vz_9 * twist_trunk_wz_4;
-    let twist_trunk_wz_8 = wrench_trunk_fx * twist_trunk_wz_15
-        + twist_trunk_wz_16 * twist_trunk_wz_6 + twist_trunk_wz_18 * twist_trunk_wz_4;
-    let twist_trunk_wz_1 = wrench_trunk_mx
-        + (articulated_trunk_hxz * twist_trunk_wz_4
-            + (articulated_trunk_hxy * twist_trunk_wz_6
-                + minus_articulated_trunk_hxx * twist_trunk_wz_8));
-    let twist_trunk_wz_10 = minus_twist_trunk_wx_2 * twist_trunk_wz_1
-        - (wrench_trunk_my
-            + (articulated_trunk_hyz * twist_trunk_wz_4
-                + (articulated_trunk_hyy * twist_trunk_wz_6
-                    - articulated_trunk_hyx * twist_trunk_wz_8)));
-    let twist_trunk_wz = (twist_trunk_wz_24 * twist_trunk_wz_1
-        - (wrench_trunk_mz
-            + (articulated_trunk_hzz * twist_trunk_wz_4
-                + (articulated_trunk_hzy * twist_trunk_wz_6
-                    - articulated_trunk_hzx * twist_trunk_wz_8)))
-        - twist_trunk_wz_26 * twist_trunk_wz_10)
-        * (1.0
-            / (articulated_trunk_jzz
-                - (articulated_trunk_hzx
-                    * (articulated_trunk_hzx * twist_trunk_wz_15
-                        - twist_trunk_wz_16 * twist_trunk_wz_21
-                        - twist_trunk_wz_18 * twist_trunk_wz_23)
-                    + articulated_trunk_hzy * twist_trunk_wz_21
-                    + articulated_trunk_hzz * twist_trunk_wz_23)
-                - twist_trunk_wz_24 * twist_trunk_wz_25
-                - twist_trunk_wz_26 * twist_trunk_wz_27));
-    let twist_trunk_wy = twist_trunk_wz_10 * twist_trunk_wy_1
-        - twist_trunk_wz_26 * twist_trunk_wz;
-    let minus_twist_trunk_wx = twist_trunk_wz_1 * minus_twist_trunk_wx_1
-        + minus_twist_trunk_wx_2 * twist_trunk_wy + twist_trunk_wz_24 * twist_trunk_wz;
-    let twist_trunk_vz_1 = wrench_trunk_fx
-        + (minus_articulated_trunk_hxx * minus_twist_trunk_wx
-            + articulated_trunk_hyx * twist_trunk_wy
-            + articulated_trunk_hzx * twist_trunk_wz);
-    let twist_trunk_vz_10 = twist_trunk_wz_16 * twist_trunk_vz_1
-        - (wrench_trunk_fy
-            + (articulated_trunk_hyy * twist_trunk_wy
-                - articulated_trunk_hxy * minus_twist_trunk_wx
-                + articulated_trunk_hzy * twist_trunk_wz));
-    let twist_trunk_vz = (twist_trunk_wz_18 * twist_trunk_vz_1
-        - (wrench_trunk_fz
-            + (articulated_trunk_hyz * twist_trunk_wy
-                - articulated_trunk_hxz * minus_twist_trunk_wx
-                + articulated_trunk_hzz * twist_trunk_wz))
-        - twist_trunk_vz_9 * twist_trunk_vz_10) * twist_trunk_vz_11;
-    let twist_trunk_vy = twist_trunk_vz_10 * twist_trunk_vy_1
-        - twist_trunk_vz_9 * twist_trunk_vz;
-    let minus_twist_trunk_vx = twist_trunk_vz_1 * twist_trunk_wz_15
-        + twist_trunk_wz_16 * twist_trunk_vy + twist_trunk_wz_18 * twist_trunk_vz;
-    let twist_front_left_hip_wx_0 = (wrench_trunk_mx_13_0
-        - (twist_trunk_wy * wrench_outside_front_left_hip_my
-            - minus_twist_trunk_wx * wrench_outside_front_left_hip_mx
-            + twist_trunk_wz * wrench_outside_front_left_hip_mz
-            - minus_twist_trunk_vx * wrench_outside_front_left_hip_fx
-            + twist_trunk_vy * wrench_outside_front_left_hip_fy
-            + twist_trunk_vz * wrench_outside_front_left_hip_fz))
-        * inverse_pivot_front_left_hip_roll_d;
-    xi_dot[6] = twist_front_left_hip_wx_0 + 0.0;
-    let twist_front_left_hip_wx = twist_front_left_hip_wx_0 - minus_twist_trunk_wx;
-    let twist_front_left_hip_vy = twist_trunk_vy
-        - poses.minus_origin_front_left_hip_z * twist_front_left_hip_wx_0;
-    let twist_front_left_hip_vz = twist_trunk_vz
-        - poses.origin_front_left_hip_y * twist_front_left_hip_wx_0;
-    let twist_front_left_thigh_wy_2 = (wrench_front_left_hip_mx_11_0
-        - (twist_front_left_hip_wx * wrench_outside_front_left_thigh_mx
-            + twist_trunk_wy * wrench_outside_front_left_thigh_my
-            + twist_trunk_wz * wrench_outside_front_left_thigh_mz
-            - minus_twist_trunk_vx * wrench_outside_front_left_thigh_fx
-            + twist_front_left_hip_vy * wrench_outside_front_left_thigh_fy
-            + twist_front_left_hip_vz * wrench_outside_front_left_thigh_fz))
-        * inverse_pivot_front_left_hip_pitch_d;
-    xi_dot[7] = twist_front_left_thigh_wy_2 + 0.0;
-    let twist_front_left_thigh_wy = twist_trunk_wy
-        + poses.cos_front_left_hip_roll * twist_front_left_thigh_wy_2;
-    let twist_front_left_thigh_wz = twist_trunk_wz
-        + poses.sin_front_left_hip_roll * twist_front_left_thigh_wy_2;
-    let twist_front_left_thigh_vx = screws.screw_front_left_hip_pitch_vx
-        * twist_front_left_thigh_wy_2 - minus_twist_trunk_vx;
-    let twist_front_left_thigh_vy = twist_front_left_hip_vy
-        - screws.minus_screw_front_left_hip_pitch_vy * twist_front_left_thigh_wy_2;
-    let twist_front_left_thigh_vz = twist_front_left_hip_vz
-        + screws.screw_front_left_hip_pitch_vz * twist_front_left_thigh_wy_2;
-    xi_dot[8] = (wrench_front_left_thigh_mx_13_0
-        - (twist_front_left_hip_wx * screws.inside_front_left_knee_mx
-            + twist_front_left_thigh_wy * screws.inside_front_left_knee_my
-            + twist_front_left_thigh_wz * screws.inside_front_left_knee_mz
-            + twist_front_left_thigh_vx * screws.inside_front_left_knee_fx
-            + twist_front_left_thigh_vy * screws.inside_front_left_knee_fy
-            + twist_front_left_thigh_vz * screws.inside_front_left_knee_fz))
-        * inverse_pivot_front_left_knee_d + 0.0;
-    let twist_front_right_hip_wx_0 = (wrench_trunk_mx_10_0
-        - (twist_trunk_wy * wrench_outside_front_right_hip_my
-            - minus_twist_trunk_wx * wrench_outside_front_right_hip_mx
-            + twist_trunk_wz * wrench_outside_front_right_hip_mz
-            - minus_twist_trunk_vx * wrench_outside_front_right_hip_fx
-            + twist_trunk_vy * wrench_outside_front_right_hip_fy
-            + twist_trunk_vz * wrench_outside_front_right_hip_fz))
-        * inverse_pivot_front_right_hip_roll_d;
-    xi_dot[9] = twist_front_right_hip_wx_0 + 0.0;
-    let twist_front_right_hip_wx = twist_front_right_hip_wx_0 - minus_twist_trunk_wx;
-    let twist_front_right_hip_vy = twist_trunk_vy
-        - poses.minus_origin_front_left_hip_z * twist_front_right_hip_wx_0;
-    let twist_front_right_hip_vz = twist_trunk_vz
-        + poses.minus_origin_front_right_hip_y * twist_front_right_hip_wx_0;
-    let twist_front_right_thigh_wy_2 = (wrench_front_right_hip_mx_11_0
-        - (twist_front_right_hip_wx * wrench_outside_front_right_thigh_mx
-            + twist_trunk_wy * wrench_outside_front_right_thigh_my
-            + twist_trunk_wz * wrench_outside_front_right_thigh_mz
-            - minus_twist_trunk_vx * wrench_outside_front_right_thigh_fx
-            + twist_front_right_hip_vy * wrench_outside_front_right_thigh_fy
-            + twist_front_right_hip_vz * wrench_outside_front_right_thigh_fz))
-        * inverse_pivot_front_right_hip_pitch_d;
-    xi_dot[10] = twist_front_right_thigh_wy_2 + 0.0;
-    let twist_front_right_thigh_wy = twist_trunk_wy
-        + poses.cos_front_right_hip_roll * twist_front_right_thigh_wy_2;
-    let twist_front_right_thigh_wz = twist_trunk_wz
-        + poses.sin_front_right_hip_roll * twist_front_right_thigh_wy_2;
-    let twist_front_right_thigh_vx = screws.screw_front_right_hip_pitch_vx
-        * twist_front_right_thigh_wy_2 - minus_twist_trunk_vx;
-    let twist_front_right_thigh_vy = twist_front_right_hip_vy
-        - screws.minus_screw_front_right_hip_pitch_vy * twist_front_right_thigh_wy_2;
-    let twist_front_right_thigh_vz = twist_front_right_hip_vz
-        + screws.screw_front_right_hip_pitch_vz * twist_front_right_thigh_wy_2;
-    xi_dot[11] = (wrench_front_right_thigh_mx_13_0
-        - (twist_front_right_hip_wx * screws.inside_front_right_knee_mx
-            + twist_front_right_thigh_wy * screws.inside_front_right_knee_my
-            + twist_front_right_thigh_wz * screws.inside_front_right_knee_mz
-            + twist_front_right_thigh_vx * screws.inside_front_right_knee_fx
-            + twist_front_right_thigh_vy * screws.inside_front_right_knee_fy
-            + twist_front_right_thigh_vz * screws.inside_front_right_knee_fz))
-        * inverse_pivot_front_right_knee_d + 0.0;
-    let twist_hind_left_hip_wx_0 = (wrench_trunk_mx_7_0
-        - (twist_trunk_wy * wrench_outside_hind_left_hip_my
-            - minus_twist_trunk_wx * wrench_outside_hind_left_hip_mx
-            + twist_trunk_wz * wrench_outside_hind_left_hip_mz
-            - minus_twist_trunk_vx * wrench_outside_hind_left_hip_fx
-            - twist_trunk_vy * minus_wrench_outside_hind_left_hip_fy
-            + twist_trunk_vz * wrench_outside_hind_left_hip_fz))
-        * inverse_pivot_hind_left_hip_roll_d;
-    xi_dot[12] = twist_hind_left_hip_wx_0 + 0.0;
-    let twist_hind_left_hip_wx = twist_hind_left_hip_wx_0 - minus_twist_trunk_wx;
-    let twist_hind_left_hip_vy = twist_trunk_vy
-        - poses.minus_origin_front_left_hip_z * twist_hind_left_hip_wx_0;
-    let twist_hind_left_hip_vz = twist_trunk_vz
-        - poses.origin_front_left_hip_y * twist_hind_left_hip_wx_0;
-    let twist_hind_left_thigh_wy_2 = (wrench_hind_left_hip_mx_11_0
-        - (twist_hind_left_hip_wx * wrench_outside_hind_left_thigh_mx
-            + twist_trunk_wy * wrench_outside_hind_left_thigh_my
-            + twist_trunk_wz * wrench_outside_hind_left_thigh_mz
-            - minus_twist_trunk_vx * wrench_outside_hind_left_thigh_fx
-            + twist_hind_left_hip_vy * wrench_outside_hind_left_thigh_fy
-            + twist_hind_left_hip_vz * wrench_outside_hind_left_thigh_fz))
-        * inverse_pivot_hind_left_hip_pitch_d;
-    xi_dot[13] = twist_hind_left_thigh_wy_2 + 0.0;
-    let twist_hind_left_thigh_wy = twist_trunk_wy
-        + poses.cos_hind_left_hip_roll * twist_hind_left_thigh_wy_2;
-    let twist_hind_left_thigh_wz = twist_trunk_wz
-        + poses.sin_hind_left_hip_roll * twist_hind_left_thigh_wy_2;
-    let twist_hind_left_thigh_vx = screws.screw_hind_left_hip_pitch_vx
-        * twist_hind_left_thigh_wy_2 - minus_twist_trunk_vx;
-    let twist_hind_left_thigh_vy = twist_hind_left_hip_vy
-        + screws.screw_hind_left_hip_pitch_vy * twist_hind_left_thigh_wy_2;
-    let twist_hind_left_thigh_vz = twist_hind_left_hip_vz
-        - screws.minus_screw_hind_left_hip_pitch_vz * twist_hind_left_thigh_wy_2;
-    xi_dot[14] = (wrench_hind_left_thigh_mx_13_0
-        - (twist_hind_left_hip_wx * screws.inside_hind_left_knee_mx
-            + twist_hind_left_thigh_wy * screws.inside_hind_left_knee_my
-            + twist_hind_left_thigh_wz * screws.inside_hind_left_knee_mz
-            + twist_hind_left_thigh_vx * screws.inside_hind_left_knee_fx
-            + twist_hind_left_thigh_vy * screws.inside_hind_left_knee_fy
-            - twist_hind_left_thigh_vz * screws.minus_inside_hind_left_knee_fz))
-        * inverse_pivot_hind_left_knee_d + 0.0;
-    let twist_hind_right_hip_wx_0 = (wrench_trunk_mx_2_0
-        - (twist_trunk_wy * wrench_outside_hind_right_hip_my
-            - minus_twist_trunk_wx * wrench_outside_hind_right_hip_mx
-            + twist_trunk_wz * wrench_outside_hind_right_hip_mz
-            - minus_twist_trunk_vx * wrench_outside_hind_right_hip_fx
-            + twist_trunk_vy * wrench_outside_hind_right_hip_fy
-            + twist_trunk_vz * wrench_outside_hind_right_hip_fz))
-        * inverse_pivot_hind_right_hip_roll_d;
-    xi_dot[15] = twist_hind_right_hip_wx_0 + 0.0;
-    let twist_hind_right_hip_wx = twist_hind_right_hip_wx_0 - minus_twist_trunk_wx;
-    let twist_hind_right_hip_vy = twist_trunk_vy
-        - poses.minus_origin_front_left_hip_z * twist_hind_right_hip_wx_0;
-    let twist_hind_right_hip_vz = twist_trunk_vz
-        + poses.minus_origin_front_right_hip_y * twist_hind_right_hip_wx_0;
-    let twist_hind_right_thigh_wy_2 = (wrench_hind_right_hip_mx_11_0
-        - (twist_hind_right_hip_wx * wrench_outside_hind_right_thigh_mx
-            + twist_trunk_wy * wrench_outside_hind_right_thigh_my
-            + twist_trunk_wz * wrench_outside_hind_right_thigh_mz
-            - minus_twist_trunk_vx * wrench_outside_hind_right_thigh_fx
-            + twist_hind_right_hip_vy * wrench_outside_hind_right_thigh_fy
-            + twist_hind_right_hip_vz * wrench_outside_hind_right_thigh_fz))
-        * inverse_pivot_hind_right_hip_pitch_d;
-    xi_dot[16] = twist_hind_right_thigh_wy_2 + 0.0;
-    let twist_hind_right_thigh_wy = twist_trunk_wy
-        + poses.cos_hind_right_hip_roll * twist_hind_right_thigh_wy_2;
-    let twist_hind_right_thigh_wz = twist_trunk_wz
-        + poses.sin_hind_right_hip_roll * twist_hind_right_thigh_wy_2;
-    let twist_hind_right_thigh_vx = screws.screw_hind_right_hip_pitch_vx
-        * twist_hind_right_thigh_wy_2 - minus_twist_trunk_vx;
-    let twist_hind_right_thigh_vy = twist_hind_right_hip_vy
-        + screws.screw_hind_right_hip_pitch_vy * twist_hind_right_thigh_wy_2;
-    let twist_hind_right_thigh_vz = twist_hind_right_hip_vz
-        - screws.minus_screw_hind_right_hip_pitch_vz * twist_hind_right_thigh_wy_2;
-    xi_dot[17] = (wrench_hind_right_thigh_mx_13_0
-        - (twist_hind_right_hip_wx * screws.inside_hind_right_knee_mx
-            + twist_hind_right_thigh_wy * screws.inside_hind_right_knee_my
-            + twist_hind_right_thigh_wz * screws.inside_hind_right_knee_mz
-            + twist_hind_right_thigh_vx * screws.inside_hind_right_knee_fx
-            + twist_hind_right_thigh_vy * screws.inside_hind_right_knee_fy
-            - twist_hind_right_thigh_vz * screws.minus_inside_hind_right_knee_fz))
-        * inverse_pivot_hind_right_knee_d + 0.0;
+    forward_dynamics_itself(
+        mu,
+        qd,
+        gravity,
+        base_wrench,
+        tau,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+        &common_d_mu_and_7_more,
+        &common_forward_dynamics_inverse_dynamics,
+        xi_dot,
+    );
+}
+/// V₁ = μ − A_l q̇ and ξ̇ at once: the rates of the pose, ġ₁ = g₁ V₁^, and of ξ.
+///
+/// - `q`: shape (12; rad, m)
+/// - `qd`: shape velocity (12; rad/s, m/s)
+/// - `mu`: locked velocity, base frame (6; rad/s, m/s)
+/// - `gravity`: acceleration of free fall, base axes (3; m/s²)
+/// - `base_wrench`: wrench on the base, base frame (6; N·m, N)
+/// - `tau`: joint torques (12; N·m, N)
+/// - `base_twist`: V₁, body twist of the base, base frame (6; rad/s, m/s)
+/// - `xi_dot`: ξ̇ = [μ̇; q̈], acceleration, base frame (18; rad/s², m/s²)
+///
+/// 6577 operations: 3314 + −, 3242 ×, 21 ÷; 12 sin cos; about 77.5 KiB of code.
+pub fn state_rate(
+    q: &[f64; 12],
+    qd: &[f64; 12],
+    mu: &[f64; 6],
+    gravity: &[f64; 3],
+    base_wrench: &[f64; 6],
+    tau: &[f64; 12],
+    base_twist: &mut [f64; 6],
+    xi_dot: &mut [f64; 18],
+) {
+    let poses = poses(q);
+    let inertias = inertias(&poses);
+    let complements = complements(&poses, &inertias);
+    let screws = screws(&poses, &inertias, &complements);
+    let velocities = velocities(qd, &poses, &screws);
+    let common_d_mu_and_7_more = common_d_mu_and_7_more(&poses, &inertias, &screws);
+    let common_forward_dynamics_inverse_dynamics = common_forward_dynamics_inverse_dynamics(
+        mu,
+        qd,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+    );
+    base_twist_itself(mu, &poses, &velocities, base_twist);
+    forward_dynamics_itself(
+        mu,
+        qd,
+        gravity,
+        base_wrench,
+        tau,
+        &poses,
+        &inertias,
+        &screws,
+        &velocities,
+        &common_d_mu_and_7_more,
+        &common_forward_dynamics_inverse_dynamics,
+        xi_dot,
+    );
 }
 /// [F₁; τ − A_lᵀ F₁] = Λ (ξ̇ − [0; γ; 0]) + D_q̇ ξ − D_μ ξ, in O(n).
 ///

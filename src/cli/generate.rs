@@ -38,12 +38,13 @@ pub struct Generate {
 type CheckedIn = (&'static str, Option<&'static [Quantity]>);
 
 /// Of the humanoid what a simulation needs: all of it would be ten megabytes.
-const SIMULATED: [Quantity; 5] = [
+const SIMULATED: [Quantity; 6] = [
     Quantity::Inertia,
     Quantity::Momentum,
     Quantity::VelocityOfMomentum,
     Quantity::BaseTwist,
     Quantity::ForwardDynamics,
+    Quantity::StateRate,
 ];
 
 /// The robots of robots/.

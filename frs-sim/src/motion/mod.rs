@@ -4,6 +4,7 @@
 //! [`Conserved`] or [`Ballistic`], the locked velocity too where it is [`Driven`]. Forces are types ([`Loads`]): what a motion does
 //! not name is not computed.
 
+mod answered;
 mod drives;
 mod free_flight;
 mod loads;
@@ -17,6 +18,7 @@ use frs_core::{Model, Moving, Real, Route, Workspace};
 
 use crate::integrate::{State, System, Tangent};
 
+pub use answered::Answered;
 pub use drives::{Course, Drives};
 pub use free_flight::free_flight;
 pub use loads::{Instant, Load, Loads};
