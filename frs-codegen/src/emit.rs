@@ -75,7 +75,7 @@ impl Emitter<'_> {
     /// What the type of the robot is called: its name, unless something else in the module has it.
     pub fn robot_name(&self, codes: &[Code]) -> Ident {
         let name = camel_case(self.model.name());
-        let taken = ["FloatingBase", "Quantity", "F64x4", "F64x8", "F32x8"].contains(&name.as_str())
+        let taken = ["FloatingBase", "Quantity", "F64x4", "F64x8", "F32x8", "F32x16"].contains(&name.as_str())
             || codes.iter().any(|code| structure(&code.name) == name);
         if taken { format_ident!("Robot{name}") } else { ident(&name) }
     }
@@ -466,14 +466,14 @@ impl Emitter<'_> {
 
     /// The type of a number.
     pub fn number(&self) -> TokenStream {
-        let name = match (self.options.precision, self.options.lanes) {
-            (Precision::Double, Lanes::One) => "f64",
-            (Precision::Double, Lanes::Four) => "F64x4",
-            (Precision::Double, Lanes::Eight) => "F64x8",
-            (Precision::Single, Lanes::One) => "f32",
-            (Precision::Single, _) => "F32x8",
+        let bits = match self.options.precision {
+            Precision::Double => 64,
+            Precision::Single => 32,
         };
-        let name = ident(name);
+        let name = match self.options.lanes.count() {
+            1 => format_ident!("f{bits}"),
+            count => format_ident!("F{bits}x{count}"),
+        };
         quote!(#name)
     }
 

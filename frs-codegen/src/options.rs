@@ -63,6 +63,8 @@ pub enum Lanes {
     Four,
     /// Eight states.
     Eight,
+    /// Sixteen states, in single precision.
+    Sixteen,
 }
 
 impl Lanes {
@@ -72,6 +74,7 @@ impl Lanes {
             Self::One => 1,
             Self::Four => 4,
             Self::Eight => 8,
+            Self::Sixteen => 16,
         }
     }
 }
@@ -129,6 +132,7 @@ impl Options {
     pub(crate) fn check(&self) -> Result<(), GenerateError> {
         match (self.precision, self.lanes) {
             (Precision::Single, Lanes::Four) => Err(GenerateError::Lanes { lanes: 4, element: "f32" }),
+            (Precision::Double, Lanes::Sixteen) => Err(GenerateError::Lanes { lanes: 16, element: "f64" }),
             (Precision::Single, _) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "f32" }),
             (_, Lanes::Four | Lanes::Eight) if self.form == Form::Hybrid => Err(GenerateError::Form { other: "lanes" }),
             _ => Ok(()),
