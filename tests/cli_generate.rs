@@ -126,6 +126,7 @@ fn what_cannot_be_verified_is_told() {
         (&["--lock", "joint_1=straight"], "expected NAME=VALUE"),
         (&["--payload", "hand"], "choose from base, link_1, link_2"),
         (&["--f32", "--lanes", "4"], "4 lanes of f32"),
+        (&["--lanes", "16"], "16 lanes of f64"),
         (&["--form", "hybrid", "--lanes", "8"], "hybrid and lanes exclude each other"),
         (&["--form", "hybrid", "--f32"], "hybrid and f32 exclude each other"),
         (&["--momentum", "zero", "--outputs", "d_mu"], "it vanishes with the momentum"),

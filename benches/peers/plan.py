@@ -32,8 +32,9 @@ FORMS = {
     "generated_4": (["--lanes", "4"], ["inertia", "matrices", "forward"]),
     "generated_8": (["--lanes", "8"], ["inertia", "matrices", "forward"]),
     "single_8": (["--lanes", "8", "--f32"], ["inertia", "matrices", "forward"]),
+    "single_16": (["--lanes", "16", "--f32"], ["inertia", "matrices", "forward"]),
 }
-LANES = {"core_4": 4, "core_8": 8, "generated_4": 4, "generated_8": 8, "single_8": 8}
+LANES = {"core_4": 4, "core_8": 8, "generated_4": 4, "generated_8": 8, "single_8": 8, "single_16": 16}
 
 # Joints beyond which straight-line code of a work is not made: matrices grow with their square, a sweep does not.
 LONGEST = {"inertia": 50, "matrices": 50, "all_d": 35, "forward": 100, "curvature": 35}

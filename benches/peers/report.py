@@ -22,10 +22,11 @@ HEADINGS = {
 }
 BEGIN, END = "<!-- race -->", "<!-- /race -->"
 PEERS = ["pinocchio_gcc", "pinocchio_wheel", "casadi", "mujoco", "dynibo"]
-OURS = ["core", "core_4", "core_8", "compiled", "generated", "hybrid", "generated_4", "generated_8", "single_8"]
+OURS = ["core", "core_4", "core_8", "compiled", "generated", "hybrid", "generated_4", "generated_8", "single_8", "single_16"]
 TITLES = {
     "pinocchio_gcc": "gcc", "pinocchio_wheel": "wheel", "casadi": "CasADi", "mujoco": "MuJoCo", "core_4": "core, 4 lanes",
     "core_8": "core, 8 lanes", "compiled": "at run time", "generated_4": "4 lanes", "generated_8": "8 lanes", "single_8": "8 × f32",
+    "single_16": "16 × f32",
 }
 
 
@@ -76,11 +77,11 @@ def code_table(robots):
                 continue
             kibibytes = f"{code['bytes'] / 1024:.0f}" if "bytes" in code else "–"
             stack = f"{100 * code['stack']:.0f} %" if "stack" in code else "–"
-            limits = [times(robot.from_limit(form, work)) for form in ("generated", "generated_4", "generated_8", "single_8")]
+            limits = [times(robot.from_limit(form, work)) for form in ("generated", "generated_4", "generated_8", "single_8", "single_16")]
             hybrid = robot.code.get("hybrid", {}).get(quantity, {})
             hybrid = [f"{hybrid['operations']:,}" if hybrid else "–", f"{hybrid['bytes'] / 1024:.0f}" if "bytes" in hybrid else "–"]
             rows.append([robot.name, f"`{quantity}`", f"{code['operations']:,}", kibibytes, stack, *limits, *hybrid, times(robot.from_limit("hybrid", work))])
-    columns = ["robot", "quantity", "operations", "code, KiB", "on the stack", "time / limit", "4 lanes", "8 lanes", "8 × f32", "hybrid: operations", "code, KiB", "time / limit"]
+    columns = ["robot", "quantity", "operations", "code, KiB", "on the stack", "time / limit", "4 lanes", "8 lanes", "8 × f32", "16 × f32", "hybrid: operations", "code, KiB", "time / limit"]
     table("Generated code beside the limit of two operations a cycle", columns, rows)
 
 

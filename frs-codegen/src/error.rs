@@ -23,7 +23,7 @@ pub enum GenerateError {
     },
     /// There are no lanes of this kind.
     #[error(
-        "lanes: there is no type of {lanes} lanes of {element}; expected 1, 4 or 8 of f64, or 1 or 8 of f32; choose one of these"
+        "lanes: there is no type of {lanes} lanes of {element}; expected 1, 4 or 8 of f64, or 1, 8 or 16 of f32; choose one of these"
     )]
     Lanes {
         /// How many were asked for.

@@ -41,7 +41,7 @@ impl Module<'_> {
     /// What the type of the robot is called: its name, unless something else in the module has it.
     fn robot_name(&self, codes: &[Code]) -> Ident {
         let name = camel_case(self.model.name());
-        let taken = ["FloatingBase", "Quantity", "F64x4", "F64x8", "F32x8"].contains(&name.as_str())
+        let taken = ["FloatingBase", "Quantity", "F64x4", "F64x8", "F32x8", "F32x16"].contains(&name.as_str())
             || codes.iter().any(|code| structure(&code.name) == name);
         if taken { format_ident!("Robot{name}") } else { ident(&name) }
     }

@@ -2,11 +2,10 @@
 
 use frs_core::{Model, Quantity};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
-use crate::emit::ident;
 use crate::name::Parts;
-use crate::options::{Form, Lanes, Options};
+use crate::options::{Form, Options};
 use crate::report::FunctionReport;
 use crate::simplify::Precision;
 
@@ -20,14 +19,14 @@ pub struct Module<'p> {
 impl Module<'_> {
     /// The type of a number.
     pub fn number(&self) -> TokenStream {
-        let name = match (self.options.precision, self.options.lanes) {
-            (Precision::Double, Lanes::One) => "f64",
-            (Precision::Double, Lanes::Four) => "F64x4",
-            (Precision::Double, Lanes::Eight) => "F64x8",
-            (Precision::Single, Lanes::One) => "f32",
-            (Precision::Single, _) => "F32x8",
+        let bits = match self.options.precision {
+            Precision::Double => 64,
+            Precision::Single => 32,
         };
-        let name = ident(name);
+        let name = match self.options.lanes.count() {
+            1 => format_ident!("f{bits}"),
+            count => format_ident!("F{bits}x{count}"),
+        };
         quote!(#name)
     }
 

@@ -68,6 +68,8 @@ pub enum Lanes {
     Four,
     /// Eight states.
     Eight,
+    /// Sixteen states, in single precision.
+    Sixteen,
 }
 
 impl Lanes {
@@ -77,6 +79,7 @@ impl Lanes {
             Self::One => 1,
             Self::Four => 4,
             Self::Eight => 8,
+            Self::Sixteen => 16,
         }
     }
 }
@@ -134,6 +137,7 @@ impl Options {
     pub(crate) fn check(&self) -> Result<(), GenerateError> {
         match (self.precision, self.lanes) {
             (Precision::Single, Lanes::Four) => Err(GenerateError::Lanes { lanes: 4, element: "f32" }),
+            (Precision::Double, Lanes::Sixteen) => Err(GenerateError::Lanes { lanes: 16, element: "f64" }),
             _ => Ok(()),
         }
     }

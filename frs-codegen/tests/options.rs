@@ -11,9 +11,13 @@ use frs_core::{Evaluator, FloatingBase, Model, Quantity, Real};
 
 const STATES: usize = 200;
 
-fn robot(name: &str) -> Model {
+fn urdf(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots").join(name).with_extension("urdf");
-    Model::from_urdf(&std::fs::read_to_string(path).unwrap()).unwrap()
+    std::fs::read_to_string(path).unwrap()
+}
+
+fn robot(name: &str) -> Model {
+    Model::from_urdf(&urdf(name)).unwrap()
 }
 
 fn robots() -> Vec<Model> {
@@ -269,6 +273,34 @@ fn eight_lanes_are_eight_states() {
                 }
             }
         }
+    }
+}
+
+/// Each type of lanes: the code computes with it, and a robot that is called like it is called otherwise.
+#[test]
+fn lanes_are_of_a_type_that_exists() {
+    let urdf = urdf("planar_three_link");
+    let code = |precision, lanes, name: &str| {
+        let model = Model::from_urdf(&urdf.replace("planar_three_link", name)).unwrap();
+        let outputs = Some(vec![Quantity::Momentum]);
+        generate(&model, &Options { precision, lanes, outputs, ..Options::default() }).map(|code| code.text())
+    };
+    let types = [
+        (Precision::Double, Lanes::Four, "F64x4"),
+        (Precision::Double, Lanes::Eight, "F64x8"),
+        (Precision::Single, Lanes::Eight, "F32x8"),
+        (Precision::Single, Lanes::Sixteen, "F32x16"),
+    ];
+    for (precision, lanes, number) in types {
+        let text = code(precision, lanes, number).unwrap();
+        assert!(text.contains(&format!("use ::frs_core::lanes::{number};")), "{number}");
+        assert!(text.contains(&format!("impl FloatingBase<{number}> for Robot{number}")), "{number}");
+    }
+    for (precision, lanes, number) in
+        [(Precision::Single, Lanes::Four, "4 lanes of f32"), (Precision::Double, Lanes::Sixteen, "16 lanes of f64")]
+    {
+        let words = code(precision, lanes, "arm").unwrap_err().to_string();
+        assert!(words.starts_with(&format!("lanes: there is no type of {number}; expected ")), "{words}");
     }
 }
 

@@ -18,7 +18,7 @@ const KEYS: [(&str, &str, &str); 11] = [
     ("gravity", "on or off", "gravity = off"),
     ("lock", "coordinates, each with a number (rad, m)", r#"lock(elbow = 1.2, "joint 3" = -0.5)"#),
     ("payload", "the name of a link in quotes", r#"payload = "gripper""#),
-    ("lanes", "1, 4 or 8", "lanes = 8"),
+    ("lanes", "1, 4, 8 or 16", "lanes = 8"),
     ("form", "auto, unrolled, hybrid or tabled", "form = hybrid"),
     ("scalar", "f64 or f32", "scalar = f32"),
     ("lenient", "true or false", "lenient = true"),
@@ -137,7 +137,7 @@ impl Request {
             "gravity" => setting.word(&[("off", true), ("on", false)]).map(|without| options.without_gravity = without),
             "payload" => setting.text().map(|link| options.payload = Some(link.value())),
             "lanes" => setting
-                .word(&[("1", Lanes::One), ("4", Lanes::Four), ("8", Lanes::Eight)])
+                .word(&[("1", Lanes::One), ("4", Lanes::Four), ("8", Lanes::Eight), ("16", Lanes::Sixteen)])
                 .map(|lanes| options.lanes = lanes),
             "form" => {
                 let forms = [

@@ -34,7 +34,7 @@ pub struct GenerateArgs {
     /// Compute in single precision.
     #[arg(long, help_heading = HEADING)]
     f32: bool,
-    /// Evaluate so many states at once, side by side in one instruction.
+    /// Evaluate so many states at once, side by side in one instruction; 4 goes without --f32, 16 with it.
     #[arg(long, help_heading = HEADING, value_name = "N", default_value = "1", value_parser = lanes())]
     lanes: Lanes,
     /// In what form the code is written.
@@ -115,9 +115,10 @@ pub fn quantity() -> impl TypedValueParser<Value = Quantity> {
 
 /// Reads a number of lanes.
 fn lanes() -> impl TypedValueParser<Value = Lanes> {
-    PossibleValuesParser::new(["1", "4", "8"]).map(|number| match number.as_str() {
+    PossibleValuesParser::new(["1", "4", "8", "16"]).map(|number| match number.as_str() {
         "4" => Lanes::Four,
         "8" => Lanes::Eight,
+        "16" => Lanes::Sixteen,
         _ => Lanes::One,
     })
 }

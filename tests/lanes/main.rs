@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use frs::lanes::{F32x8, F64x4, F64x8};
+use frs::lanes::{F32x8, F32x16, F64x4, F64x8};
 use frs::{Evaluator, FloatingBase, Model, Quantity, Real};
 
 frs::frs_model!(mod four = "robots/planar_three_link.urdf", lanes = 4);
@@ -16,6 +16,7 @@ frs::frs_model!(mod eight_in_loops = "robots/quadruped.urdf", form = tabled, lan
 frs::frs_model!(mod singles_in_loops = "robots/chaser.urdf", form = tabled, scalar = f32, lanes = 8);
 frs::frs_model!(mod single = "robots/lwr_satellite.urdf", form = unrolled, scalar = f32, outputs(inertia, b2, forward_dynamics));
 frs::frs_model!(mod eight_single = "robots/planar_three_link.urdf", scalar = f32, lanes = 8);
+frs::frs_model!(mod sixteen_single = "robots/planar_three_link.urdf", scalar = f32, lanes = 16);
 
 /// States at which each function is compared: at least ten thousand.
 const STATES: usize = 10_000;
@@ -55,6 +56,7 @@ lanes! {
     F64x4: f64, 4, F64x4::from_array, F64x4::to_array;
     F64x8: f64, 8, F64x8::from_array, F64x8::to_array;
     F32x8: f32, 8, F32x8::from_array, F32x8::to_array;
+    F32x16: f32, 16, F32x16::from_array, F32x16::to_array;
     f64: f64, 1, |[one]: [f64; 1]| one, |one| [one];
     f32: f32, 1, |[one]: [f32; 1]| one, |one| [one];
 }
@@ -165,4 +167,9 @@ fn one_single() {
 #[test]
 fn eight_singles() {
     every_lane_has_the_bits_of_the_core("planar_three_link.urdf", eight_single::PlanarThreeLink);
+}
+
+#[test]
+fn sixteen_singles() {
+    every_lane_has_the_bits_of_the_core("planar_three_link.urdf", sixteen_single::PlanarThreeLink);
 }

@@ -40,7 +40,7 @@ OWN = {
 }
 OWN_STATES = 10000
 # Without optimisation each operation is what is written, and lanes compile in seconds; generated/ itself is tested optimised.
-KINDS = [["--lanes", "4"], ["--lanes", "8"], ["--f32"], ["--f32", "--lanes", "8"], []]
+KINDS = [["--lanes", "4"], ["--lanes", "8"], ["--f32"], ["--f32", "--lanes", "16"], []]
 # The hybrid form of the small ones; of all robots it is interpreted in frs-codegen/tests/options.rs.
 HYBRID = {"planar_three_link", "chaser", "lwr_satellite"}
 

@@ -6,9 +6,9 @@ use std::time::Instant;
 use frs::lanes::F64x8;
 use frs::{Evaluator, FloatingBase, Model, Quantity, Real};
 
-frs::frs_model!(mod satellite = "../../robots/lwr_satellite.urdf", outputs(inertia, matrices, forward_dynamics));
-frs::frs_model!(mod quadruped = "../../robots/quadruped.urdf", outputs(inertia, matrices, forward_dynamics));
-frs::frs_model!(mod humanoid = "../../robots/humanoid.urdf", outputs(inertia, matrices, forward_dynamics));
+frs::frs_model!(mod satellite = "../../robots/lwr_satellite.urdf", form = unrolled, outputs(inertia, matrices, forward_dynamics));
+frs::frs_model!(mod quadruped = "../../robots/quadruped.urdf", form = unrolled, outputs(inertia, matrices, forward_dynamics));
+frs::frs_model!(mod humanoid = "../../robots/humanoid.urdf", form = unrolled, outputs(inertia, matrices, forward_dynamics));
 
 const QUANTITIES: [Quantity; 3] = [Quantity::Inertia, Quantity::Matrices, Quantity::ForwardDynamics];
 

@@ -3,7 +3,7 @@
 use frs_core::lanes::Lane;
 use frs_core::{Moving, Real};
 
-use crate::motion::{Instant, Load, Loads};
+use crate::motion::{Forces, Instant, Load, Loads};
 
 /// Constant joint torques τ (N·m, N), one set a lane.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +28,13 @@ impl<T: Lane<Element = f64>> Torques<T> {
 }
 
 impl<T: Real> Loads<T> for Torques<T> {
-    fn add(&mut self, _: &Instant<'_, T>, _: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
+    fn add(&mut self, instant: &Instant<'_, T>, _: &mut Moving<'_, '_, '_, T>, load: &mut Load<T>) {
+        Forces::add(self, instant, load);
+    }
+}
+
+impl<T: Real> Forces<T> for Torques<T> {
+    fn add(&mut self, _: &Instant<'_, T>, load: &mut Load<T>) {
         load.tau.iter_mut().zip(&self.tau).for_each(|(tau, &torque)| *tau += torque);
     }
 }

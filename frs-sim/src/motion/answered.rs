@@ -8,7 +8,33 @@ use frs_core::{FloatingBase, Quantity, Real};
 use super::{Instant, Load};
 use crate::integrate::{State, System, Tangent};
 
-/// A robot in motion that is asked for [`Quantity::StateRate`] and nothing else: all that forces may know is the [`Instant`].
+/// Something that exerts forces by the instant alone: no sweep over the robot is at hand. Two are a pair `(a, b)`, none is `()`.
+///
+/// What asks the robot is [`Loads`](super::Loads).
+pub trait Forces<T: Real> {
+    /// Adds the forces at an instant.
+    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>);
+}
+
+impl<T: Real> Forces<T> for () {
+    fn add(&mut self, _: &Instant<'_, T>, _: &mut Load<T>) {}
+}
+
+impl<T: Real, A: Forces<T>, B: Forces<T>> Forces<T> for (A, B) {
+    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
+        self.0.add(instant, load);
+        self.1.add(instant, load);
+    }
+}
+
+/// A function of the instant: `|instant, load| …`.
+impl<T: Real, F: FnMut(&Instant<'_, T>, &mut Load<T>)> Forces<T> for F {
+    fn add(&mut self, instant: &Instant<'_, T>, load: &mut Load<T>) {
+        self(instant, load);
+    }
+}
+
+/// A robot in motion that is asked for [`Quantity::StateRate`] and nothing else: all that its forces know is the [`Instant`].
 ///
 /// The numbers of a state are `q`, `q̇` and `μ`, as those of a [`Motion`](super::Motion) whose momentum is [`Driven`](super::Driven), and so
 /// are its bits. Over lanes it is a system for an [`Ensemble`](crate::ensemble::Ensemble).
@@ -41,7 +67,7 @@ pub struct Answered<R, F, T: Real = f64> {
     xi_dot: Vec<T>,
 }
 
-impl<T: Real, R: FloatingBase<T>, F: FnMut(&Instant<'_, T>, &mut Load<T>)> Answered<R, F, T> {
+impl<T: Real, R: FloatingBase<T>, F: Forces<T>> Answered<R, F, T> {
     /// The motion of `robot` under `forces`, which are added to a load of none.
     ///
     /// # Panics
@@ -51,9 +77,7 @@ impl<T: Real, R: FloatingBase<T>, F: FnMut(&Instant<'_, T>, &mut Load<T>)> Answe
         let n = robot.dof();
         Self { robot, forces, load: Load::zero(n), xi_dot: vec![T::zero(); 6 + n] }
     }
-}
 
-impl<T: Real, R: FloatingBase<T>, F> Answered<R, F, T> {
     /// A state of this motion.
     ///
     /// # Panics
@@ -70,7 +94,7 @@ impl<T: Real, R: FloatingBase<T>, F> Answered<R, F, T> {
     }
 }
 
-impl<T: Real, R: FloatingBase<T>, F: FnMut(&Instant<'_, T>, &mut Load<T>)> System<T> for Answered<R, F, T> {
+impl<T: Real, R: FloatingBase<T>, F: Forces<T>> System<T> for Answered<R, F, T> {
     fn dimension(&self) -> usize {
         2 * self.robot.dof() + 6
     }
@@ -86,7 +110,7 @@ impl<T: Real, R: FloatingBase<T>, F: FnMut(&Instant<'_, T>, &mut Load<T>)> Syste
         let (qd, mu) = rest.split_at(n);
         load.clear();
         let velocity = Twist::from_array(std::array::from_fn(|i| mu[i]));
-        forces(&Instant { time, pose: &state.pose, q, qd, mu: velocity }, load);
+        forces.add(&Instant { time, pose: &state.pose, q, qd, mu: velocity }, load);
 
         let (wrench, mut twist) = (load.base_wrench.to_array(), [T::zero(); 6]);
         let inputs: [&[T]; 6] = [q, qd, mu, &load.gravity, &wrench, &load.tau];

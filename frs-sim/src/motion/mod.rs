@@ -18,7 +18,7 @@ use frs_core::{Model, Moving, Real, Route, Workspace};
 
 use crate::integrate::{State, System, Tangent};
 
-pub use answered::Answered;
+pub use answered::{Answered, Forces};
 pub use drives::{Course, Drives};
 pub use free_flight::free_flight;
 pub use loads::{Instant, Load, Loads};

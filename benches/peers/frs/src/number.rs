@@ -1,7 +1,7 @@
 //! Numbers that states are computed in, one state or several side by side.
 
 use frs_core::Real;
-use frs_core::lanes::{F32x8, F64x4, F64x8};
+use frs_core::lanes::{F32x8, F32x16, F64x4, F64x8};
 
 /// A number of so many states.
 pub trait Number: Real {
@@ -43,4 +43,4 @@ macro_rules! number {
     };
 }
 
-number!(F64x4, F64x8, F32x8);
+number!(F64x4, F64x8, F32x8, F32x16);
