@@ -17,26 +17,21 @@ const STATES: usize = 512;
 const TURNS: usize = 200;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let pools = [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build());
-    let [one, two] = pools;
-    let (one, two) = (one?, two?);
-    println!(
-        "| robot (n) | quantity | one state | 4 lanes | 8 lanes | blocks, as compiled | AVX2 | AVX-512 | 8 lanes, 2 threads | blocks, 2 threads |"
-    );
-    println!("|---|---|---|---|---|---|---|---|---|---|");
+    let one = ThreadPoolBuilder::new().num_threads(1).build()?;
+    println!("| robot (n) | quantity | one state | 4 lanes | 8 lanes | blocks, as compiled | AVX2 | AVX-512 |");
+    println!("|---|---|---|---|---|---|---|---|");
     for urdf in ["lwr_satellite", "humanoid"] {
         let path = format!("{}/../robots/{urdf}.urdf", env!("CARGO_MANIFEST_DIR"));
         let model = Model::from_urdf(&std::fs::read_to_string(path)?)?;
         let (four, eight) = (model.cast::<F64x4>(), model.cast::<F64x8>());
         for quantity in [Quantity::Inertia, Quantity::Matrices, Quantity::ForwardDynamics] {
             let recording = Recording::new(&model, quantity)?;
-            let states = States::random(quantity, model.dof());
+            let states = States::random(STATES, quantity, model.dof());
             let blocks = |instructions: Instructions| recording.blocks_by(instructions);
-            let lanes = || Side::new(Evaluator::new(&eight));
             let mut ways: Vec<Box<dyn FnMut() -> f64 + '_>> = vec![
                 states.way(&one, || Side::new(Evaluator::new(&model))),
                 states.way(&one, || Side::new(Evaluator::new(&four))),
-                states.way(&one, lanes),
+                states.way(&one, || Side::new(Evaluator::new(&eight))),
             ];
             for instructions in Instructions::ALL {
                 ways.push(match instructions.are_here() {
@@ -44,14 +39,49 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     false => Box::new(|| f64::NAN),
                 });
             }
-            ways.push(states.way(&two, lanes));
-            ways.push(states.way(&two, move || blocks(Instructions::widest())));
             let mut least = vec![f64::INFINITY; ways.len()];
             for _ in 0..TURNS {
                 least.iter_mut().zip(&mut ways).for_each(|(least, way)| *least = least.min(way()));
             }
             let times: Vec<String> = least.iter().map(|time| format!("{time:.2}")).collect();
             println!("| {urdf} ({}) | `{}` | {} |", model.dof(), quantity.name(), times.join(" | "));
+        }
+    }
+    threads()
+}
+
+/// How many times as fast as one thread several are, at the states of many calls.
+fn threads() -> Result<(), Box<dyn std::error::Error>> {
+    let most = std::thread::available_parallelism()?.get();
+    let counts: Vec<usize> =
+        std::iter::successors(Some(1), |count| Some(2 * count)).take_while(|&count| count <= most).collect();
+    let pools: Vec<ThreadPool> =
+        counts.iter().map(|&count| ThreadPoolBuilder::new().num_threads(count).build()).collect::<Result<_, _>>()?;
+    let titles: Vec<String> = counts.iter().skip(1).map(|count| format!("{count} threads")).collect();
+    println!("\n| robot (n) | quantity | way | 1 thread, µs | {} |", titles.join(" | "));
+    println!("|---|---|---|---|{}", "---|".repeat(titles.len()));
+    for urdf in ["lwr_satellite", "humanoid"] {
+        let path = format!("{}/../robots/{urdf}.urdf", env!("CARGO_MANIFEST_DIR"));
+        let model = Model::from_urdf(&std::fs::read_to_string(path)?)?;
+        let eight = model.cast::<F64x8>();
+        for quantity in [Quantity::Inertia, Quantity::ForwardDynamics] {
+            let recording = Recording::new(&model, quantity)?;
+            let states = States::random(64 * STATES, quantity, model.dof());
+            let mut ways = Vec::new();
+            for pool in &pools {
+                ways.push(states.way(pool, || recording.blocks()));
+                ways.push(states.way(pool, || Side::new(Evaluator::new(&eight))));
+            }
+            let mut least = vec![f64::INFINITY; ways.len()];
+            for _ in 0..TURNS / 8 {
+                least.iter_mut().zip(&mut ways).for_each(|(least, way)| *least = least.min(way()));
+            }
+            for (number, way) in ["blocks", "8 lanes"].into_iter().enumerate() {
+                let times: Vec<f64> = least.iter().copied().skip(number).step_by(2).collect();
+                let gains: Vec<String> = times[1..].iter().map(|time| format!("{:.2}", times[0] / time)).collect();
+                let (n, name) = (model.dof(), quantity.name());
+                println!("| {urdf} ({n}) | `{name}` | {way} | {:.2} | {} |", times[0], gains.join(" | "));
+            }
         }
     }
     Ok(())
@@ -61,17 +91,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 struct States {
     quantity: Quantity,
     inputs: Vec<Array2<f64>>,
+    count: usize,
     dof: usize,
 }
 
 impl States {
-    fn random(quantity: Quantity, dof: usize) -> Self {
+    fn random(count: usize, quantity: Quantity, dof: usize) -> Self {
         let mut random = fastrand::Rng::with_seed(1);
         let inputs = quantity
             .inputs()
-            .map(|input| Array2::from_shape_simple_fn((STATES, input.len(dof)), || 3.0 * (random.f64() - 0.5)))
+            .map(|input| Array2::from_shape_simple_fn((count, input.len(dof)), || 3.0 * (random.f64() - 0.5)))
             .collect();
-        Self { quantity, inputs, dof }
+        Self { quantity, inputs, count, dof }
     }
 
     /// A call, in microseconds per state.
@@ -81,7 +112,7 @@ impl States {
         robot: impl Fn() -> G + Sync + Send + 'a,
     ) -> Box<dyn FnMut() -> f64 + 'a> {
         let mut outputs: Vec<Array2<f64>> =
-            self.quantity.outputs().map(|output| Array2::zeros((STATES, output.len(self.dof)))).collect();
+            self.quantity.outputs().map(|output| Array2::zeros((self.count, output.len(self.dof)))).collect();
         Box::new(move || {
             let inputs: Vec<ArrayView2<f64>> = self.inputs.iter().map(|array| array.view()).collect();
             let asked = outputs.iter_mut().map(|array| array.view_mut()).collect();
@@ -89,7 +120,7 @@ impl States {
             let begin = Instant::now();
             let answered = pool.install(|| answer(robot, self.quantity, &inputs, asked));
             let time = begin.elapsed().as_secs_f64();
-            answered.map_or(f64::NAN, |()| time * 1e6 / STATES as f64)
+            answered.map_or(f64::NAN, |()| time * 1e6 / self.count as f64)
         })
     }
 }
