@@ -7,7 +7,7 @@ use serde_json::Value;
 const PLANAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/robots/planar_three_link.urdf");
 
 /// Functions of the planar robot: sixteen quantities, and the kinematics of the link at its end.
-const FUNCTIONS: usize = 17;
+const FUNCTIONS: usize = 18;
 
 fn frs(arguments: &[&str]) -> Command {
     let mut frs = Command::new(env!("CARGO_BIN_EXE_frs"));

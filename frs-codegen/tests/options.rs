@@ -93,8 +93,8 @@ fn remains_the_same(options: &Options, zero: &[&str]) {
             for _ in 0..STATES {
                 let state = state(&mut random, model.dof(), zero);
                 let mut expected = core(&model, function.quantity, &state);
-                if function.outputs[0].name == "qdd" {
-                    expected[0].drain(..6);
+                if let Some(place) = function.outputs.iter().position(|output| output.name == "qdd") {
+                    expected[place].drain(..6);
                 }
                 let actual = interpret(&program, function.quantity, &state);
                 let name = function.quantity.name();
