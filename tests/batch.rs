@@ -1,12 +1,16 @@
-//! Robots generated over lanes answer batches with the bits of the core.
+//! Robots generated over lanes answer batches, and fly side by side, with the bits of the core.
 
 use frs::batch::{Group, Recording, Side, answer};
-use frs::lanes::{F64x4, F64x8};
-use frs::{Evaluator, Model, Quantity};
+use frs::lanes::{F64x4, F64x8, Lane};
+use frs::spatial::Pose;
+use frs::{Evaluator, FloatingBase, Model, Quantity};
+use frs_sim::ensemble::{Arrival, Ensemble, Start, Torques};
+use frs_sim::integrate::{DOPRI5, State};
+use frs_sim::motion::Answered;
 use ndarray::{Array2, ArrayView2};
 
-frs::frs_model!(mod four = "robots/planar_three_link.urdf", lanes = 4, outputs(inertia, forward_dynamics));
-frs::frs_model!(mod eight = "robots/planar_three_link.urdf", lanes = 8, outputs(inertia, forward_dynamics));
+frs::frs_model!(mod four = "robots/planar_three_link.urdf", lanes = 4, outputs(inertia, forward_dynamics, state_rate));
+frs::frs_model!(mod eight = "robots/planar_three_link.urdf", lanes = 8, outputs(inertia, forward_dynamics, state_rate));
 
 /// No multiple of four or eight.
 const STATES: usize = 203;
@@ -34,4 +38,38 @@ fn generated_lanes_answer_batches_with_the_bits_of_the_core() {
         let recording = Recording::new(&model, quantity).unwrap();
         assert_eq!(bits(|| recording.blocks(), quantity, &inputs), expected);
     }
+}
+
+/// Where trajectories of the robot end whose torques are their numbers, and after how many steps.
+fn flown<T: Lane<Element = f64>, R: FloatingBase<T>>(robot: impl Fn() -> R + Sync) -> Vec<(Vec<u64>, usize)> {
+    let mut random = fastrand::Rng::with_seed(12);
+    let starts: Vec<Start> = (0..21)
+        .map(|number| {
+            let mut flat = vec![0.0; 2 + 2 + 6];
+            flat.iter_mut().for_each(|entry| *entry = random.f64() - 0.5);
+            let state = State { pose: Pose::identity(), flat };
+            Start { state, from: 0.0, until: 0.2 + 0.05 * f64::from(number) }
+        })
+        .collect();
+    let ensemble = Ensemble { tableau: &DOPRI5, accuracy: 1e-10, times: Vec::new() };
+    let flown = ensemble.fly(
+        &starts,
+        || Answered::new(robot(), Torques::none(2)),
+        |motion, seat| motion.forces_mut().set(seat.lane, &[0.1 * seat.trajectory as f64, -0.3]),
+    );
+    let end = |arrival: Arrival| {
+        assert!(arrival.end.is_ok() && arrival.steps > 3);
+        let pose = arrival.state.pose;
+        let numbers = pose.rotation.iter().chain(&pose.translation).chain(&arrival.state.flat);
+        (numbers.map(|number| number.to_bits()).collect(), arrival.steps)
+    };
+    flown.unwrap().arrivals.into_iter().map(end).collect()
+}
+
+#[test]
+fn generated_lanes_fly_with_the_bits_of_the_core() {
+    let model = Model::from_urdf(include_str!("../robots/planar_three_link.urdf")).unwrap();
+    let expected = flown::<f64, _>(|| Evaluator::new(&model));
+    assert_eq!(flown::<F64x4, _>(|| four::PlanarThreeLink), expected);
+    assert_eq!(flown::<F64x8, _>(|| eight::PlanarThreeLink), expected);
 }
