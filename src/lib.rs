@@ -61,7 +61,7 @@ pub use nalgebra;
 /// | `lock(elbow = 1.2, "joint 3" = -0.5)` | coordinates that are held, rad or m ([`Model::lock`]) | none |
 /// | `payload = "gripper"` | the link whose ten inertial numbers stay an input | none |
 /// | `lanes = 1`, `4`, `8`, `16` | states evaluated at once ([`lanes`]): 4 of `f64` only, 16 of `f32` only | 1 |
-/// | `form = unrolled`, `hybrid`, `tabled`, `auto` | how functions are written: number by number; what is the same for four bodies by vectors of [`lanes`], half the machine code where four doubles are one register; as constants for the core's loops, however many joints there are, with memory that each thread allocates at its first call; each in the first of these forms whose code stays in a processor's first cache | auto |
+/// | `form = unrolled`, `hybrid`, `tabled`, `auto` | how functions are written: number by number; what is the same for four bodies by vectors of [`lanes`], half the machine code where four doubles are one register; as constants for the core's loops, however many joints there are, with memory that each thread allocates at its first call; each in the first of these forms whose code is short enough for a processor's first cache | auto |
 /// | `scalar = f64`, `f32` | the type of the numbers | f64 |
 /// | `lenient = true`, `false` | as [`urdf::Options::lenient`] | false |
 ///

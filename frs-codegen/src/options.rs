@@ -42,7 +42,7 @@ pub enum Form {
     /// Tables of the robot's constants, and the core's loops over them: as much code for a hundred joints as for one. It needs `frs-core`, and a
     /// little memory in each thread that calls it.
     Tabled,
-    /// For each quantity the first of these whose predicted code stays in a processor's first cache.
+    /// For each quantity the first of these whose predicted code is short enough for a processor's first cache.
     Auto,
 }
 

@@ -51,7 +51,7 @@ enum Form {
     Hybrid,
     /// tables of the robot's constants, and the core's loops over them
     Tabled,
-    /// for each quantity the first of these whose code stays in a processor's first cache, 32 KiB
+    /// for each quantity the first of these whose code is short: 32 KiB unrolled, 48 hybrid
     Auto,
 }
 
