@@ -16,19 +16,20 @@ mod labels;
 mod newton_euler;
 mod parts;
 mod position;
+mod square;
 mod tables;
 mod velocity;
 
 pub(crate) use articulated::articulated_accelerations;
-pub(crate) use columns::{Columns, Row, add_dot, dot, groups};
+pub(crate) use columns::{Columns, Row, groups};
 pub(crate) use composite::{outside_sums, subtree_sums};
-pub(crate) use coordinates::Square;
 pub(crate) use factors::factors;
 pub(crate) use frames::base_matrix;
 pub use labels::{Label, Pass};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 pub(crate) use newton_euler::{newton_euler, project};
-pub(crate) use parts::{gather, scatter, splat};
+pub(crate) use parts::{gather, joined, scatter, splat};
+pub(crate) use square::{Square, Symmetry};
 pub(crate) use velocity::free_velocities;
 
 use crate::Real;
@@ -110,6 +111,8 @@ pub(crate) struct Data<T: Real> {
     pub three_rows_more: Columns<T, 3>,
     pub six_rows: Columns<T, 6>,
     pub six_rows_more: Columns<T, 6>,
+    pub nine_rows: [Columns<T, 9>; 3],
+    pub twelve_rows: Columns<T, 12>,
     /// Per coordinate.
     pub vector: Vec<T>,
     pub vector_more: Vec<T>,
@@ -136,7 +139,7 @@ impl<'m, T: Real> Workspace<'m, T> {
         let twist = vec![Twist::zero(); bodies];
         let wrench = vec![Wrench::zero(); bodies];
         let factor = vec![CoriolisFactor::zero(); bodies];
-        let (six, ten) = (Columns::new(joints), Columns::new(joints));
+        let (six, nine, ten) = (Columns::new(joints), Columns::new(joints), Columns::new(joints));
         let data = Data {
             tables: Tables::new(model),
             sin: Row::new(joints),
@@ -165,6 +168,8 @@ impl<'m, T: Real> Workspace<'m, T> {
             three_rows_more: Columns::new(joints),
             six_rows: six.clone(),
             six_rows_more: six,
+            nine_rows: [nine.clone(), nine.clone(), nine],
+            twelve_rows: Columns::new(joints),
             vector: vec![T::zero(); model.dof()],
             vector_more: vec![T::zero(); model.dof()],
             matrix: DMatrix::zeros(model.dof(), model.dof()),
