@@ -41,20 +41,15 @@ impl<T: Real> Shape<'_, '_, T> {
     pub fn d_mu(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
         let momentum = self.locked_momentum(mu).moment;
         self.curvature_of_momentum(mu.angular, momentum, out, 6);
-        out.fixed_view_mut::<6, 6>(0, 0).copy_from(&-self.locked_coriolis(mu));
+        out.fixed_view_mut::<6, 6>(0, 0).copy_from(&self.locked_coriolis(mu).map(T::neg));
 
         let (com, mu) = (self.com(), mu.at(self.com()));
         let (momentum, half) = (self.locked_momentum(mu), mu * T::from_f64(0.5));
         let size = out.nrows();
         let (left, right) = out.as_mut_slice().split_at_mut(6 * size);
-        right.chunks_exact_mut(size).for_each(|column| column[..6].fill(T::zero()));
         self.data.momentum_columns(half, momentum, com);
-        for (j, body) in self.model.bodies()[1..].iter().enumerate() {
-            let column = &mut right[body.drive.coordinate * size..][..6];
-            for (entry, x) in column.iter_mut().zip(self.data.six_rows.at::<[T; 6]>(j)) {
-                *entry -= x * body.drive.ratio;
-            }
-        }
+        let columns = &self.data.six_rows;
+        self.model.gather_groups(right, size, |first| (-columns.lanes::<Wrench<_>>(first)).to_array());
         for (r, row) in left.chunks_exact_mut(size).enumerate() {
             for (entry, column) in row[6..].iter_mut().zip(right.chunks_exact(size)) {
                 *entry = -column[r];

@@ -64,11 +64,13 @@ impl<T: Real> Shape<'_, '_, T> {
         let twice: Vector3<T::Lanes> = splat(twice);
         for first in groups::<T>(0..joints) {
             let screw: Twist<T::Lanes> = data.screw.lanes(first);
-            let (connection, reaction): (Twist<T::Lanes>, Twist<_>) =
-                (data.connection.lanes(first), data.reaction.lanes(first));
-            let (composite, complement): (Inertia<T::Lanes>, Inertia<_>) =
-                (data.composite_columns.lanes(first), data.complement_columns.lanes(first));
+            let (composite, connection): (Inertia<T::Lanes>, Twist<_>) =
+                (data.composite_columns.lanes(first), data.connection.lanes(first));
             let rate = composite.rate(screw).rotational * omega;
+            let [columns, belows, besides] = &mut data.nine_rows;
+            columns.set_lanes(first, joined(rate, connection));
+            let (complement, reaction): (Inertia<T::Lanes>, Twist<_>) =
+                (data.complement_columns.lanes(first), data.reaction.lanes(first));
             let rate_outside = complement.rate(screw).rotational * omega;
             let below =
                 Wrench::new(cross(&reaction.angular, &momentum) - rate_outside, cross(&reaction.linear, &twice));
@@ -77,8 +79,6 @@ impl<T: Real> Shape<'_, '_, T> {
             data.six_rows.set_lanes(first, below);
             data.six_rows_more.set_lanes(first, beside);
             data.three_rows.set_lanes(first, rate);
-            let [columns, belows, besides] = &mut data.nine_rows;
-            columns.set_lanes(first, joined(rate, connection));
             belows.set_lanes(first, joined(reaction.angular, below));
             besides.set_lanes(first, joined(-connection.angular, beside));
         }

@@ -2,6 +2,8 @@
 
 use nalgebra::Matrix6xX;
 
+use super::groups;
+
 use crate::model::Model;
 use crate::{Lanes, Real};
 
@@ -26,15 +28,21 @@ impl<T: Real> Model<T> {
         }
     }
 
-    /// The same, with the values of the joints from `first` on side by side in `values(first)`.
-    pub(crate) fn gather_groups(&self, out: &mut Matrix6xX<T>, values: impl Fn(usize) -> [T::Lanes; 6]) {
-        let columns = self.empty_columns(out);
-        for (group, bodies) in self.bodies()[1..].chunks(T::Lanes::WIDTH).enumerate() {
-            let values = values(group * T::Lanes::WIDTH);
-            for (lane, body) in bodies.iter().enumerate() {
-                let column = &mut columns[body.drive.coordinate];
-                for r in 0..6 {
-                    column[r] += values[r].lane(lane) * body.drive.ratio;
+    /// The same for the first six numbers of columns of `size`, with the values of the joints from `first` on side by side in
+    /// `values(first)`.
+    pub(crate) fn gather_groups(&self, out: &mut [T], size: usize, values: impl Fn(usize) -> [T::Lanes; 6]) {
+        assert_eq!(out.len(), self.dof() * size, "the output must have one column per coordinate");
+        if self.has_mimic() {
+            out.chunks_exact_mut(size).for_each(|column| column[..6].fill(T::zero()));
+        }
+        for first in groups::<T>(0..self.joints()) {
+            let values = values(first);
+            for (lane, body) in (0..T::Lanes::WIDTH).zip(&self.bodies()[1 + first..]) {
+                let column = &mut out[body.drive.coordinate * size..][..6];
+                for (entry, values) in column.iter_mut().zip(&values) {
+                    // Without mimic joints all ratios are 1.
+                    let before = if self.has_mimic() { *entry } else { T::zero() };
+                    *entry = before + values.lane(lane) * body.drive.ratio;
                 }
             }
         }

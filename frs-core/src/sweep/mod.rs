@@ -70,6 +70,9 @@ pub(crate) struct Data<T: Real> {
     pub rotation: Vec<Matrix3<T>>,
     /// Origin of each body's frame, from the centre of mass.
     pub origin: Vec<Vector3<T>>,
+    /// Orientation and origin of the body that joint j drives, by joints.
+    pub rotation_columns: Columns<T, 9>,
+    pub origin_columns: Columns<T, 3>,
     /// Total centre of mass, from the base body's origin.
     pub com: Vector3<T>,
     /// Reciprocal of the total mass.
@@ -146,6 +149,8 @@ impl<'m, T: Real> Workspace<'m, T> {
             cos: Row::new(joints),
             rotation: vec![Matrix3::identity(); bodies],
             origin: vec![Vector3::zeros(); bodies],
+            rotation_columns: nine.clone(),
+            origin_columns: Columns::new(joints),
             com: Vector3::zeros(),
             inverse_mass: T::one(),
             locked: Symmetric3::diagonal(Vector3::repeat(T::one())).factor(),
