@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, Matrix6, Vector3};
 use crate::Real;
 use crate::spatial::{CoriolisFactor, Inertia, Twist, Wrench, cross_matrix};
 use crate::sweep::{
-    Data, Moving, Shape, Square, Symmetry, base_matrix, factors, gather, groups, joined, outside_sums, splat,
-    subtree_sums,
+    Data, Moving, Shape, Square, Symmetry, base_matrix, factors, gather, groups, joined, multiple_of_block,
+    outside_sums, splat, subtree_sums,
 };
 
 impl<T: Real> Shape<'_, '_, T> {
@@ -28,7 +28,7 @@ impl<T: Real> Shape<'_, '_, T> {
     pub fn b2(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
         let momentum = self.locked_momentum(mu).moment;
         self.curvature_of_momentum(mu.angular, momentum, out, 0);
-        out.as_mut_slice().iter_mut().for_each(|entry| *entry = minus_half(*entry));
+        out.as_mut_slice().iter_mut().for_each(|entry| *entry = *entry * minus_half() + T::zero());
     }
 
     /// `D_μ(q, μ)` ((6+n)×(6+n), skew): the part of the Coriolis terms that is linear in the locked velocity,
@@ -65,17 +65,13 @@ impl<T: Real> Shape<'_, '_, T> {
         let n = self.model.dof();
         assert_eq!(b2.shape(), (n, n), "B_2 must be n×n");
         self.d_mu(mu, d_mu);
-        let columns = d_mu.as_slice().chunks_exact(6 + n).skip(6);
-        for (column, twice) in b2.as_mut_slice().chunks_exact_mut(n.max(1)).zip(columns) {
-            column.iter_mut().zip(&twice[6..]).for_each(|(entry, &twice)| *entry = minus_half(twice));
-        }
+        multiple_of_block(d_mu, minus_half(), b2);
     }
 }
 
-/// B_2 is −½ of the curvature that momentum feels; 0 has no sign.
-#[inline(always)]
-fn minus_half<T: Real>(x: T) -> T {
-    x * -T::from_f64(0.5) + T::zero()
+/// What B_2 is of the curvature that momentum feels.
+fn minus_half<T: Real>() -> T {
+    -T::from_f64(0.5)
 }
 
 impl<T: Real> Moving<'_, '_, '_, T> {
@@ -128,12 +124,12 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             let above = outside.apply(connection.angular) - inside.apply(reaction.angular) + complement * turning;
             let z = outside.apply_transpose(connection) - inside.apply_transpose(reaction);
             let (g, y) = (inside.apply(screw.angular) + composite * turning, inside.apply_transpose(screw));
-            let [columns, belows, besides] = &mut data.nine_rows;
-            columns.set_lanes(first, joined(g, connection.angular));
             data.six_rows.set_lanes(first, g);
             data.six_rows_more.set_lanes(first, above);
             data.three_rows.set_lanes(first, z);
             data.three_rows_more.set_lanes(first, y);
+            let [columns, belows, besides] = &mut data.nine_rows;
+            columns.set_lanes(first, joined(g, connection.angular));
             belows.set_lanes(first, joined(connection, y));
             besides.set_lanes(first, joined(connection, z));
         }

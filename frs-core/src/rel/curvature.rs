@@ -75,7 +75,7 @@ impl<T: Real> Shape<'_, '_, T> {
             let below =
                 Wrench::new(cross(&reaction.angular, &momentum) - rate_outside, cross(&reaction.linear, &twice));
             let beside = Wrench::new(cross(&momentum, &connection.angular) + rate, cross(&twice, &connection.linear));
-            // Here they have names (sweep/labels.rs).
+            // Where generated code knows them by name (sweep/labels.rs).
             data.six_rows.set_lanes(first, below);
             data.six_rows_more.set_lanes(first, beside);
             data.three_rows.set_lanes(first, rate);

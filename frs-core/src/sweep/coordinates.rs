@@ -3,7 +3,6 @@
 use nalgebra::Matrix6xX;
 
 use super::groups;
-
 use crate::model::Model;
 use crate::{Lanes, Real};
 
@@ -40,7 +39,7 @@ impl<T: Real> Model<T> {
             for (lane, body) in (0..T::Lanes::WIDTH).zip(&self.bodies()[1 + first..]) {
                 let column = &mut out[body.drive.coordinate * size..][..6];
                 for (entry, values) in column.iter_mut().zip(&values) {
-                    // Without mimic joints all ratios are 1.
+                    // Without mimic joints a column is one joint's, and need not be empty before.
                     let before = if self.has_mimic() { *entry } else { T::zero() };
                     *entry = before + values.lane(lane) * body.drive.ratio;
                 }

@@ -29,7 +29,7 @@ pub use labels::{Label, Pass};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 pub(crate) use newton_euler::{newton_euler, project};
 pub(crate) use parts::{gather, joined, scatter, splat};
-pub(crate) use square::{Square, Symmetry};
+pub(crate) use square::{Square, Symmetry, multiple_of_block};
 pub(crate) use velocity::free_velocities;
 
 use crate::Real;

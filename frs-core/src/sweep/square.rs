@@ -42,7 +42,7 @@ pub(crate) type Form<'c, L, const R: usize> = (&'c [L; R], &'c [[L; R]]);
 impl<'a, 'm, T: Real> Square<'a, 'm, T> {
     /// The block that starts at (`first`, `first`) of `out`; with mimic joints it is set to 0, ready to be added to.
     ///
-    /// Until it is mirrored, rows of `out` above the block hold anything.
+    /// What `out` holds above the block is lost.
     pub fn new(
         model: &'m Model<T>,
         out: &'a mut DMatrix<T>,
@@ -66,24 +66,22 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         below: Form<T::Lanes, R>,
         beside: Form<T::Lanes, S>,
     ) {
-        let (joints, width) = (self.model.joints(), T::Lanes::WIDTH);
-        for (lane, body) in (0..width).zip(&self.model.bodies()[first + 1..]) {
-            let i = first + lane;
-            let column = (self.first + i) * self.stride + self.first;
-            // Whole groups begin above the diagonal and end in the next column: there all is written after this, but in the last column.
-            let stop = column + joints.next_multiple_of(width);
-            let direct = !self.model.has_mimic() && stop <= self.entries.len();
-            let place = if direct { &mut self.entries[column + first..stop] } else { &mut self.row[first..] };
-            fill(
-                place,
-                [lane, body.end - 1 - first, joints - first],
-                values(below, lane, first),
-                values(beside, lane, first),
-            );
+        let (bodies, joints) = (self.model.bodies(), self.model.joints());
+        let (below, beside) = (from(first, below), from(first, beside));
+        // Whole groups hold more than column i from the diagonal on: what is above it, and what is in the next column, is written after
+        // this. Behind the last column there is no room.
+        let corner = (self.first + first) * (self.stride + 1);
+        let room = joints.next_multiple_of(T::Lanes::WIDTH) - first;
+        for (lane, body) in (0..T::Lanes::WIDTH).zip(&bodies[first + 1..]) {
+            let column = corner + lane * self.stride;
+            let direct = !self.model.has_mimic() && column + room <= self.entries.len();
+            let place = if direct { &mut self.entries[column..column + room] } else { &mut self.row[first..] };
+            let bounds = [body.end - 1 - first, joints - first];
+            fill(place, bounds, values(below, lane), values(beside, lane));
             if self.model.has_mimic() {
-                self.add_row(i);
+                self.add_row(first + lane);
             } else if !direct {
-                self.copy(i, i);
+                self.copy(first + lane, first + lane);
             }
         }
     }
@@ -97,9 +95,10 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         beside: Form<T::Lanes, S>,
     ) {
         let joints = self.model.joints();
+        let (below, beside) = (from(first, below), from(first, beside));
         for (lane, body) in (0..T::Lanes::WIDTH).zip(&self.model.bodies()[first + 1..]) {
-            let (j, bounds) = (first + lane, [lane + 1, body.end - 1 - first, joints - first]);
-            fill(&mut self.row[first..], bounds, values(below, lane, first), values(beside, lane, first));
+            let (j, bounds) = (first + lane, [body.end - 1 - first, joints - first]);
+            fill(&mut self.row[first..], bounds, values(below, lane), values(beside, lane));
             if self.model.has_mimic() {
                 (j + 1..joints).for_each(|i| self.add(i, j, self.row[i]));
             } else {
@@ -125,13 +124,13 @@ impl<'a, 'm, T: Real> Square<'a, 'm, T> {
         for corner in (0..joints).step_by(4) {
             let width = (joints - corner).min(4);
             let (strip, rest) = columns.split_at_mut(width * stride);
+            let tile = &mut strip[first + corner..];
             for column in 0..width {
                 for row in 0..column {
-                    strip[first + corner + row + column * stride] =
-                        turned(strip[first + corner + column + row * stride]);
+                    tile[row + column * stride] = turned(tile[column + row * stride]);
                 }
                 if self.symmetry == Symmetry::Skew {
-                    strip[first + corner + column * (stride + 1)] = T::zero();
+                    tile[column * (stride + 1)] = T::zero();
                 }
             }
             if rest.is_empty() {
@@ -179,14 +178,31 @@ impl Symmetry {
     }
 }
 
-/// The values of a form over the joint in `lane` of the group of `first` and the groups from its own on.
+/// `out = factor·block` for the block in the last rows and columns of `whole`; 0 has no sign.
+pub(crate) fn multiple_of_block<T: Real>(whole: &DMatrix<T>, factor: T, out: &mut DMatrix<T>) {
+    let (n, size, width) = (out.nrows(), whole.nrows(), T::Lanes::WIDTH);
+    let columns = whole.as_slice().chunks_exact(size).skip(size - n);
+    for (column, whole) in out.as_mut_slice().chunks_exact_mut(n.max(1)).zip(columns) {
+        let (mut entries, values) = (column.chunks_exact_mut(width), whole[size - n..].chunks_exact(width));
+        let rest = values.remainder();
+        for (entries, values) in (&mut entries).zip(values) {
+            (T::Lanes::read(values) * T::Lanes::splat(factor) + T::Lanes::zero()).write(entries);
+        }
+        for (entry, &value) in entries.into_remainder().iter_mut().zip(rest) {
+            *entry = value * factor + T::zero();
+        }
+    }
+}
+
+/// A form with the groups from that of `first` on.
 #[inline(always)]
-fn values<T: Real, L: Lanes<T>, const R: usize>(
-    (rows, columns): Form<L, R>,
-    lane: usize,
-    first: usize,
-) -> impl Fn(usize) -> L {
-    let columns = &columns[first / L::WIDTH..];
+fn from<T: Real, L: Lanes<T>, const R: usize>(first: usize, (rows, columns): Form<L, R>) -> Form<L, R> {
+    (rows, &columns[first / L::WIDTH..])
+}
+
+/// The values of a form over the joint in `lane` of its group, by groups.
+#[inline(always)]
+fn values<T: Real, L: Lanes<T>, const R: usize>((rows, columns): Form<L, R>, lane: usize) -> impl Fn(usize) -> L {
     let row = each(L::zero(), |r| L::splat(rows[r].lane(lane)));
     move |group| dot(&row, &columns[group])
 }
@@ -203,22 +219,18 @@ fn dot<L: Real, const R: usize>(a: &[L; R], b: &[L; R]) -> L {
     sum
 }
 
-/// Writes whole groups: `below(k)` for the joints from `start` to `middle`, `beside(k)` for those from there to `end`, k the number of
+/// Writes whole groups: `below(k)` for the joints up to `middle`, `beside(k)` for those from there to `end`, k the number of
 /// their group. What else the groups hold is no value.
 #[inline(always)]
 fn fill<T: Real>(
     entries: &mut [T],
-    [start, middle, end]: [usize; 3],
+    [middle, end]: [usize; 2],
     below: impl Fn(usize) -> T::Lanes,
     beside: impl Fn(usize) -> T::Lanes,
 ) {
     let width = T::Lanes::WIDTH;
-    // Where one form is all that is needed, no group needs both.
-    let middle = match middle {
-        _ if start == middle => 0,
-        _ if middle == end => entries.len(),
-        _ => middle,
-    };
+    // Where nothing is beside, no group needs both.
+    let middle = if middle == end { entries.len() } else { middle };
     let (stop, resume) = (middle / width, middle.div_ceil(width));
     for (k, entries) in entries.chunks_exact_mut(width).enumerate() {
         let values = match k {
