@@ -1,11 +1,12 @@
 //! C, the Coriolis matrix in base velocity and joint rates.
 
 use nalgebra::{DMatrix, Vector3};
-use num_traits::Zero;
 
 use crate::Real;
 use crate::spatial::{CoriolisFactor, Inertia, Twist, Wrench, cross_matrix};
-use crate::sweep::{Moving, Square, add_dot, base_matrix, dot, factors, gather, groups, scatter, splat, subtree_sums};
+use crate::sweep::{
+    Columns, Moving, Square, Symmetry, base_matrix, factors, gather, groups, joined, scatter, splat, subtree_sums,
+};
 
 impl<T: Real> Moving<'_, '_, '_, T> {
     /// The Coriolis matrix `C = Σ_k [X_k J_k]ᵀ(C(M_k; V_k) [X_k J_k] + M_k d[X_k J_k]/dt)` ((6+n)×(6+n), base frame) of a
@@ -40,23 +41,20 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             // s_jᵀ Eᶜ_j: the closed-form C is skew.
             let turned = Wrench::new(factor.apply_transpose(screw), Vector3::zeros());
             data.six_rows_more.set_lanes(first, turned - skew);
+            data.twelve_rows.set_lanes(first, joined(turned - skew, data.inside.lanes::<Wrench<_>>(first)));
         }
 
-        let mut block = Square::new(model, out, 6);
-        let (columns, rows, insides) = (data.six_rows.groups(), data.six_rows_more.groups(), data.inside.groups());
-        let row = &mut data.row;
-        for i in 0..joints {
-            let (end, screw) = (bodies[i + 1].end - 1, splat(data.screw.at::<[T; 6]>(i)));
-            row.fill([i, end, joints], |g| dot(screw, &columns[g]), |_| T::Lanes::zero());
-            block.row(i, row);
+        // What is beside a joint takes no part in its entries.
+        let nothing = Columns::<T, 0>::new(joints);
+        let mut block = Square::new(model, out, 6, Symmetry::Absent, &mut data.row);
+        let (columns, rows) = (data.six_rows.groups(), data.twelve_rows.groups());
+        for first in groups::<T>(0..joints) {
+            block.rows(first, (data.screw.group(first), columns), (&[], nothing.groups()));
         }
-        block.mirror(T::one());
-        for j in 0..joints {
-            let (end, screw) = (bodies[j + 1].end - 1, splat(data.screw.at::<[T; 6]>(j)));
-            let screw_rate = splat(data.twist[j]);
-            let below = |g| add_dot(dot(screw, &rows[g]), screw_rate, &insides[g]);
-            row.fill([j + 1, end, joints], below, |_| T::Lanes::zero());
-            block.column(j, j + 1, row);
+        block.mirror();
+        for first in groups::<T>(0..joints) {
+            let (screw, rate): (Twist<T::Lanes>, Twist<_>) = (data.screw.lanes(first), gather(&data.twist, first));
+            block.columns(first, (&joined(screw, rate), rows), (&[], nothing.groups()));
         }
         self.base_block(omega, com, out);
     }

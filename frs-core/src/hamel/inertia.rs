@@ -1,11 +1,10 @@
 //! M, the inertia matrix in base velocity and joint rates.
 
 use nalgebra::DMatrix;
-use num_traits::Zero;
 
 use crate::Real;
 use crate::spatial::Wrench;
-use crate::sweep::{Shape, Square, dot, splat};
+use crate::sweep::{Columns, Shape, Square, Symmetry, groups};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The inertia matrix `M = [[Λ_b, M_bq], [M_bqᵀ, M_q]]` ((6+n)×(6+n), base frame), `M_q = Σ_k J_kᵀ M_k J_k`.
@@ -16,16 +15,14 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` is not (6+n)×(6+n).
     pub fn hamel_inertia(&mut self, out: &mut DMatrix<T>) {
         let (model, com) = (self.model, self.com());
-        let (data, joints) = (&mut *self.data, model.joints());
+        let data = &mut *self.data;
         let insides = data.inside.groups();
-        let mut joint_block = Square::new(model, out, 6);
-        for i in 0..joints {
-            let end = model.bodies()[i + 1].end - 1;
-            let screw: [T::Lanes; 6] = splat(data.screw.at::<[T; 6]>(i));
-            data.row.fill([i, end, joints], |g| dot(screw, &insides[g]), |_| T::Lanes::zero());
-            joint_block.both(i, T::one(), &data.row);
+        let nothing = Columns::<T, 0>::new(model.joints());
+        let mut joint_block = Square::new(model, out, 6, Symmetry::Symmetric, &mut data.row);
+        for first in groups::<T>(0..model.joints()) {
+            joint_block.rows(first, (data.screw.group(first), insides), (&[], nothing.groups()));
         }
-        joint_block.mirror(T::one());
+        joint_block.mirror();
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&self.locked_inertia().to_matrix());
         out.view_range_mut(..6, 6..).fill(T::zero());
         for (j, body) in model.bodies()[1..].iter().enumerate() {

@@ -13,7 +13,9 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` does not have n columns.
     pub fn base_joint_inertia(&self, out: &mut Matrix6xX<T>) {
         let centre: Vector3<T::Lanes> = splat(-self.com());
-        self.model.gather_groups(out, |first| self.data.inside.lanes::<Wrench<_>>(first).at(centre).to_array());
+        self.model.gather_groups(out.as_mut_slice(), 6, |first| {
+            self.data.inside.lanes::<Wrench<_>>(first).at(centre).to_array()
+        });
     }
 
     /// The local mechanical connection `A_l = Λ_b⁻¹ M_bq` (6×n, base frame): at zero momentum the base moves with
@@ -25,7 +27,9 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` does not have n columns.
     pub fn connection(&self, out: &mut Matrix6xX<T>) {
         let centre: Vector3<T::Lanes> = splat(-self.com());
-        self.model.gather_groups(out, |first| self.data.connection.lanes::<Twist<_>>(first).at(centre).to_array());
+        self.model.gather_groups(out.as_mut_slice(), 6, |first| {
+            self.data.connection.lanes::<Twist<_>>(first).at(centre).to_array()
+        });
     }
 }
 

@@ -5,7 +5,8 @@ use nalgebra::{DMatrix, Matrix6, Vector3};
 use crate::Real;
 use crate::spatial::{CoriolisFactor, Inertia, Twist, Wrench, cross_matrix};
 use crate::sweep::{
-    Data, Moving, Shape, Square, add_dot, base_matrix, dot, factors, gather, groups, outside_sums, splat, subtree_sums,
+    Data, Moving, Shape, Square, Symmetry, base_matrix, factors, gather, groups, joined, multiple_of_block,
+    outside_sums, splat, subtree_sums,
 };
 
 impl<T: Real> Shape<'_, '_, T> {
@@ -26,9 +27,8 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` is not n×n.
     pub fn b2(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
         let momentum = self.locked_momentum(mu).moment;
-        let block = Square::new(self.model, out, 0);
-        self.curvature_of_momentum(mu.angular, momentum, block);
-        out.as_mut_slice().iter_mut().for_each(|entry| *entry = minus_half(*entry));
+        self.curvature_of_momentum(mu.angular, momentum, out, 0);
+        out.as_mut_slice().iter_mut().for_each(|entry| *entry = *entry * minus_half() + T::zero());
     }
 
     /// `D_μ(q, μ)` ((6+n)×(6+n), skew): the part of the Coriolis terms that is linear in the locked velocity,
@@ -40,22 +40,16 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` is not (6+n)×(6+n).
     pub fn d_mu(&mut self, mu: Twist<T>, out: &mut DMatrix<T>) {
         let momentum = self.locked_momentum(mu).moment;
-        let block = Square::new(self.model, out, 6);
-        self.curvature_of_momentum(mu.angular, momentum, block);
-        out.fixed_view_mut::<6, 6>(0, 0).copy_from(&-self.locked_coriolis(mu));
+        self.curvature_of_momentum(mu.angular, momentum, out, 6);
+        out.fixed_view_mut::<6, 6>(0, 0).copy_from(&self.locked_coriolis(mu).map(T::neg));
 
         let (com, mu) = (self.com(), mu.at(self.com()));
         let (momentum, half) = (self.locked_momentum(mu), mu * T::from_f64(0.5));
         let size = out.nrows();
         let (left, right) = out.as_mut_slice().split_at_mut(6 * size);
-        right.chunks_exact_mut(size).for_each(|column| column[..6].fill(T::zero()));
         self.data.momentum_columns(half, momentum, com);
-        for (j, body) in self.model.bodies()[1..].iter().enumerate() {
-            let column = &mut right[body.drive.coordinate * size..][..6];
-            for (entry, x) in column.iter_mut().zip(self.data.six_rows.at::<[T; 6]>(j)) {
-                *entry -= x * body.drive.ratio;
-            }
-        }
+        let columns = &self.data.six_rows;
+        self.model.gather_groups(right, size, |first| (-columns.lanes::<Wrench<_>>(first)).to_array());
         for (r, row) in left.chunks_exact_mut(size).enumerate() {
             for (entry, column) in row[6..].iter_mut().zip(right.chunks_exact(size)) {
                 *entry = -column[r];
@@ -71,17 +65,13 @@ impl<T: Real> Shape<'_, '_, T> {
         let n = self.model.dof();
         assert_eq!(b2.shape(), (n, n), "B_2 must be n×n");
         self.d_mu(mu, d_mu);
-        let columns = d_mu.as_slice().chunks_exact(6 + n).skip(6);
-        for (column, twice) in b2.as_mut_slice().chunks_exact_mut(n.max(1)).zip(columns) {
-            column.iter_mut().zip(&twice[6..]).for_each(|(entry, &twice)| *entry = minus_half(twice));
-        }
+        multiple_of_block(d_mu, minus_half(), b2);
     }
 }
 
-/// B_2 is −½ of the curvature that momentum feels; 0 has no sign.
-#[inline(always)]
-fn minus_half<T: Real>(x: T) -> T {
-    x * -T::from_f64(0.5) + T::zero()
+/// What B_2 is of the curvature that momentum feels.
+fn minus_half<T: Real>() -> T {
+    -T::from_f64(0.5)
 }
 
 impl<T: Real> Moving<'_, '_, '_, T> {
@@ -92,8 +82,7 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `out` is not n×n.
     pub fn gamma_q(&mut self, out: &mut DMatrix<T>) {
-        let model = self.model;
-        self.christoffel(Square::new(model, out, 0));
+        self.christoffel(out, 0);
     }
 
     /// `D_q̇(q, q̇) = diag(½ P(q̇), Γ'_q(q̇))` ((6+n)×(6+n)): the part of the Coriolis terms that is linear in q̇ alone.
@@ -101,20 +90,19 @@ impl<T: Real> Moving<'_, '_, '_, T> {
     /// # Panics
     /// If `out` is not (6+n)×(6+n).
     pub fn d_qdot(&mut self, out: &mut DMatrix<T>) {
-        let model = self.model;
-        self.christoffel(Square::new(model, out, 6));
+        self.christoffel(out, 6);
         out.view_range_mut(..6, 6..).fill(T::zero());
         out.view_range_mut(6.., ..6).fill(T::zero());
         let half = self.locked_rate().to_matrix() * T::from_f64(0.5);
         out.fixed_view_mut::<6, 6>(0, 0).copy_from(&base_matrix(&half, self.com()));
     }
 
-    /// `Γ'_q(q̇)` into a block.
+    /// `Γ'_q(q̇)` into the block of `out` that starts at (`start`, `start`).
     ///
     /// With g_j = Iᶜ_j ṡ_j + Dᶜ_j s_j and z_i = Dᵒ_iᵀ A_i − Dᶜ_iᵀ ŝ_i the entry is ŝ_i·g_j + z_i·A_j where i is j or above it,
     /// A_i·(Iᵒ_j ṡ_j + Dᵒ_j A_j − Dᶜ_j ŝ_j) + (Dᶜ_iᵀ s_i)·ŝ_j where j is above i, and z_i·A_j − A_i·g_j elsewhere. Only differences
     /// that are small where the entry is small are formed (docs/mathematics.md §3.5).
-    fn christoffel(&mut self, mut out: Square<'_, '_, T>) {
+    fn christoffel(&mut self, out: &mut DMatrix<T>, start: usize) {
         let (model, data) = (self.model, &mut *self.data);
         let bodies = model.bodies();
         let joints = model.joints();
@@ -135,37 +123,33 @@ impl<T: Real> Moving<'_, '_, '_, T> {
             let turning = velocity.ad(screw);
             let above = outside.apply(connection.angular) - inside.apply(reaction.angular) + complement * turning;
             let z = outside.apply_transpose(connection) - inside.apply_transpose(reaction);
-            data.six_rows.set_lanes(first, inside.apply(screw.angular) + composite * turning);
+            let (g, y) = (inside.apply(screw.angular) + composite * turning, inside.apply_transpose(screw));
+            data.six_rows.set_lanes(first, g);
             data.six_rows_more.set_lanes(first, above);
             data.three_rows.set_lanes(first, z);
-            data.three_rows_more.set_lanes(first, inside.apply_transpose(screw));
+            data.three_rows_more.set_lanes(first, y);
+            let [columns, belows, besides] = &mut data.nine_rows;
+            columns.set_lanes(first, joined(g, connection.angular));
+            belows.set_lanes(first, joined(connection, y));
+            besides.set_lanes(first, joined(connection, z));
         }
-        let (g, above, z, below) = (&data.six_rows, &data.six_rows_more, &data.three_rows, &data.three_rows_more);
-        let (columns, belows, zs) = (g.groups(), below.groups(), z.groups());
-        let (connection, connections, row) = (&data.connection, data.connection.groups(), &mut data.row);
-        for i in 0..joints {
-            let end = bodies[i + 1].end - 1;
-            let (z, minus_connection) = (splat(z.at::<[T; 3]>(i)), splat(-connection.at::<Twist<T>>(i)));
-            let reaction = splat(data.reaction.at::<[T; 6]>(i));
-            row.fill(
-                [i, end, joints],
-                |g| add_dot(dot(reaction, &columns[g]), z, &connections[g]),
-                |g| add_dot(dot(minus_connection, &columns[g]), z, &connections[g]),
-            );
-            out.row(i, row);
+        let (gs, aboves, zs) = (&data.six_rows, &data.six_rows_more, &data.three_rows);
+        let [columns, belows, besides] = &data.nine_rows;
+        let (columns, belows, besides) = (columns.groups(), belows.groups(), besides.groups());
+        let (connections, reactions) = (&data.connection, &data.reaction);
+        let mut out = Square::new(model, out, start, Symmetry::Absent, &mut data.row);
+        for first in groups::<T>(0..joints) {
+            let (connection, z): (Twist<T::Lanes>, Vector3<_>) = (connections.lanes(first), zs.lanes(first));
+            let below = joined(reactions.lanes::<Twist<_>>(first), z);
+            out.rows(first, (&below, columns), (&joined(-connection, z), columns));
         }
-        out.mirror(T::one());
-        for j in 0..joints {
-            let end = bodies[j + 1].end - 1;
-            let (above, aside) = (splat(above.at::<[T; 6]>(j)), splat(-g.at::<Wrench<T>>(j)));
-            let reaction: [T::Lanes; 3] = splat(data.reaction.at::<Twist<T>>(j).angular);
-            let turned: [T::Lanes; 3] = splat(connection.at::<Twist<T>>(j).angular);
-            row.fill(
-                [j + 1, end, joints],
-                |g| add_dot(dot(above, &connections[g]), reaction, &belows[g]),
-                |g| add_dot(dot(aside, &connections[g]), turned, &zs[g]),
-            );
-            out.column(j, j + 1, row);
+        out.mirror();
+        for first in groups::<T>(0..joints) {
+            let (connection, reaction): (Twist<T::Lanes>, Twist<_>) =
+                (connections.lanes(first), reactions.lanes(first));
+            let (g, above): (Wrench<T::Lanes>, Wrench<_>) = (gs.lanes(first), aboves.lanes(first));
+            let beside = joined(-g, connection.angular);
+            out.columns(first, (&joined(above, reaction.angular), belows), (&beside, besides));
         }
     }
 }

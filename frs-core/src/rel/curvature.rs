@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
 use crate::spatial::{Inertia, Twist, Wrench, cross};
-use crate::sweep::{Shape, Square, add_dot, dot, free_velocities, groups, splat};
+use crate::sweep::{Shape, Square, Symmetry, free_velocities, groups, joined, splat};
 
 /// The local curvature `𝓑(e_i, e_j) = ∂_i A_j − ∂_j A_i − ad_{A_i} A_j` for all pairs of coordinates.
 ///
@@ -42,11 +42,11 @@ impl<T: Real> Shape<'_, '_, T> {
         for (axis, component) in out.angular.iter_mut().enumerate() {
             let unit = Vector3::from_fn(|row, _| if row == axis { T::one() } else { T::zero() });
             let omega = self.data.locked.solve(unit);
-            self.curvature_of_momentum(omega, unit, Square::new(self.model, component, 0));
+            self.curvature_of_momentum(omega, unit, component, 0);
         }
     }
 
-    /// `⟨m, 𝓑_ω(e_i, e_j)⟩` into a block, for an angular momentum `m = Jω` about the centre of mass.
+    /// `⟨m, 𝓑_ω(e_i, e_j)⟩` into the block of `out` that starts at (`start`, `start`), for an angular momentum `m = Jω` about the centre of mass.
     ///
     /// Where joint i is above j, `(m×ω̂_i + J̇ᵒ_i ω)·A_j + 2m(ω×v̂_i)·A_v,j − ω̂_i·(J̇_j ω)`; where neither is above the other,
     /// the same with `−A_i` for `ŝ_i` and `−J̇_i` for `J̇ᵒ_i`. Source: docs/mathematics.md §3.4.
@@ -54,7 +54,8 @@ impl<T: Real> Shape<'_, '_, T> {
         &mut self,
         omega: Vector3<T>,
         momentum: Vector3<T>,
-        mut out: Square<'_, '_, T>,
+        out: &mut DMatrix<T>,
+        start: usize,
     ) {
         let data = &mut *self.data;
         let joints = self.model.joints();
@@ -63,36 +64,31 @@ impl<T: Real> Shape<'_, '_, T> {
         let twice: Vector3<T::Lanes> = splat(twice);
         for first in groups::<T>(0..joints) {
             let screw: Twist<T::Lanes> = data.screw.lanes(first);
-            let (connection, reaction): (Twist<T::Lanes>, Twist<_>) =
-                (data.connection.lanes(first), data.reaction.lanes(first));
-            let (composite, complement): (Inertia<T::Lanes>, Inertia<_>) =
-                (data.composite_columns.lanes(first), data.complement_columns.lanes(first));
+            let (composite, connection): (Inertia<T::Lanes>, Twist<_>) =
+                (data.composite_columns.lanes(first), data.connection.lanes(first));
             let rate = composite.rate(screw).rotational * omega;
+            let [columns, belows, besides] = &mut data.nine_rows;
+            columns.set_lanes(first, joined(rate, connection));
+            let (complement, reaction): (Inertia<T::Lanes>, Twist<_>) =
+                (data.complement_columns.lanes(first), data.reaction.lanes(first));
             let rate_outside = complement.rate(screw).rotational * omega;
             let below =
                 Wrench::new(cross(&reaction.angular, &momentum) - rate_outside, cross(&reaction.linear, &twice));
             let beside = Wrench::new(cross(&momentum, &connection.angular) + rate, cross(&twice, &connection.linear));
+            // Where generated code knows them by name (sweep/labels.rs).
             data.six_rows.set_lanes(first, below);
             data.six_rows_more.set_lanes(first, beside);
             data.three_rows.set_lanes(first, rate);
+            belows.set_lanes(first, joined(reaction.angular, below));
+            besides.set_lanes(first, joined(-connection.angular, beside));
         }
-        let (below, beside, rate) = (&data.six_rows, &data.six_rows_more, &data.three_rows);
-        let (rates, connections) = (rate.groups(), data.connection.groups());
-        let (connection, row) = (&data.connection, &mut data.row);
-        for i in 0..joints {
-            let end = self.model.bodies()[i + 1].end - 1;
-            let turned: [T::Lanes; 3] = splat(-connection.at::<Twist<T>>(i).angular);
-            let reaction: [T::Lanes; 3] = splat(data.reaction.at::<Twist<T>>(i).angular);
-            let (below, beside) = (splat(below.at::<[T; 6]>(i)), splat(beside.at::<[T; 6]>(i)));
-            row.fill(
-                [i, end, joints],
-                |g| add_dot(dot(reaction, &rates[g]), below, &connections[g]),
-                |g| add_dot(dot(turned, &rates[g]), beside, &connections[g]),
-            );
-            row[i] = T::zero();
-            out.both(i, -T::one(), row);
+        let [columns, belows, besides] = &data.nine_rows;
+        let columns = columns.groups();
+        let mut out = Square::new(self.model, out, start, Symmetry::Skew, &mut data.row);
+        for first in groups::<T>(0..joints) {
+            out.rows(first, (belows.group(first), columns), (besides.group(first), columns));
         }
-        out.mirror(-T::one());
+        out.mirror();
     }
 
     /// The curvature `𝓑(x, y)` on two shape directions (length n), a twist in the base frame, in O(n).

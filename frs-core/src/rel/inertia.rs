@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, Vector3};
 
 use crate::Real;
-use crate::spatial::{Inertia, Symmetric3, Twist};
-use crate::sweep::{Shape, Square, add_dot, dot, splat};
+use crate::spatial::{Inertia, Symmetric3, Twist, Wrench};
+use crate::sweep::{Shape, Square, Symmetry, groups, joined};
 
 impl<T: Real> Shape<'_, '_, T> {
     /// The locked inertia `Λ_b = Σ_k X_kᵀ M_k X_k` (6×6, base frame): the robot's inertia with its joints locked.
@@ -24,17 +24,13 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` is not n×n.
     pub fn shape_inertia(&mut self, out: &mut DMatrix<T>) {
         let (model, data) = (self.model, &mut *self.data);
-        let (joints, row) = (model.joints(), &mut data.row);
         let (connections, insides) = (data.connection.groups(), data.inside.groups());
-        let mut out = Square::new(model, out, 0);
-        for i in 0..joints {
-            let end = model.bodies()[i + 1].end - 1;
-            let (outside, connection) =
-                (splat(data.outside.at::<[T; 6]>(i)), splat(-data.connection.at::<Twist<T>>(i)));
-            row.fill([i, end, joints], |g| dot(outside, &connections[g]), |g| dot(connection, &insides[g]));
-            out.both(i, T::one(), row);
+        let mut out = Square::new(model, out, 0, Symmetry::Symmetric, &mut data.row);
+        for first in groups::<T>(0..model.joints()) {
+            let connection: Twist<T::Lanes> = data.connection.lanes(first);
+            out.rows(first, (data.outside.group(first), connections), (&(-connection).to_array(), insides));
         }
-        out.mirror(T::one());
+        out.mirror();
     }
 
     /// The shape inertia by the textbook form `Λ_q = M_q − A_lᵀ Λ_b A_l`, for comparison.
@@ -45,20 +41,18 @@ impl<T: Real> Shape<'_, '_, T> {
     /// If `out` is not n×n.
     pub fn shape_inertia_textbook(&mut self, out: &mut DMatrix<T>) {
         let (model, data) = (self.model, &mut *self.data);
-        let (joints, row) = (model.joints(), &mut data.row);
-        let insides = data.inside.groups();
-        let mut out = Square::new(model, out, 0);
-        for i in 0..joints {
-            let end = model.bodies()[i + 1].end - 1;
-            let (screw, connection) = (splat(data.screw.at::<[T; 6]>(i)), splat(-data.connection.at::<Twist<T>>(i)));
-            row.fill(
-                [i, end, joints],
-                |g| add_dot(dot(screw, &insides[g]), connection, &insides[g]),
-                |g| dot(connection, &insides[g]),
-            );
-            out.both(i, T::one(), row);
+        for first in groups::<T>(0..model.joints()) {
+            let inside: Wrench<T::Lanes> = data.inside.lanes(first);
+            data.twelve_rows.set_lanes(first, joined(inside, inside));
         }
-        out.mirror(T::one());
+        let (insides, twice) = (data.inside.groups(), data.twelve_rows.groups());
+        let mut out = Square::new(model, out, 0, Symmetry::Symmetric, &mut data.row);
+        for first in groups::<T>(0..model.joints()) {
+            let (screw, connection): (Twist<T::Lanes>, Twist<_>) =
+                (data.screw.lanes(first), data.connection.lanes(first));
+            out.rows(first, (&joined(screw, -connection), twice), (&(-connection).to_array(), insides));
+        }
+        out.mirror();
     }
 
     /// The rotational inertia about the centre of mass, base axes, with joints locked.

@@ -53,6 +53,12 @@ impl<T: Real, const R: usize> Columns<T, R> {
         W::from_parts(self.groups[first / T::Lanes::WIDTH])
     }
 
+    /// The numbers of the joints from `first` on, the first one of a group.
+    #[inline(always)]
+    pub fn group(&self, first: usize) -> &[T::Lanes; R] {
+        &self.groups[first / T::Lanes::WIDTH]
+    }
+
     /// The numbers of all joints, group by group.
     #[inline(always)]
     pub fn groups(&self) -> &[[T::Lanes; R]] {
@@ -82,57 +88,6 @@ impl<T: Real> Row<T> {
     pub fn lanes(&self, first: usize) -> T::Lanes {
         T::Lanes::read(&self.numbers[first..])
     }
-
-    /// `before(g)` for the joints from `start` to `middle`, `behind(g)` from there to `end`; both answer for group number g.
-    ///
-    /// Entries outside are lost.
-    #[inline(always)]
-    pub fn fill(
-        &mut self,
-        [start, middle, end]: [usize; 3],
-        before: impl Fn(usize) -> T::Lanes,
-        behind: impl Fn(usize) -> T::Lanes,
-    ) {
-        let (numbers, width) = (&mut self.numbers[..], T::Lanes::WIDTH);
-        let (border, shared) = (middle / width, middle % width);
-        let (first, last) = (start / width, end.div_ceil(width));
-        let (stop, resume) = match shared {
-            _ if start == middle => (first, first),
-            _ if middle == end => (last, last),
-            0 => (border, border),
-            _ => (border, border + 1),
-        };
-        for g in first..stop {
-            before(g).write(&mut numbers[g * width..]);
-        }
-        if stop < resume {
-            before(border).first_of(shared, behind(border)).write(&mut numbers[border * width..]);
-        }
-        for g in resume..last {
-            behind(g).write(&mut numbers[g * width..]);
-        }
-    }
-}
-
-/// `sum + Σ_r coefficients[r]·rows[r]` over the first `S` rows, term by term.
-#[inline(always)]
-pub(crate) fn add_dot<L: Real, const S: usize, const R: usize>(mut sum: L, coefficients: [L; S], rows: &[L; R]) -> L {
-    const { assert!(S <= R) };
-    for r in 0..S {
-        sum = sum.plus_product(coefficients[r], rows[r]);
-    }
-    sum
-}
-
-/// `Σ_r coefficients[r]·rows[r]` over the first `S` rows, term by term.
-#[inline(always)]
-pub(crate) fn dot<L: Real, const S: usize, const R: usize>(coefficients: [L; S], rows: &[L; R]) -> L {
-    const { assert!(S <= R) };
-    let mut sum = coefficients[0] * rows[0];
-    for r in 1..S {
-        sum = sum.plus_product(coefficients[r], rows[r]);
-    }
-    sum
 }
 
 impl<T> Deref for Row<T> {

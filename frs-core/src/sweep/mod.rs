@@ -16,19 +16,20 @@ mod labels;
 mod newton_euler;
 mod parts;
 mod position;
+mod square;
 mod tables;
 mod velocity;
 
 pub(crate) use articulated::articulated_accelerations;
-pub(crate) use columns::{Columns, Row, add_dot, dot, groups};
+pub(crate) use columns::{Columns, Row, groups};
 pub(crate) use composite::{outside_sums, subtree_sums};
-pub(crate) use coordinates::Square;
 pub(crate) use factors::factors;
 pub(crate) use frames::base_matrix;
 pub use labels::{Label, Pass};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 pub(crate) use newton_euler::{newton_euler, project};
-pub(crate) use parts::{gather, scatter, splat};
+pub(crate) use parts::{gather, joined, scatter, splat};
+pub(crate) use square::{Square, Symmetry, multiple_of_block};
 pub(crate) use velocity::free_velocities;
 
 use crate::Real;
@@ -69,6 +70,9 @@ pub(crate) struct Data<T: Real> {
     pub rotation: Vec<Matrix3<T>>,
     /// Origin of each body's frame, from the centre of mass.
     pub origin: Vec<Vector3<T>>,
+    /// Orientation and origin of the body that joint j drives, by joints.
+    pub rotation_columns: Columns<T, 9>,
+    pub origin_columns: Columns<T, 3>,
     /// Total centre of mass, from the base body's origin.
     pub com: Vector3<T>,
     /// Reciprocal of the total mass.
@@ -110,6 +114,8 @@ pub(crate) struct Data<T: Real> {
     pub three_rows_more: Columns<T, 3>,
     pub six_rows: Columns<T, 6>,
     pub six_rows_more: Columns<T, 6>,
+    pub nine_rows: [Columns<T, 9>; 3],
+    pub twelve_rows: Columns<T, 12>,
     /// Per coordinate.
     pub vector: Vec<T>,
     pub vector_more: Vec<T>,
@@ -136,13 +142,15 @@ impl<'m, T: Real> Workspace<'m, T> {
         let twist = vec![Twist::zero(); bodies];
         let wrench = vec![Wrench::zero(); bodies];
         let factor = vec![CoriolisFactor::zero(); bodies];
-        let (six, ten) = (Columns::new(joints), Columns::new(joints));
+        let (six, nine, ten) = (Columns::new(joints), Columns::new(joints), Columns::new(joints));
         let data = Data {
             tables: Tables::new(model),
             sin: Row::new(joints),
             cos: Row::new(joints),
             rotation: vec![Matrix3::identity(); bodies],
             origin: vec![Vector3::zeros(); bodies],
+            rotation_columns: nine.clone(),
+            origin_columns: Columns::new(joints),
             com: Vector3::zeros(),
             inverse_mass: T::one(),
             locked: Symmetric3::diagonal(Vector3::repeat(T::one())).factor(),
@@ -165,6 +173,8 @@ impl<'m, T: Real> Workspace<'m, T> {
             three_rows_more: Columns::new(joints),
             six_rows: six.clone(),
             six_rows_more: six,
+            nine_rows: [nine.clone(), nine.clone(), nine],
+            twelve_rows: Columns::new(joints),
             vector: vec![T::zero(); model.dof()],
             vector_more: vec![T::zero(); model.dof()],
             matrix: DMatrix::zeros(model.dof(), model.dof()),

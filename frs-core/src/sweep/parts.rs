@@ -32,6 +32,17 @@ where
     W::from_parts(each(T::Lanes::splat(parts[0]), |r| T::Lanes::splat(parts[r])))
 }
 
+/// The numbers of `a`, then those of `b`.
+#[inline(always)]
+pub(crate) fn joined<T: Copy, const A: usize, const B: usize, const R: usize>(
+    a: impl Parts<T, A>,
+    b: impl Parts<T, B>,
+) -> [T; R] {
+    const { assert!(A + B == R) };
+    let (a, b) = (a.parts(), b.parts());
+    each(a[0], |r| if r < A { a[r] } else { b[r - A] })
+}
+
 /// `values[first..]`, side by side.
 #[inline(always)]
 pub(crate) fn gather<T: Real, W, const R: usize>(values: &[impl Parts<T, R>], first: usize) -> W

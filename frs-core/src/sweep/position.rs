@@ -70,6 +70,8 @@ fn centres<T: Real>(model: &Model<T>, data: &mut Data<T>) {
         let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
         let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
         let com: Vector3<T::Lanes> = data.tables.com.lanes(first);
+        data.rotation_columns.set_lanes(first, rotation);
+        data.origin_columns.set_lanes(first, origin);
         data.three_rows.set_lanes(first, origin + times(&rotation, &com));
     }
 }
@@ -90,29 +92,33 @@ fn centroidal_frame<T: Real>(model: &Model<T>, data: &mut Data<T>) {
 
     data.origin[0] = data.origin[0] - data.com - rest;
     data.inertia[0] = Inertia::from_com(base.mass, base_com - rest, base.inertia);
-    data.composite[0] = data.inertia[0];
     let rest: Vector3<T::Lanes> = splat(rest);
     for first in groups::<T>(0..joints) {
-        let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
+        let (rotation, origin): (Matrix3<T::Lanes>, Vector3<_>) =
+            (data.rotation_columns.lanes(first), data.origin_columns.lanes(first));
+        let origin = origin - com - rest;
         let from_centre: Vector3<T::Lanes> = data.three_rows.lanes(first);
         let mass = data.tables.mass.lanes(first);
-        let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
         let spare: Symmetric3<T::Lanes> = data.tables.spare.lanes(first);
         let about_com = spare.rotated(&rotation).plus_multiple(data.tables.aside.lanes(first));
         let inertia = Inertia::from_com(mass, from_centre - rest, about_com);
-        scatter(&mut data.origin, first + 1, origin - com - rest);
+        data.origin_columns.set_lanes(first, origin);
+        scatter(&mut data.origin, first + 1, origin);
         scatter(&mut data.inertia, first + 1, inertia);
-        scatter(&mut data.composite, first + 1, inertia);
     }
+    data.composite.copy_from_slice(&data.inertia);
 }
 
 /// The mean of `base_com` and the bodies' centres of mass in `three_rows`, each as often as it weighs.
 fn mean_com<T: Real>(model: &Model<T>, data: &Data<T>, base_com: Vector3<T>) -> Vector3<T> {
     let (base, bodies) = (&model.bodies()[0], &model.bodies()[1..]);
-    let sum = bodies.iter().enumerate().fold(base_com * base.mass, |sum, (j, body)| {
-        let com: Vector3<T> = data.three_rows.at(j);
-        plus_scaled(sum, com, body.mass)
-    });
+    let mut sum = base_com * base.mass;
+    for first in groups::<T>(0..bodies.len()) {
+        let com: Vector3<T::Lanes> = data.three_rows.lanes(first);
+        for (lane, body) in (0..T::Lanes::WIDTH).zip(&bodies[first..]) {
+            sum = plus_scaled(sum, Vector3::new(com.x.lane(lane), com.y.lane(lane), com.z.lane(lane)), body.mass);
+        }
+    }
     sum * data.inverse_mass
 }
 
@@ -120,8 +126,8 @@ fn mean_com<T: Real>(model: &Model<T>, data: &Data<T>, base_com: Vector3<T>) -> 
 fn joint_columns<T: Real>(model: &Model<T>, data: &mut Data<T>) {
     let (locked, inverse_mass): (LdlFactor3<T::Lanes>, _) = (splat(data.locked), T::Lanes::splat(data.inverse_mass));
     for first in groups::<T>(0..model.joints()) {
-        let rotation: Matrix3<T::Lanes> = gather(&data.rotation, first + 1);
-        let origin: Vector3<T::Lanes> = gather(&data.origin, first + 1);
+        let (rotation, origin): (Matrix3<T::Lanes>, Vector3<_>) =
+            (data.rotation_columns.lanes(first), data.origin_columns.lanes(first));
         let axis = rotation.column(2).into_owned();
         data.screw.set_lanes(first, Twist::new(axis, cross(&origin, &axis)));
         for (k, body) in model.bodies().iter().enumerate().skip(first + 1).take(T::Lanes::WIDTH) {
@@ -131,11 +137,12 @@ fn joint_columns<T: Real>(model: &Model<T>, data: &mut Data<T>) {
         }
         let screw: Twist<T::Lanes> = data.screw.lanes(first);
         let composite: Inertia<T::Lanes> = gather(&data.composite, first + 1);
-        let complement: Inertia<T::Lanes> = gather(&data.complement, first + 1);
-        let (inside, outside) = (composite * screw, complement * screw);
+        let inside = composite * screw;
         data.composite_columns.set_lanes(first, composite);
-        data.complement_columns.set_lanes(first, complement);
         data.inside.set_lanes(first, inside);
+        let complement: Inertia<T::Lanes> = gather(&data.complement, first + 1);
+        let outside = complement * screw;
+        data.complement_columns.set_lanes(first, complement);
         data.outside.set_lanes(first, outside);
         data.connection.set_lanes(first, locked_solve(&locked, inverse_mass, inside));
         data.reaction.set_lanes(first, locked_solve(&locked, inverse_mass, outside));
