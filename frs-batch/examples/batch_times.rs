@@ -1,6 +1,6 @@
 //! Microseconds per state of batches, by every way of answering them, as the table of docs/batch.md.
 //!
-//! `cargo run --release -p frs-batch --example times`, and the same with `RUSTFLAGS="-C target-cpu=native" CARGO_TARGET_DIR=target/native`.
+//! `cargo run --release -p frs-batch --example batch_times`, and the same with `RUSTFLAGS="-C target-cpu=native" CARGO_TARGET_DIR=target/native`.
 
 use std::time::Instant;
 
