@@ -51,7 +51,8 @@ def chains(robots, path):
             points = [(n, time) for n, time in points if time]
             if points:
                 axis.plot(*zip(*points), "o-", label=one, color=colour)
-        axis.set(xlabel="joints", ylabel="ns a joint", xscale="log", yscale="log", title=WORKS[work])
+        axis.set(xlabel="joints", ylabel="ns a joint", xscale="log", title=WORKS[work])
+        axis.set_ylim(bottom=0)
         axis.set_xticks([robot.n for robot in robots], [str(robot.n) for robot in robots], minor=False)
         axis.legend()
     figure.savefig(path, metadata={"Date": None})
