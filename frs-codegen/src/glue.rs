@@ -9,8 +9,9 @@ use quote::{ToTokens, format_ident, quote};
 use crate::emit::{Code, ident, structure};
 use crate::module::Module;
 use crate::name::camel_case;
-use crate::options::Lanes;
+use crate::options::{Form, Lanes};
 use crate::report::FunctionReport;
+use crate::table::TYPES;
 
 impl Module<'_> {
     /// The lines of documentation of the module.
@@ -39,9 +40,11 @@ impl Module<'_> {
     }
 
     /// What the type of the robot is called: its name, unless something else in the module has it.
-    fn robot_name(&self, codes: &[Code]) -> Ident {
+    fn robot_name(&self, functions: &[FunctionReport], codes: &[Code]) -> Ident {
         let name = camel_case(self.model.name());
+        let tabled = functions.iter().any(|function| function.form == Form::Tabled);
         let taken = ["FloatingBase", "Quantity", "F64x4", "F64x8", "F32x8", "F32x16"].contains(&name.as_str())
+            || tabled && TYPES.contains(&name.as_str())
             || codes.iter().any(|code| structure(&code.name) == name);
         if taken { format_ident!("Robot{name}") } else { ident(&name) }
     }
@@ -64,7 +67,7 @@ impl Module<'_> {
             pub const COORDINATES: [&str; DOF] = [#(#coordinates),*];
         };
         let Some(core) = core else { return constants };
-        let robot = self.robot_name(codes);
+        let robot = self.robot_name(functions, codes);
         let number = self.number();
         let lanes = match self.options.lanes {
             Lanes::One if vectors => quote!(use #core::lanes::F64x4;),

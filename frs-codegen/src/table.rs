@@ -14,6 +14,9 @@ use crate::program::Input;
 use crate::report::{Counts, FunctionReport};
 use crate::simplify::Precision;
 
+/// The types that tables are made of.
+pub const TYPES: [&str; 5] = ["BodyTable", "Drive", "LinkTable", "Motion", "Tables"];
+
 impl Module<'_> {
     /// The tables and the functions of `quantities`; `core` is the path of `frs-core`.
     pub fn tabled(
@@ -23,9 +26,9 @@ impl Module<'_> {
     ) -> Result<(TokenStream, Vec<FunctionReport>), GenerateError> {
         let number = self.number();
         let (functions, reports): (TokenStream, Vec<_>) = quantities.iter().map(|&asked| self.in_loops(asked)).unzip();
-        let tables = self.tables()?;
+        let (types, tables) = (TYPES.map(ident), self.tables()?);
         let items = quote! {
-            use #core::generated::{BodyTable, Drive, LinkTable, Motion, Tables};
+            use #core::generated::{#(#types),*};
             #tables
             /// Answers by the core's loops, in memory that each thread has of its own.
             fn in_loops(quantity: Quantity, inputs: &[&[#number]], outputs: &mut [&mut [#number]]) {

@@ -401,6 +401,17 @@ fn the_form_is_chosen_by_the_length_of_the_code() {
     assert!(whole.iter().filter(|(_, form, _)| *form == Form::Tabled).count() > 10, "{whole:?}");
 }
 
+/// A robot may be called as the types are that its tables are made of.
+#[test]
+fn a_tabled_robot_has_a_name_of_its_own() {
+    let text = |form| {
+        let model = Model::from_urdf(&urdf("planar_three_link").replace("planar_three_link", "motion")).unwrap();
+        generate(&model, &Options { form, ..Options::default() }).unwrap().text()
+    };
+    assert!(text(Form::Tabled).contains("pub struct RobotMotion;"));
+    assert!(text(Form::Unrolled).contains("pub struct Motion;"));
+}
+
 /// As much text for a hundred joints as their constants take: each body adds the same.
 #[test]
 fn tables_grow_with_the_robot() {
