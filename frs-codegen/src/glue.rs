@@ -125,14 +125,7 @@ impl Module<'_> {
     /// The arm that answers a quantity.
     fn call(&self, function: &FunctionReport, payload: bool) -> TokenStream {
         let name = ident(&self.function_name(function.quantity));
-        let inputs: Vec<_> =
-            function.inputs.iter().map(|input| input.name).filter(|&name| name != "payload").map(ident).collect();
-        let outputs: Vec<_> = function.outputs.iter().map(|(name, ..)| ident(name)).collect();
-        // An input and an output may share a name.
-        let outputs: Vec<_> = outputs
-            .iter()
-            .map(|name| if inputs.contains(name) { ident(&format!("{name}_out")) } else { name.clone() })
-            .collect();
+        let (inputs, outputs) = arguments(function);
         let conversions = function.outputs.iter().zip(&outputs).map(|(&(_, shape, layers), name)| {
             let by = ident(conversion(shape, layers));
             quote!(#by(#name))
@@ -182,6 +175,15 @@ pub fn turn(functions: &TokenStream) -> TokenStream {
             #(#items)*
         }
     }
+}
+
+/// What the inputs of a function, but for a payload, and its outputs are called side by side: an input and an output may share a name.
+pub fn arguments(function: &FunctionReport) -> (Vec<Ident>, Vec<Ident>) {
+    let inputs = function.inputs.iter().map(|input| input.name).filter(|&name| name != "payload");
+    let inputs: Vec<Ident> = inputs.map(ident).collect();
+    let outputs = function.outputs.iter().map(|(name, ..)| ident(name));
+    let outputs = outputs.map(|name| if inputs.contains(&name) { format_ident!("{name}_out") } else { name }).collect();
+    (inputs, outputs)
 }
 
 /// Functions in the hybrid form in a module of their own, where the module already has unrolled ones: passes of both have the same names.

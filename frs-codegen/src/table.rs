@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 
 use crate::emit::ident;
 use crate::error::GenerateError;
-use crate::glue::quantity;
+use crate::glue::{arguments, quantity};
 use crate::module::Module;
 use crate::options::Form;
 use crate::program::Input;
@@ -67,15 +67,8 @@ impl Module<'_> {
         let doc =
             self.documentation(&report, asked.outputs().map(|output| (output.symbol, output.meaning, output.unit)));
         let name = ident(&report.name);
-        let given: Vec<Ident> = report.inputs.iter().map(|input| ident(input.name)).collect();
+        let (given, written) = arguments(&report);
         let lens = report.inputs.iter().map(|input| Literal::usize_unsuffixed(input.len));
-        // An input and an output may share a name.
-        let written: Vec<Ident> = report
-            .outputs
-            .iter()
-            .map(|(name, ..)| ident(name))
-            .map(|name| if given.contains(&name) { format_ident!("{name}_out") } else { name })
-            .collect();
         let types = report.outputs.iter().map(|&(_, shape, layers)| self.output_type(shape, layers));
         let slices = report.outputs.iter().zip(&written).map(|(&(_, shape, layers), name)| match (shape, layers) {
             ([1, 1], 1) => quote!(::std::slice::from_mut(#name)),
